@@ -10,7 +10,7 @@ use antipode_settings::{Kind, field, fields};
 use antipode_ui::Completion;
 
 use crate::names::key_names;
-use crate::script::{Argument, COMMANDS, CommandInfo, SETTINGS, command_named};
+use crate::script::{Argument, COMMANDS, CommandInfo, SETTINGS, Spawned, command_named};
 
 /// Longest line that is taken over from a file, in characters.
 const LONGEST_ENTRY: usize = 400;
@@ -153,7 +153,7 @@ fn choices(kind: Argument, before: &[String], worlds: &[String]) -> Vec<String> 
             .first()
             .map_or_else(Vec::new, |name| own(words_for(name))),
         Argument::Item => Item::ALL.iter().map(|item| item.id().to_owned()).collect(),
-        Argument::Spawned => own(&["bot", "hostile", "car", "lamp", "flag"]),
+        Argument::Spawned => Spawned::words().map(str::to_owned).collect(),
         Argument::ChartId => own(&["A", "B"]),
         Argument::Free => Vec::new(),
         Argument::Command => next_words(&[], worlds),

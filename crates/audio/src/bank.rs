@@ -1,99 +1,96 @@
-//! The sounds that are built in, as `assets/sounds/make_sounds.py` makes them.
+//! The sounds of `assets/tables/sounds.ron` and their files, which are built in as `assets/sounds/make_sounds.py` makes them.
 
 use antipode_terrain::Cover;
 
+use crate::volumes::Group;
 use crate::wav::{self, Clip, WavError};
 
-/// Variants by the names of their files.
-macro_rules! samples {
-    ($($variant:ident = $file:literal,)+) => {
-        /// A sound of the bank.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[expect(missing_docs, reason = "each is the file of its name")]
-        pub enum Sample {
-            $($variant,)+
-        }
+antipode_tables::sounds!();
 
-        impl Sample {
-            /// Every sound.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
-
-            /// The name of its file, without `.wav`.
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $file,)+
-                }
-            }
-
-            fn bytes(self) -> &'static [u8] {
-                match self {
-                    $(Self::$variant => include_bytes!(concat!("../../../assets/sounds/", $file, ".wav")),)+
-                }
-            }
-        }
-    };
+/// What the table says of a sound.
+struct Row {
+    group: Group,
+    gain: f32,
+    least: f32,
+    rate: f32,
+    wavers: bool,
+    by_ground: bool,
+    loops: bool,
 }
 
-samples! {
-    StepRock1 = "step-rock-1",
-    StepRock2 = "step-rock-2",
-    StepRock3 = "step-rock-3",
-    StepGravel1 = "step-gravel-1",
-    StepGravel2 = "step-gravel-2",
-    StepGravel3 = "step-gravel-3",
-    StepSand1 = "step-sand-1",
-    StepSand2 = "step-sand-2",
-    StepSand3 = "step-sand-3",
-    StepSoil1 = "step-soil-1",
-    StepSoil2 = "step-soil-2",
-    StepSoil3 = "step-soil-3",
-    StepGrass1 = "step-grass-1",
-    StepGrass2 = "step-grass-2",
-    StepGrass3 = "step-grass-3",
-    Dig1 = "dig-1",
-    Dig2 = "dig-2",
-    Dig3 = "dig-3",
-    Build1 = "build-1",
-    Build2 = "build-2",
-    LandSoft = "land-soft",
-    LandHard = "land-hard",
-    Shot = "shot",
-    Click = "click",
-    Struck = "struck",
-    Hurt = "hurt",
-    Lamp = "lamp",
-    PickUp = "pick-up",
-    Tick = "tick",
-    Press = "press",
-    Slot = "slot",
-    Wind = "wind",
-    Day = "day",
-    Night = "night",
-    Engine = "engine",
-    Tyres = "tyres",
-    Horn = "horn",
-    Door = "door",
-    Pad = "pad",
-    Bell = "bell",
-}
+/// A file of the bank, by its place there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Sample(usize);
 
 impl Sample {
+    /// Every file.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..FILES.len()).map(Self)
+    }
+
+    /// The name of its file, without `.wav`.
+    pub fn name(self) -> &'static str {
+        FILES[self.0].0
+    }
+
     /// The sound itself.
     ///
     /// # Errors
     /// When its file is none that the game plays.
     pub fn clip(self) -> Result<Clip, WavError> {
-        wav::read(self.bytes())
+        wav::read(FILES[self.0].1)
+    }
+}
+
+impl Sound {
+    fn row(self) -> &'static Row {
+        &ROWS[self as usize]
     }
 
-    /// The variants of a step.
-    pub(crate) fn steps(cover: Cover) -> [Self; 3] {
+    /// Its files.
+    pub fn samples(self) -> &'static [Sample] {
+        SAMPLES[self as usize]
+    }
+
+    /// Whose volume it goes by.
+    pub fn group(self) -> Group {
+        self.row().group
+    }
+
+    /// Its amplitude, 0 to 1, where it is as loud as a share, 0 to 1, of what it can be.
+    pub fn gain(self, share: f32) -> f32 {
+        let Row { gain, least, .. } = self.row();
+        least + (gain - least) * share
+    }
+
+    /// How fast it is played: 2 is an octave higher.
+    pub fn rate(self) -> f32 {
+        self.row().rate
+    }
+
+    /// Whether its rate changes a little from one time to the next.
+    pub fn wavers(self) -> bool {
+        self.row().wavers
+    }
+
+    /// Whether it sounds higher on hard ground.
+    pub fn is_by_ground(self) -> bool {
+        self.row().by_ground
+    }
+
+    /// Whether it goes on and on.
+    pub fn loops(self) -> bool {
+        self.row().loops
+    }
+
+    /// That of a step.
+    pub(crate) fn step(cover: Cover) -> Self {
         match cover {
-            Cover::Rock => [Self::StepRock1, Self::StepRock2, Self::StepRock3],
-            Cover::Gravel => [Self::StepGravel1, Self::StepGravel2, Self::StepGravel3],
-            Cover::Sand => [Self::StepSand1, Self::StepSand2, Self::StepSand3],
-            Cover::Soil => [Self::StepSoil1, Self::StepSoil2, Self::StepSoil3],
-            Cover::Grass => [Self::StepGrass1, Self::StepGrass2, Self::StepGrass3],
+            Cover::Rock => Self::StepRock,
+            Cover::Gravel => Self::StepGravel,
+            Cover::Sand => Self::StepSand,
+            Cover::Soil => Self::StepSoil,
+            Cover::Grass => Self::StepGrass,
         }
     }
 }
@@ -110,18 +107,10 @@ mod tests {
             .unwrap_or_else(|error| panic!("{}: {error}", sample.name()))
     }
 
-    const LOOPS: [Sample; 5] = [
-        Sample::Wind,
-        Sample::Day,
-        Sample::Night,
-        Sample::Engine,
-        Sample::Tyres,
-    ];
-
     #[test]
     fn every_sound_can_be_read_is_heard_and_is_not_cut_off_at_full_level() {
-        for sample in Sample::ALL {
-            let clip = clip(*sample);
+        for sample in Sample::all() {
+            let clip = clip(sample);
             let peak = clip
                 .samples
                 .iter()
@@ -138,14 +127,20 @@ mod tests {
 
     #[test]
     fn no_sound_ends_in_a_click_and_loops_go_on_without_one() {
-        for sample in Sample::ALL {
-            let samples = clip(*sample).samples;
+        let loops: Vec<Sample> = Sound::ALL
+            .into_iter()
+            .filter(|sound| sound.loops())
+            .flat_map(|sound| sound.samples().iter().copied())
+            .collect();
+        assert_eq!(loops.len(), 5);
+        for sample in Sample::all() {
+            let samples = clip(sample).samples;
             let (first, last) = (samples[0], samples[samples.len() - 1]);
             let steepest = samples
                 .windows(2)
                 .map(|pair| (pair[1] - pair[0]).abs())
                 .fold(0.0, f32::max);
-            if LOOPS.contains(sample) {
+            if loops.contains(&sample) {
                 let jump = (first - last).abs();
                 assert!(
                     jump <= steepest,
@@ -170,7 +165,7 @@ mod tests {
             count as f32 / samples.len() as f32
         };
         let [soil, grass] =
-            [Cover::Soil, Cover::Grass].map(|cover| crossings(Sample::steps(cover)[0]));
+            [Sound::StepSoil, Sound::StepGrass].map(|sound| crossings(sound.samples()[0]));
         assert!(
             grass > 1.5 * soil,
             "soil is dull and grass rustles: {soil} {grass}"
@@ -179,7 +174,7 @@ mod tests {
 
     #[test]
     fn the_bank_stays_small() {
-        let bytes: usize = Sample::ALL.iter().map(|sample| sample.bytes().len()).sum();
+        let bytes: usize = FILES.iter().map(|(_, bytes)| bytes.len()).sum();
         assert!(bytes < 2_000_000, "{bytes} bytes");
     }
 }

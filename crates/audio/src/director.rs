@@ -6,28 +6,26 @@ use antipode_scene::sound::Drive;
 use antipode_scene::{SoundEvent, Surroundings};
 use antipode_terrain::Cover;
 
-use crate::bank::Sample;
+use crate::bank::Sound;
 use crate::music::Music;
 use crate::player::{BEDS, Bed, Player, Voice};
 use crate::studio::{Cue, Heard, PlayState};
 use crate::volumes::{Group, Volumes};
 
-/// Loudest step, in amplitude, and the speed in m/s at which it is reached.
-const STEP: (f32, f64) = (0.55, 8.0);
+/// The speed in m/s at which a step is loudest.
+const STEP_M_S: f64 = 8.0;
 /// Fall, in m/s, that is heard as loud as can be, and the one from which it sounds hard.
 const LANDING_M_S: (f64, f64) = (16.0, 9.0);
 /// Wind on the lowest ground, and what height and speed add to it at most.
 const WIND: (f32, f32, f32) = (0.06, 0.30, 0.55);
 /// Speeds in m/s at which one's own motion is first heard as wind, and is as loud as can be.
 const WIND_SPEED_M_S: (f64, f64) = (6.0, 40.0);
-const BED_GAIN: f32 = 0.2;
 /// An idle engine, and what the pedal and speed add to it at most, in amplitude.
 const ENGINE: (f32, f32, f32) = (0.14, 0.16, 0.12);
 /// How fast the engine's loop is played at rest and at the speed in m/s at which it is highest.
 const ENGINE_RATE: (f32, f32) = (0.7, 2.1);
 const ENGINE_TOP_M_S: f64 = 30.0;
-/// The loudest tyres, and the speeds over the ground in m/s from which and at which they slide so.
-const TYRES: f32 = 0.35;
+/// The speeds over the ground in m/s from which tyres are heard to slide, and at which they are loudest.
 const SLIDE_M_S: (f64, f64) = (1.5, 9.0);
 /// What is left of the beds behind the pause menu.
 const PAUSED_SHARE: f32 = 0.35;
@@ -92,19 +90,20 @@ impl Director {
             self.surroundings = surroundings;
         }
         for event in &heard.events {
-            let voice = self.voice(event);
-            player.play(voice);
+            self.count = self.count.wrapping_add(1);
+            let (sound, loud, ground) = told(event);
+            player.play(self.voice(sound, loud, ground));
         }
         self.lay_beds(player);
     }
 
     /// Plays a sound of the interface.
     pub fn cue(&mut self, cue: Cue, player: &mut dyn Player) {
-        let (sample, gain) = match cue {
-            Cue::Moved => (Sample::Tick, 0.35),
-            Cue::Pressed => (Sample::Press, 0.5),
+        let sound = match cue {
+            Cue::Moved => Sound::Tick,
+            Cue::Pressed => Sound::Press,
         };
-        player.play(interface(sample, gain));
+        player.play(self.voice(sound, 1.0, None));
     }
 
     /// Lets time pass, in seconds.
@@ -121,60 +120,18 @@ impl Director {
         }
     }
 
-    fn voice(&mut self, event: &SoundEvent) -> Voice {
-        self.count = self.count.wrapping_add(1);
-        let effect = |sample, gain, rate| Voice {
-            sample,
-            group: Group::Effects,
-            gain,
-            rate,
-        };
-        match *event {
-            SoundEvent::Step { cover, speed_m_s } => {
-                let (loudest, at_m_s) = STEP;
-                let gain = loudest * (0.4 + 0.6 * share(speed_m_s, 0.0, at_m_s));
-                effect(self.pick(&Sample::steps(cover)), gain, self.waver())
-            }
-            SoundEvent::Landed { cover, speed_m_s } => {
-                let (loudest_m_s, hard_m_s) = LANDING_M_S;
-                let sample = if speed_m_s < hard_m_s {
-                    Sample::LandSoft
-                } else {
-                    Sample::LandHard
-                };
-                let gain = 0.25 + 0.65 * share(speed_m_s, 0.0, loudest_m_s);
-                effect(sample, gain, pitch(cover))
-            }
-            SoundEvent::Dug { cover } => {
-                let variants = [Sample::Dig1, Sample::Dig2, Sample::Dig3];
-                effect(self.pick(&variants), 0.5, pitch(cover) * self.waver())
-            }
-            SoundEvent::Built => effect(
-                self.pick(&[Sample::Build1, Sample::Build2]),
-                0.5,
-                self.waver(),
-            ),
-            SoundEvent::SlotChanged => interface(Sample::Slot, 0.4),
-            SoundEvent::Shot => effect(Sample::Shot, 0.6, self.waver()),
-            SoundEvent::Clicked => effect(Sample::Click, 0.4, 1.0),
-            SoundEvent::Struck => effect(Sample::Struck, 0.5, self.waver()),
-            SoundEvent::Hurt => effect(Sample::Hurt, 0.6, self.waver()),
-            SoundEvent::PutDown(_) => effect(Sample::Lamp, 0.45, 1.0),
-            SoundEvent::TakenUp(_) => effect(Sample::Lamp, 0.4, 1.26),
-            SoundEvent::CarDoor => effect(Sample::Door, 0.5, self.waver()),
-            SoundEvent::Crashed { speed_m_s } => {
-                let gain = 0.3 + 0.6 * share(speed_m_s, 0.0, LANDING_M_S.0);
-                effect(Sample::LandHard, gain, 1.2 * self.waver())
-            }
-            SoundEvent::CarHit => effect(Sample::Struck, 0.5, 1.6 * self.waver()),
-            SoundEvent::Horn => effect(Sample::Horn, 0.6, 1.0),
-            SoundEvent::PickedUp => effect(Sample::PickUp, 0.4, self.waver()),
+    /// A sound as loud as a share of what it can be, on some ground.
+    fn voice(&self, sound: Sound, loud: f32, ground: Option<Cover>) -> Voice {
+        // One variant after the other: the same twice running is heard as a machine.
+        let variants = sound.samples();
+        let ground = ground.filter(|_| sound.is_by_ground());
+        let waver = if sound.wavers() { self.waver() } else { 1.0 };
+        Voice {
+            sample: variants[self.count as usize % variants.len()],
+            group: sound.group(),
+            gain: sound.gain(loud),
+            rate: sound.rate() * ground.map_or(1.0, pitch) * waver,
         }
-    }
-
-    /// One variant after the other: the same twice running is heard as a machine.
-    fn pick(&self, variants: &[Sample]) -> Sample {
-        variants[self.count as usize % variants.len()]
     }
 
     /// A rate within 6 % of 1 that does not repeat soon: steps of the golden ratio fill an interval evenly.
@@ -210,19 +167,59 @@ impl Director {
         // Two beds that fade over into each other keep their power together when their squares add up to one.
         let day = share(air.day, 0.0, 1.0);
         let below = share(air.height_m, -12.0, -2.0);
-        let bed = BED_GAIN * present * below;
-        [
-            (wind.min(1.0) * present, 0.85 + 0.25 * high + 0.35 * fast),
-            (bed * day.sqrt(), 1.0),
-            (bed * (1.0 - day).sqrt(), 1.0),
-            engine(air.drive, present),
-            tyres(air.drive, present),
-        ]
+        let levels: [(f32, f32); BEDS] = [
+            (wind.min(1.0), 0.85 + 0.25 * high + 0.35 * fast),
+            (below * day.sqrt(), 1.0),
+            (below * (1.0 - day).sqrt(), 1.0),
+            engine(air.drive),
+            tyres(air.drive),
+        ];
+        std::array::from_fn(|place| {
+            let (sound, (share, rate)) = (Bed::ALL[place].sound(), levels[place]);
+            (sound.gain(share) * present, sound.rate() * rate)
+        })
     }
 }
 
-/// Amplitude and rate of the engine: it runs faster with the wheels, and harder with the pedal.
-fn engine(drive: Option<Drive>, present: f32) -> (f32, f32) {
+/// The sound of an event, how loud it is as a share of what it can be, and on which ground it is heard.
+fn told(event: &SoundEvent) -> (Sound, f32, Option<Cover>) {
+    let plain = |sound| (sound, 1.0, None);
+    match *event {
+        SoundEvent::Step { cover, speed_m_s } => (
+            Sound::step(cover),
+            share(speed_m_s, 0.0, STEP_M_S),
+            Some(cover),
+        ),
+        SoundEvent::Landed { cover, speed_m_s } => {
+            let (loudest_m_s, hard_m_s) = LANDING_M_S;
+            let sound = if speed_m_s < hard_m_s {
+                Sound::LandSoft
+            } else {
+                Sound::LandHard
+            };
+            (sound, share(speed_m_s, 0.0, loudest_m_s), Some(cover))
+        }
+        SoundEvent::Crashed { speed_m_s } => {
+            (Sound::Crash, share(speed_m_s, 0.0, LANDING_M_S.0), None)
+        }
+        SoundEvent::Dug { cover } => (Sound::Dig, 1.0, Some(cover)),
+        SoundEvent::Built => plain(Sound::Build),
+        SoundEvent::SlotChanged => plain(Sound::Slot),
+        SoundEvent::Shot => plain(Sound::Shot),
+        SoundEvent::Clicked => plain(Sound::Click),
+        SoundEvent::Struck => plain(Sound::Struck),
+        SoundEvent::Hurt => plain(Sound::Hurt),
+        SoundEvent::PutDown(_) => plain(Sound::PutDown),
+        SoundEvent::TakenUp(_) => plain(Sound::TakenUp),
+        SoundEvent::PickedUp => plain(Sound::PickUp),
+        SoundEvent::CarDoor => plain(Sound::Door),
+        SoundEvent::CarHit => plain(Sound::CarHit),
+        SoundEvent::Horn => plain(Sound::Horn),
+    }
+}
+
+/// Level and rate of the engine: it runs faster with the wheels, and harder with the pedal.
+fn engine(drive: Option<Drive>) -> (f32, f32) {
     let Some(drive) = drive else {
         return (0.0, ENGINE_RATE.0);
     };
@@ -230,28 +227,18 @@ fn engine(drive: Option<Drive>, present: f32) -> (f32, f32) {
     let fast = share(drive.speed_m_s.abs(), 0.0, ENGINE_TOP_M_S);
     let (idle, works, runs) = ENGINE;
     let (slow, quick) = ENGINE_RATE;
-    let gain = idle + works * pedal + runs * fast;
     (
-        gain * present,
+        idle + works * pedal + runs * fast,
         slow + (quick - slow) * (0.9 * fast + 0.1 * pedal),
     )
 }
 
-/// Amplitude and rate of tyres that slide.
-fn tyres(drive: Option<Drive>, present: f32) -> (f32, f32) {
+/// Level and rate of tyres that slide.
+fn tyres(drive: Option<Drive>) -> (f32, f32) {
     let slide_m_s = drive.map_or(0.0, |drive| drive.slide_m_s);
     let (from_m_s, most_m_s) = SLIDE_M_S;
     let slides = share(slide_m_s, from_m_s, most_m_s);
-    (TYRES * slides * present, 0.85 + 0.3 * slides)
-}
-
-fn interface(sample: Sample, gain: f32) -> Voice {
-    Voice {
-        sample,
-        group: Group::Interface,
-        gain,
-        rate: 1.0,
-    }
+    (slides, 0.85 + 0.3 * slides)
 }
 
 /// Hard ground sounds higher than soft.

@@ -51,17 +51,19 @@ impl<B: Backend<Error: ToString>> KiraPlayer<B> {
             tracks.push(track.map_err(|error| error.to_string())?);
         }
         let mut sounds = HashMap::new();
-        for &sample in Sample::ALL {
+        for sample in Sample::all() {
             let sound =
                 sound(sample).map_err(|error| format!("{} is damaged: {error}", sample.name()))?;
             sounds.insert(sample, sound);
         }
         let mut beds = Vec::new();
         for bed in Bed::ALL {
-            let looped = sounds[&bed.sample()]
+            let sound = bed.sound();
+            // The table is read by the build, which sees to a loop having one file.
+            let looped = sounds[&sound.samples()[0]]
                 .loop_region(0.0..)
                 .volume(Decibels::SILENCE);
-            let handle = tracks[bed.group() as usize].play(looped);
+            let handle = tracks[sound.group() as usize].play(looped);
             beds.push(handle.map_err(|error| error.to_string())?);
         }
         Ok(Self {

@@ -19,7 +19,7 @@ mod volumes;
 mod wav;
 
 pub use audio::Audio;
-pub use bank::Sample;
+pub use bank::{Sample, Sound};
 pub use player::{Bed, Player, Recorder, Voice};
 pub use studio::{Cue, Heard, PlayState, Status};
 pub use volumes::{Group, Volumes};

@@ -3,9 +3,8 @@
 //! A phrase walks along a pentatonic scale, in which any two notes go together: major by day, minor by night. Which
 //! notes come is a pure function of how many came before.
 
-use crate::bank::Sample;
+use crate::bank::Sound;
 use crate::player::Voice;
-use crate::volumes::Group;
 
 /// Semitones above A of the scales' notes, over two octaves.
 const MAJOR: [i32; 10] = [0, 2, 4, 7, 9, 12, 14, 16, 19, 21];
@@ -22,8 +21,6 @@ const PHRASE_CHORDS: u32 = 6;
 const REST_BEATS: (u32, u32) = (30, 75);
 /// Time before the first note, in seconds.
 const FIRST_S: f64 = 3.0;
-const PAD_GAIN: f32 = 0.22;
-const BELL_GAIN: f32 = 0.16;
 
 /// The composer.
 #[derive(Clone, Debug)]
@@ -67,14 +64,14 @@ impl Music {
         if within == 0 {
             let root = ROOTS[chord as usize % ROOTS.len()];
             for degree in [root, root + 2] {
-                play(note(Sample::Pad, scale, degree, -12, PAD_GAIN));
+                play(note(Sound::Pad, scale, degree, -12, 1.0));
             }
         }
         // The first beat of all is the chord's alone, and not every other has a note.
         if self.beat > 0 && self.roll(100) < if within == 2 { 75 } else { 45 } {
             self.degree = (self.degree + self.roll(5) as i32 - 2).clamp(0, scale.len() as i32 - 1);
-            let gain = BELL_GAIN * (0.7 + 0.03 * self.roll(11) as f32);
-            play(note(Sample::Bell, scale, self.degree, 0, gain));
+            let share = 0.7 + 0.03 * self.roll(11) as f32;
+            play(note(Sound::Bell, scale, self.degree, 0, share));
         }
         self.beat += 1;
         if self.beat >= CHORD_BEATS * PHRASE_CHORDS {
@@ -94,20 +91,21 @@ impl Music {
     }
 }
 
-/// A note of the scale; the samples sound A.
-fn note(sample: Sample, scale: &[i32; 10], degree: i32, transpose: i32, gain: f32) -> Voice {
+/// A note of the scale, as loud as a share of what its sound can be; the samples sound A.
+fn note(sound: Sound, scale: &[i32; 10], degree: i32, transpose: i32, share: f32) -> Voice {
     let semitones = scale[degree.rem_euclid(10) as usize] + transpose;
     Voice {
-        sample,
-        group: Group::Music,
-        gain,
-        rate: (semitones as f32 / 12.0).exp2(),
+        sample: sound.samples()[0],
+        group: sound.group(),
+        gain: share * sound.gain(1.0),
+        rate: sound.rate() * (semitones as f32 / 12.0).exp2(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::volumes::Group;
 
     /// Notes with their times, in seconds.
     fn listen(seconds: u32, night: bool) -> Vec<(f64, Voice)> {

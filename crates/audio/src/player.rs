@@ -1,6 +1,6 @@
 //! What can make sounds audible, and one that only writes them down.
 
-use crate::bank::Sample;
+use crate::bank::{Sample, Sound};
 use crate::volumes::Group;
 
 /// How many beds there are.
@@ -44,22 +44,14 @@ impl Bed {
         Self::Tyres,
     ];
 
-    /// The loop.
-    pub fn sample(self) -> Sample {
+    /// What is heard.
+    pub fn sound(self) -> Sound {
         match self {
-            Self::Wind => Sample::Wind,
-            Self::Day => Sample::Day,
-            Self::Night => Sample::Night,
-            Self::Engine => Sample::Engine,
-            Self::Tyres => Sample::Tyres,
-        }
-    }
-
-    /// Whose volume it goes by.
-    pub fn group(self) -> Group {
-        match self {
-            Self::Wind | Self::Day | Self::Night => Group::Ambience,
-            Self::Engine | Self::Tyres => Group::Effects,
+            Self::Wind => Sound::Wind,
+            Self::Day => Sound::Day,
+            Self::Night => Sound::Night,
+            Self::Engine => Sound::Engine,
+            Self::Tyres => Sound::Tyres,
         }
     }
 }

@@ -7,6 +7,7 @@
 
 mod hit_shapes;
 mod land;
+mod model;
 mod posture;
 mod quality;
 mod view;
@@ -14,11 +15,11 @@ mod view;
 use std::sync::Arc;
 
 use antipode_geometry::ChartPoint;
-use antipode_items::Item;
 use glam::{DQuat, DVec3};
 
 pub use hit_shapes::{HitForm, HitShape};
 pub use land::{ChunkChange, Land, LandCursor, LandNews};
+pub use model::{ModelId, ModelShape};
 pub use posture::{Clip, Posture};
 pub use quality::{ParseQualityError, Quality};
 pub use view::{Hand, View};
@@ -215,63 +216,6 @@ pub struct Orbs {
     pub moon: ChartPoint,
     /// Radius of each in metres.
     pub radius_m: f64,
-}
-
-/// Which model a figure is drawn with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ModelId {
-    /// The player's astronaut.
-    Astronaut,
-    /// The astronaut in the second outfit.
-    AstronautTeal,
-    /// The car without its wheels, about the ground below its middle.
-    CarBody,
-    /// A wheel of the car's left side, about its hub.
-    CarWheelLeft,
-    /// A wheel of the car's right side, about its hub.
-    CarWheelRight,
-    /// The flash at the gun's muzzle.
-    Flash,
-    /// Something that can be carried, about where its file has its origin: what has a grip there.
-    Item(Item),
-}
-
-impl ModelId {
-    /// Those that are no items.
-    const OTHERS: [Self; 6] = [
-        Self::Astronaut,
-        Self::AstronautTeal,
-        Self::CarBody,
-        Self::CarWheelLeft,
-        Self::CarWheelRight,
-        Self::Flash,
-    ];
-
-    /// Every model.
-    pub const ALL: [Self; Self::OTHERS.len() + Item::ALL.len()] = {
-        let mut all = [Self::Astronaut; Self::OTHERS.len() + Item::ALL.len()];
-        let mut place = 0;
-        while place < all.len() {
-            all[place] = if place < Self::OTHERS.len() {
-                Self::OTHERS[place]
-            } else {
-                Self::Item(Item::ALL[place - Self::OTHERS.len()])
-            };
-            place += 1;
-        }
-        all
-    };
-
-    /// Whether it is large enough to have a shade below it.
-    pub fn casts_shade(self) -> bool {
-        matches!(self, Self::Astronaut | Self::AstronautTeal | Self::CarBody)
-    }
-}
-
-impl From<Item> for ModelId {
-    fn from(item: Item) -> Self {
-        Self::Item(item)
-    }
 }
 
 /// A figure standing in the world.

@@ -7,7 +7,8 @@
 //! ```
 //! # fn main() -> Result<(), antipode_models::Error> {
 //! use antipode_models::{Mask, Model, Pose};
-//! let model = Model::from_glb(antipode_models::ASTRONAUT)?;
+//! # let file = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/models/astronaut.glb"));
+//! let model = Model::from_glb(file)?;
 //! let skeleton = &model.skeleton;
 //! if let (Some(walk), Some(hold), Some(belt)) = (model.clip("walk"), model.clip("hold"), skeleton.find("spine")) {
 //!     let mut pose = walk.pose(skeleton, 0.3);
@@ -58,10 +59,3 @@ pub const GAME_FROM_FILE: Quat = Quat::from_xyzw(
     0.0,
     std::f32::consts::FRAC_1_SQRT_2,
 );
-
-/// The astronaut in white and orange, as `assets/models/make_models.py` makes it.
-pub const ASTRONAUT: &[u8] = include_bytes!("../../../assets/models/astronaut.glb");
-/// The second outfit, in grey and teal, with the same skeleton and clips.
-pub const ASTRONAUT_TEAL: &[u8] = include_bytes!("../../../assets/models/astronaut_teal.glb");
-/// The car; its wheels are nodes of their own.
-pub const CAR: &[u8] = include_bytes!("../../../assets/models/car.glb");

@@ -1,6 +1,6 @@
 //! Loads the game's models for the adapter: vertices and indices in the game's axes, x ahead, y up, z to the right.
 
-use antipode_frame::ModelId;
+use antipode_frame::{ModelId, ModelShape};
 use antipode_models::{GAME_FROM_FILE, Material, Mesh, Model, Vertex};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3};
@@ -111,8 +111,8 @@ enum Look {
     Lamp,
     /// Something with a skeleton.
     Bent,
-    /// A car's body, whose lights are switched.
-    Car,
+    /// What has lights that are switched, as a car's body.
+    Switched,
     /// Anything else.
     Thing,
 }
@@ -123,15 +123,15 @@ impl Look {
     fn glow(self) -> f32 {
         match self {
             Self::Lamp => 0.7,
-            Self::Bent | Self::Thing | Self::Car => 0.28,
+            Self::Bent | Self::Thing | Self::Switched => 0.28,
         }
     }
 
     /// What switches the glow of a material.
     fn switch(self, material: &str) -> Switch {
         match (self, material) {
-            (Self::Car, "glow.tail") => Switch::LightsAndBrakes,
-            (Self::Car, _) => Switch::Lights,
+            (Self::Switched, "glow.tail") => Switch::LightsAndBrakes,
+            (Self::Switched, _) => Switch::Lights,
             (Self::Lamp | Self::Bent | Self::Thing, _) => Switch::Always,
         }
     }
@@ -167,29 +167,26 @@ pub struct Loaded {
 /// # Errors
 /// When one of the embedded files cannot be read or outgrows what is drawn; a test reads them all.
 pub fn load_all() -> Result<Vec<Loaded>, RenderError> {
-    let car = read(antipode_models::CAR)?;
-    ModelId::ALL
-        .into_iter()
-        .map(|model| match model {
-            ModelId::Astronaut => bent(&read(antipode_models::ASTRONAUT)?),
-            ModelId::AstronautTeal => bent(&read(antipode_models::ASTRONAUT_TEAL)?),
-            ModelId::CarBody => part(&car, "body", Look::Car),
-            ModelId::CarWheelLeft => part(&car, "wheel.FL", Look::Thing),
-            ModelId::CarWheelRight => part(&car, "wheel.FR", Look::Thing),
-            ModelId::Flash => Ok(Loaded {
-                shape: flash::shape(),
-                rig: None,
-            }),
-            ModelId::Item(item) => {
-                let look = if item.shines() {
-                    Look::Lamp
-                } else {
-                    Look::Thing
-                };
-                Ok(whole(&read(item.model())?, look))
-            }
-        })
-        .collect()
+    ModelId::ALL.into_iter().map(load).collect()
+}
+
+fn load(model: ModelId) -> Result<Loaded, RenderError> {
+    let look = if model.shines() {
+        Look::Lamp
+    } else if model.is_switched() {
+        Look::Switched
+    } else {
+        Look::Thing
+    };
+    match model.shape() {
+        ModelShape::Whole(file) => Ok(whole(&read(file)?, look)),
+        ModelShape::Part(file, node) => part(&read(file)?, node, look),
+        ModelShape::Bent(file) => bent(&read(file)?),
+        ModelShape::Made => Ok(Loaded {
+            shape: flash::shape(),
+            rig: None,
+        }),
+    }
 }
 
 fn read(bytes: &[u8]) -> Result<Model, RenderError> {

@@ -6,12 +6,15 @@ use std::collections::HashMap;
 
 use antipode_geometry::ChartPoint;
 use antipode_physics::{Character, CharacterTuning};
+use antipode_storage::RecordKind;
 use antipode_terrain::Field;
 use glam::DVec3;
 use hecs::{Component, DynamicBundle, Entity};
 
 use crate::car::Cars;
+use crate::fixture::Fixture;
 use crate::npc::Npcs;
+use crate::persist::fixture_kind;
 use crate::player::{self, Body, Health, Look, Position};
 use crate::spawn::{FIRST_YAW_RAD, spawn_point};
 use crate::tuning::FULL_HEALTH;
@@ -21,6 +24,14 @@ use crate::tuning::FULL_HEALTH;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ActorId(pub u32);
 
+/// Those that are numbered together.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Kind {
+    Of(TypeId),
+    /// What was put down, by the kind of record that it is kept as.
+    Fixture(RecordKind),
+}
+
 /// All actors of a world.
 pub(crate) struct Actors {
     pub ecs: hecs::World,
@@ -29,7 +40,7 @@ pub(crate) struct Actors {
     /// What cars have in common.
     pub cars: Cars,
     /// Of each kind the number that the next one gets.
-    next: HashMap<TypeId, u32>,
+    next: HashMap<Kind, u32>,
     /// What other figures have in common.
     pub npcs: Npcs,
 }
@@ -107,22 +118,39 @@ impl Actors {
         id
     }
 
+    /// Lets in one more that was put down.
+    pub fn enter_fixture(&mut self, it: Fixture) -> ActorId {
+        let id = self.give(Kind::Fixture(fixture_kind(it.item)));
+        self.ecs.spawn((id, it));
+        id
+    }
+
     /// Gives a number to one more of a kind.
     pub fn give_number<T: Component>(&mut self) -> ActorId {
-        let id = self.next::<T>();
-        self.number_next::<T>(id.0.wrapping_add(1));
+        self.give(Kind::Of(TypeId::of::<T>()))
+    }
+
+    fn give(&mut self, kind: Kind) -> ActorId {
+        let next = self.next.entry(kind).or_default();
+        let id = ActorId(*next);
+        *next = next.wrapping_add(1);
         id
     }
 
     /// The number that the next of a kind gets.
     pub fn next<T: Component>(&self) -> ActorId {
-        let next = self.next.get(&TypeId::of::<T>());
+        let next = self.next.get(&Kind::Of(TypeId::of::<T>()));
         ActorId(next.copied().unwrap_or_default())
     }
 
     /// Says which number that is.
     pub fn number_next<T: Component>(&mut self, number: u32) {
-        self.next.insert(TypeId::of::<T>(), number);
+        self.next.insert(Kind::Of(TypeId::of::<T>()), number);
+    }
+
+    /// Says which number the next has that was put down and is kept as such a record.
+    pub fn number_next_fixture(&mut self, kind: RecordKind, number: u32) {
+        self.next.insert(Kind::Fixture(kind), number);
     }
 
     /// All of a kind, in the order in which they came.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_items::Item;
 use antipode_terrain::Biome;
 
 use crate::actors::ActorId;
@@ -12,10 +13,10 @@ use crate::camera::CameraMode;
 use crate::car::CarView;
 use crate::damage;
 use crate::drops::Drop;
+use crate::fixture::{self, Fixture};
 use crate::frame::{HitShape, Quality};
 use crate::hit_shapes;
 use crate::inventory::Inventory;
-use crate::lamp::Lamp;
 use crate::moment::Seen;
 use crate::npc::{self, Speech, Wound};
 use crate::photo::Viewpoint;
@@ -181,8 +182,8 @@ impl Scene {
     }
 
     /// The lamps of the world, in the order in which they were put down.
-    pub fn lamps(&self) -> Vec<Lamp> {
-        self.sim.actors.each()
+    pub fn lamps(&self) -> Vec<Fixture> {
+        fixture::map_of(&self.sim.actors, Item::Lamp, |_, it| it.clone())
     }
 
     /// The ways to all flags, in the order in which they were planted.

@@ -7,12 +7,12 @@
 use std::f64::consts::PI;
 
 use antipode_geometry::{ChartPoint, Eye, Strategy, Viewer};
+use antipode_items::Item;
 use glam::DVec2;
 
 use crate::actors::{ActorId, Actors};
 use crate::bot;
-use crate::flag::Flag;
-use crate::lamp::Lamp;
+use crate::fixture;
 use crate::npc::any_heading;
 use crate::situation::Situation;
 use crate::world::World;
@@ -157,7 +157,7 @@ pub struct FlagWay {
 pub(crate) fn flag_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
     let eye = map_eye(actors.feet());
     let locator = Locator::new(&*world.strategy, &eye);
-    actors.map(|id, flag: &Flag| {
+    fixture::map_of(actors, Item::Flag, |id, flag| {
         let at = locator.at(flag.foot.point);
         FlagWay {
             id,
@@ -173,7 +173,9 @@ pub(crate) fn flag_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
 pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Landmark> {
     let eye = map_eye(actors.feet());
     let locator = Locator::new(&*world.strategy, &eye);
-    let lamps = actors.map(|_, it: &Lamp| (LandmarkKind::Lamp, it.foot.point));
+    let lamps = fixture::map_of(actors, Item::Lamp, |_, it| {
+        (LandmarkKind::Lamp, it.foot.point)
+    });
     let bots = bot::living(actors).into_iter().map(|it| {
         let kind = if it.fights {
             LandmarkKind::Hostile
@@ -185,7 +187,9 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
     let cars = actors.car_views().into_iter();
     let cars = cars.filter(|it| !it.driven);
     let cars = cars.map(|it| (LandmarkKind::Car, it.point));
-    let flags = actors.map(|_, it: &Flag| (LandmarkKind::Flag, it.foot.point));
+    let flags = fixture::map_of(actors, Item::Flag, |_, it| {
+        (LandmarkKind::Flag, it.foot.point)
+    });
     let marked = cars.chain(flags).map(|(kind, point)| Landmark {
         kind,
         at: locator.at(point).clamp_length_max(EDGE * reach_m),

@@ -379,7 +379,7 @@ mod tests {
         let lamp = |number, y| {
             let point = ChartPoint::a(DVec3::new(f64::from(number), y, 0.0));
             (
-                Who::Lamp(ActorId(number)),
+                Who::Fixture(Item::Lamp, ActorId(number)),
                 Figure::standing(Item::Lamp.into(), point, 0.0),
             )
         };

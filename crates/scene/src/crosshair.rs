@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use antipode_geometry::{ChartPoint, Eye};
+use antipode_items::{Item, Stands};
 use antipode_physics::meets_capsule;
 use glam::{DVec3, DVec4};
 use hecs::Entity;
@@ -13,7 +14,7 @@ use crate::aimed::ViewParams;
 use crate::bot::Bot;
 use crate::car::CarView;
 use crate::car::tuning::IN_VIEW;
-use crate::fixture::{Fixture, Target};
+use crate::fixture::{self, Fixture};
 use crate::npc::mind::Mind;
 use crate::npc::{apart_m, sees};
 use crate::pick::{Meets, Pick, over, pick, pick_among};
@@ -80,9 +81,13 @@ impl<'a> Crosshair<'a> {
         })
     }
 
-    /// The one of a kind of what is put down, if it is nearer than the ground.
-    pub fn fixture<T: Fixture>(&self, reach_m: f64) -> Option<ActorId> {
-        let all = self.now.actors.all::<T>();
+    /// What stands there of one kind, or of any, and its number, if it is nearer than the ground.
+    pub fn fixture(&self, item: Option<Item>, reach_m: f64) -> Option<(Item, ActorId)> {
+        let asked = |it: &Fixture| item.is_none_or(|item| it.item == item);
+        let all = fixture::map(self.now.actors, |id, it| {
+            asked(it).then(|| (id, it.clone()))
+        });
+        let all: Vec<(ActorId, Fixture)> = all.into_iter().flatten().collect();
         if all.is_empty() {
             return None;
         }
@@ -90,17 +95,22 @@ impl<'a> Crosshair<'a> {
             let met = all.iter().filter_map(|(_, it)| self.fixture_met(it, a, b));
             met.reduce(f64::min)
         });
-        let off_m = |(_, it): &(ActorId, T)| {
-            let foot = over(&*self.now.world.strategy, found.point, it.foot().point).pos;
-            let Target {
+        let off_m = |it: &Fixture| {
+            let foot = over(&*self.now.world.strategy, found.point, it.foot.point).pos;
+            let Stands {
                 heights_m: [low_m, high_m],
                 radius_m,
-            } = T::TARGET;
-            let up_m = (found.point.pos.y - foot.y).clamp(low_m + radius_m, high_m - radius_m);
+                ..
+            } = *it.stands;
+            let up_m = found.point.pos.y - foot.y;
+            let up_m = up_m.max(low_m + radius_m).min(high_m - radius_m);
             found.point.pos.distance(foot + DVec3::Y * up_m)
         };
-        let nearest = all.iter().min_by(|a, b| off_m(a).total_cmp(&off_m(b)))?;
-        (found.hit && off_m(nearest) < 2.0 * T::TARGET.radius_m).then_some(nearest.0)
+        let (id, nearest) = all
+            .iter()
+            .min_by(|a, b| off_m(&a.1).total_cmp(&off_m(&b.1)))?;
+        let is_met = found.hit && off_m(nearest) < 2.0 * nearest.stands.radius_m;
+        is_met.then_some((nearest.item, *id))
     }
 
     /// The nearest car about the middle of the view, or about the player where it need not be in view.
@@ -167,12 +177,13 @@ impl<'a> Crosshair<'a> {
         pick_among(strategy, physics, meets, &ray.eye, ray.past_head_m, reach_m)
     }
 
-    fn fixture_met<T: Fixture>(&self, it: &T, a: ChartPoint, b: ChartPoint) -> Option<f64> {
-        let Target {
+    fn fixture_met(&self, it: &Fixture, a: ChartPoint, b: ChartPoint) -> Option<f64> {
+        let Stands {
             heights_m: [low_m, high_m],
             radius_m,
-        } = T::TARGET;
-        let foot = over(&*self.now.world.strategy, a, it.foot().point).pos + DVec3::Y * low_m;
+            ..
+        } = *it.stands;
+        let foot = over(&*self.now.world.strategy, a, it.foot.point).pos + DVec3::Y * low_m;
         meets_capsule(a.pos, b.pos, 0.0, foot, high_m - low_m, radius_m)
     }
 }

@@ -17,13 +17,15 @@ use crate::player::Player;
 use crate::sound::SoundEvent;
 use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
 use crate::world::World;
-use antipode_items::Item;
+use antipode_items::{Item, Lies};
 
 /// How a thing lies on level ground: its turn, and how high its origin is over the ground, metres.
 pub fn lying(item: Item) -> (DQuat, f64) {
-    let lies = item.lies();
-    let turn_rad = if lies.on_its_side { FRAC_PI_2 } else { 0.0 };
-    (DQuat::from_rotation_x(turn_rad), lies.height_m)
+    let (turn_rad, height_m) = match item.lies() {
+        Lies::Upright { height_m } => (0.0, height_m),
+        Lies::OnItsSide { height_m } => (FRAC_PI_2, height_m),
+    };
+    (DQuat::from_rotation_x(turn_rad), height_m)
 }
 
 /// Slower than this after a touch, in m/s, a thing comes to rest.

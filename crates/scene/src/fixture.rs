@@ -1,10 +1,11 @@
 //! Fixtures: things that a hand puts down on the ground and takes up again. A fixture stays where it is, falls when the
-//! ground below it disappears, and comes up when the player builds over it.
+//! ground below it disappears, and comes up when the player builds over it. All kinds are one component; what a kind does
+//! besides is its [`Behaviour`].
 
 use antipode_geometry::{ChartPoint, Eye};
-use antipode_items::Item;
+use antipode_items::{Item, Stands};
 use glam::DVec3;
-use hecs::Component;
+use hecs::Entity;
 
 use crate::actions::Actions;
 use crate::actors::{ActorId, Actors};
@@ -14,6 +15,7 @@ use crate::ground::{Ground, height_below};
 use crate::ground_changed::OnGround;
 use crate::inventory::Inventory;
 use crate::notice::Hint;
+use crate::npc::any_heading;
 use crate::outbox::Outbox;
 use crate::pick::over;
 use crate::player::Player;
@@ -21,6 +23,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{FIXTURE_REACH_M, REACH_M, STEP_S};
 use crate::world::World;
+use crate::{flag, lamp};
 
 /// Those within this of the player are looked after, in metres: further off nobody changes the ground.
 const NEAR_M: f64 = 40.0;
@@ -74,61 +77,112 @@ impl Foot {
     }
 }
 
-/// The upright capsule within which the crosshair covers one.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Target {
-    /// From where to where it reaches, metres over the foot.
-    pub heights_m: [f64; 2],
-    pub radius_m: f64,
-}
-
-/// What the player is told of where nothing comes of a click.
-pub(crate) struct Refusals {
-    /// There is no ground for it in reach.
-    pub no_place: Hint,
-    /// The crosshair covers none.
-    pub none_there: Hint,
-    /// The world has as many as it can have.
-    pub too_many: Hint,
-}
-
-/// A kind of what is put down.
-pub(crate) trait Fixture: Component + Clone {
+/// Something that was put down. What is said of how it stands is its item's row of `assets/tables/items.ron`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fixture {
     /// What it is in a hand.
-    const ITEM: Item;
-    /// So many stand in a world at most.
-    const MOST: usize;
-    const TARGET: Target;
-    /// A place over its foot that must be free of ground, metres.
-    const MIDDLE_M: f64;
-    /// Radius of the ball about that which shows where it would be put, metres.
-    const MARKER_M: f64;
-    const REFUSALS: Refusals;
+    pub item: Item,
+    /// How it stands.
+    pub(crate) stands: &'static Stands,
+    /// Where it stands.
+    pub foot: Foot,
+    /// How it is turned from looking along +x, radians of its chart.
+    pub yaw_rad: f64,
+    /// Its name, as of [`flag::tidy_name`]; empty of what has none.
+    pub name: String,
+}
 
-    /// One that a player who looks along `yaw`, radians of that place's chart, has put there.
-    fn put(foot: Foot, yaw: f64) -> Self;
+impl Fixture {
+    /// One that stands at a point, turned to there, radians, or as all of its kind; none of what does not stand.
+    pub(crate) fn standing(
+        world: &World,
+        item: Item,
+        point: ChartPoint,
+        yaw_rad: Option<f64>,
+    ) -> Option<Self> {
+        let as_all = || any_heading(&*world.strategy, point.chart, 0.0);
+        Some(Self {
+            item,
+            stands: item.stands()?,
+            foot: Foot::standing(point),
+            yaw_rad: yaw_rad.unwrap_or_else(as_all),
+            name: String::new(),
+        })
+    }
 
-    fn foot(&self) -> &Foot;
+    /// The same of that name, as far as it can be one.
+    #[must_use]
+    pub(crate) fn named(mut self, name: &str) -> Self {
+        self.name = flag::tidy_name(name);
+        self
+    }
 
-    fn foot_mut(&mut self) -> &mut Foot;
+    /// Its middle, from which it shines if it does.
+    pub fn glow(&self) -> ChartPoint {
+        self.foot.point.moved(DVec3::Y * self.stands.middle_m)
+    }
+}
 
+/// What a kind does beyond standing where it was put. A new one has a file with its own, and its line in [`behaviour`].
+pub(crate) trait Behaviour {
     /// Where its foot is if it is put on ground with this unit normal; none where it would not stay.
-    fn foot_on(spot: ChartPoint, normal: DVec3) -> Option<ChartPoint>;
+    fn foot_on(&self, stands: &Stands, spot: ChartPoint, normal: DVec3) -> Option<ChartPoint> {
+        (normal.y >= stands.level_up).then_some(spot)
+    }
 
     /// Whether something else than ground below it holds it.
-    fn hangs(&self, _ground: &Ground) -> bool {
+    fn hangs(&self, _it: &Fixture, _ground: &Ground) -> bool {
         false
     }
 
     /// Does what the left button does with one that the crosshair covers; false where that is nothing.
-    fn touch(_id: ActorId, _outbox: &mut Outbox) -> bool {
+    fn touch(&self, _id: ActorId, _outbox: &mut Outbox) -> bool {
         false
     }
 }
 
+/// What does nothing but stand.
+struct Plain;
+
+impl Behaviour for Plain {}
+
+/// What those of an item do.
+fn behaviour(item: Item) -> &'static dyn Behaviour {
+    match item {
+        Item::Lamp => &lamp::Clings,
+        Item::Flag => &flag::Named,
+        _ => &Plain,
+    }
+}
+
+/// What is made of each that stands, by kinds, and of a kind in the order in which they came.
+pub(crate) fn map<R>(actors: &Actors, make: impl Fn(ActorId, &Fixture) -> R) -> Vec<R> {
+    let mut query = actors.ecs.query::<(&ActorId, &Fixture)>();
+    let mut all: Vec<_> = query.iter().collect();
+    all.sort_unstable_by_key(|(id, it)| (it.item, **id));
+    all.into_iter().map(|(id, it)| make(*id, it)).collect()
+}
+
+/// The same of those of one kind.
+pub(crate) fn map_of<R>(
+    actors: &Actors,
+    item: Item,
+    make: impl Fn(ActorId, &Fixture) -> R,
+) -> Vec<R> {
+    let all = map(actors, |id, it| (it.item == item).then(|| make(id, it)));
+    all.into_iter().flatten().collect()
+}
+
+/// One of a kind, to be changed.
+pub(crate) fn one_mut(actors: &mut Actors, item: Item, id: ActorId) -> Option<&mut Fixture> {
+    let all = actors.ecs.query_mut::<(&ActorId, &mut Fixture)>();
+    let mut found = all.into_iter().filter(|(_, it)| it.item == item);
+    found.find(|(it, _)| **it == id).map(|(_, it)| it)
+}
+
 /// The left button puts one down where the crosshair meets the ground, the right one picks up the one that it covers: with
 /// one in the hand, and what can be done with one that stands with an empty hand, too, for whoever has put down the last.
-pub(crate) fn use_in_hand<T: Fixture>(
+pub(crate) fn use_in_hand(
     world: &World,
     actors: &mut Actors,
     player: &mut Player,
@@ -136,150 +190,167 @@ pub(crate) fn use_in_hand<T: Fixture>(
     actions: &Actions,
 ) {
     let held = player.inventory.held();
-    if held.is_some_and(|it| it != T::ITEM) {
+    if held.is_some_and(|item| item.stands().is_none()) {
         return;
     }
     let now = Situation::of(world, actors, player);
     let crosshair = Crosshair::aimed(now);
+    let covered = || crosshair.fixture(held, REACH_M);
     if actions.primary && !player.primary_before {
-        let covered = crosshair.fixture::<T>(REACH_M);
-        if covered.is_some_and(|id| T::touch(id, outbox)) {
+        if covered().is_some_and(|(item, id)| behaviour(item).touch(id, outbox)) {
             return;
         }
-        if held.is_none() {
+        let Some((item, stands)) = held.and_then(|item| Some((item, item.stands()?))) else {
             return;
-        }
-        let place = place_under::<T>(world, &crosshair);
-        let it = place.map(|place| put_at::<T>(world, &now.head(), place));
-        put_down(actors, &mut player.inventory, outbox, it);
+        };
+        let place = place_under(world, &crosshair, item, stands);
+        let it = place.and_then(|place| put_at(world, &now.head(), item, place));
+        put_down(actors, &mut player.inventory, outbox, item, it);
     } else if actions.secondary && !player.secondary_before {
-        let covered = crosshair.fixture::<T>(REACH_M);
-        if held.is_none() && covered.is_none() {
-            return;
+        match covered() {
+            Some((item, id)) => pick_up(actors, &mut player.inventory, outbox, item, id),
+            None => outbox.hints.extend(held.map(Hint::NoneThere)),
         }
-        pick_up::<T>(actors, &mut player.inventory, outbox, covered);
     }
 }
 
 /// Where one would be put down: its foot, if there is ground for it in reach.
-fn place_under<T: Fixture>(world: &World, crosshair: &Crosshair<'_>) -> Option<ChartPoint> {
+fn place_under(
+    world: &World,
+    crosshair: &Crosshair<'_>,
+    item: Item,
+    stands: &Stands,
+) -> Option<ChartPoint> {
     let spot = crosshair.ground_or_figure(FIXTURE_REACH_M);
     let normal = || world.ground.normal(spot.point).as_dvec3();
-    spot.hit.then(|| T::foot_on(spot.point, normal())).flatten()
+    let foot = || behaviour(item).foot_on(stands, spot.point, normal());
+    spot.hit.then(foot).flatten()
 }
 
 /// Shows where the one in hand would be put down.
-pub(crate) fn marker<T: Fixture>(now: Situation<'_>) -> Option<Marker> {
-    let is_free = !now.actors.cars.is_driving();
-    if !is_free || now.player.inventory.held() != Some(T::ITEM) {
+pub(crate) fn marker(now: Situation<'_>) -> Option<Marker> {
+    if now.actors.cars.is_driving() {
         return None;
     }
-    let place = place_under::<T>(now.world, &Crosshair::aimed(now))?;
+    let item = now.player.inventory.held()?;
+    let stands = item.stands()?;
+    let place = place_under(now.world, &Crosshair::aimed(now), item, stands)?;
     Some(Marker {
-        point: place.moved(DVec3::Y * T::MIDDLE_M),
-        radius_m: T::MARKER_M,
+        point: place.moved(DVec3::Y * stands.middle_m),
+        radius_m: stands.marker_m,
         active: false,
         shape: MarkerShape::Ball,
     })
 }
 
-/// Lets one more in where a foot is put, if the world can have it.
-pub(crate) fn enter<T: Fixture>(actors: &mut Actors, it: T) -> Option<ActorId> {
-    has_room::<T>(actors).then(|| actors.enter(it))
+/// Lets one more in, if the world can have it.
+pub(crate) fn enter(actors: &mut Actors, it: Fixture) -> Option<ActorId> {
+    has_room(actors, &it).then(|| actors.enter_fixture(it))
 }
 
-fn has_room<T: Fixture>(actors: &Actors) -> bool {
-    actors.count::<T>() < T::MOST
+fn has_room(actors: &Actors, it: &Fixture) -> bool {
+    let mut all = actors.ecs.query::<&Fixture>();
+    let own = all.iter().filter(|other| other.item == it.item);
+    own.count() < it.stands.most
 }
 
 /// One that is put at a place. On somebody's shoulders it falls in the next step.
-fn put_at<T: Fixture>(world: &World, head: &Eye, place: ChartPoint) -> T {
-    let below = place.moved(DVec3::NEG_Y * STANDS_OVER_M);
-    let foot = Foot {
-        unchecked: !world.ground.is_solid(below),
-        ..Foot::standing(place)
-    };
+fn put_at(world: &World, head: &Eye, item: Item, place: ChartPoint) -> Option<Fixture> {
     let crossing = world.strategy.carry(head.point, place.chart);
     let turn_rad = crossing.map_or(0.0, |crossing| crossing.turn_rad);
-    T::put(foot, head.yaw - turn_rad)
+    let turned_deg = item.stands()?.turned_deg;
+    let yaw_rad = turned_deg.map(|own_deg| head.yaw - turn_rad + own_deg.to_radians());
+    let mut it = Fixture::standing(world, item, place, yaw_rad)?;
+    let below = place.moved(DVec3::NEG_Y * STANDS_OVER_M);
+    it.foot.unchecked = !world.ground.is_solid(below);
+    Some(it)
 }
 
-fn put_down<T: Fixture>(
+fn put_down(
     actors: &mut Actors,
     inventory: &mut Inventory,
     outbox: &mut Outbox,
-    it: Option<T>,
+    item: Item,
+    it: Option<Fixture>,
 ) {
     let Some(it) = it else {
-        outbox.hints.push(T::REFUSALS.no_place);
+        outbox.hints.push(Hint::NoPlaceFor(item));
         return;
     };
-    if !has_room::<T>(actors) {
-        outbox.hints.push(T::REFUSALS.too_many);
+    if !has_room(actors, &it) {
+        outbox.hints.push(Hint::TooMany(item));
         return;
     }
-    if inventory.spend(T::ITEM) {
-        actors.enter(it);
-        outbox.sounds.push(SoundEvent::PutDown(T::ITEM));
+    if inventory.spend(item) {
+        actors.enter_fixture(it);
+        outbox.sounds.push(SoundEvent::PutDown(item));
     }
 }
 
-fn pick_up<T: Fixture>(
+fn pick_up(
     actors: &mut Actors,
     inventory: &mut Inventory,
     outbox: &mut Outbox,
-    covered: Option<ActorId>,
+    item: Item,
+    id: ActorId,
 ) {
-    let Some(id) = covered else {
-        outbox.hints.push(T::REFUSALS.none_there);
-        return;
-    };
-    if inventory.give(T::ITEM, 1) == 0 {
-        actors.remove::<T>(id);
-        outbox.sounds.push(SoundEvent::TakenUp(T::ITEM));
+    if inventory.give(item, 1) == 0 {
+        remove(actors, item, id);
+        outbox.sounds.push(SoundEvent::TakenUp(item));
     } else {
         outbox.hints.push(Hint::NoRoom);
     }
 }
 
-/// Lets those fall whose ground is gone, and those that ground was built over come up.
-pub(crate) fn step<T: Fixture>(world: &World, actors: &mut Actors) {
-    let feet = actors.feet();
-    for it in actors.ecs.query_mut::<&mut T>() {
-        // What is known of ground further off leaves out what once was changed there.
-        let there = over(&*world.strategy, feet, it.foot().point);
-        let is_near = there.chart != feet.chart || there.pos.distance(feet.pos) < NEAR_M;
-        if it.foot().unchecked && is_near {
-            let rests_m = rest(&world.ground, it);
-            let foot = it.foot_mut();
-            foot.rests_m = rests_m;
-            foot.unchecked = false;
-        }
-        it.foot_mut().fall(actors.tuning.gravity_m_s2);
+fn remove(actors: &mut Actors, item: Item, id: ActorId) {
+    let mut all = actors.ecs.query::<(Entity, &ActorId, &Fixture)>();
+    let mut own = all
+        .iter()
+        .filter(|(_, own, it)| it.item == item && **own == id);
+    let found = own.next().map(|(entity, ..)| entity);
+    drop(all);
+    if let Some(entity) = found {
+        // It was there a moment ago.
+        let _ = actors.ecs.despawn(entity);
     }
 }
 
-impl<T: Fixture> OnGround for T {
+/// Lets those fall whose ground is gone, and those that ground was built over come up.
+pub(crate) fn step(world: &World, actors: &mut Actors) {
+    let feet = actors.feet();
+    for it in actors.ecs.query_mut::<&mut Fixture>() {
+        // What is known of ground further off leaves out what once was changed there.
+        let there = over(&*world.strategy, feet, it.foot.point);
+        let is_near = there.chart != feet.chart || there.pos.distance(feet.pos) < NEAR_M;
+        if it.foot.unchecked && is_near {
+            it.foot.rests_m = rest(&world.ground, it);
+            it.foot.unchecked = false;
+        }
+        it.foot.fall(actors.tuning.gravity_m_s2);
+    }
+}
+
+impl OnGround for Fixture {
     fn stands_at(&self) -> ChartPoint {
-        self.foot().point
+        self.foot.point
     }
 
     fn is_falling(&self) -> bool {
-        self.foot().falls()
+        self.foot.falls()
     }
 
     fn wake(&mut self) {
-        self.foot_mut().unchecked = true;
+        self.foot.unchecked = true;
     }
 }
 
 /// The height at which one comes to rest: where it hangs, on the first ground below it, or above what was built over it.
-fn rest<T: Fixture>(ground: &Ground, it: &T) -> f64 {
-    let point = it.foot().point;
-    if it.hangs(ground) {
+fn rest(ground: &Ground, it: &Fixture) -> f64 {
+    let point = it.foot.point;
+    if behaviour(it.item).hangs(it, ground) {
         return point.pos.y;
     }
-    let middle = point.moved(DVec3::Y * T::MIDDLE_M);
+    let middle = it.glow();
     let is_solid = |point: ChartPoint| ground.is_solid(point);
     let steps = (DUG_OUT_M / DUG_OUT_STEP_M) as u32;
     let above = (0..steps).map(|step| middle.moved(DVec3::Y * (f64::from(step) * DUG_OUT_STEP_M)));
@@ -291,28 +362,4 @@ fn rest<T: Fixture>(ground: &Ground, it: &T) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_stands_falls_to_its_rest_and_comes_up_at_once() {
-        let mut foot = Foot::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0)));
-        foot.fall(20.0);
-        assert_eq!(
-            foot,
-            Foot::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0)))
-        );
-        foot.rests_m = 5.0;
-        let mut steps = 0;
-        while foot.point.pos.y > 5.0 {
-            foot.fall(20.0);
-            steps += 1;
-        }
-        // Five metres at 20 m/s^2 take 0.71 s.
-        assert!((40..46).contains(&steps), "{steps}");
-        assert_eq!(foot.point.pos, DVec3::new(3.0, 5.0, 4.0));
-        foot.rests_m = 7.0;
-        foot.fall(20.0);
-        assert_eq!(foot.point.pos.y.to_bits(), 7.0f64.to_bits());
-    }
-}
+mod tests;

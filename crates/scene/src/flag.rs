@@ -1,47 +1,11 @@
 //! Flags: planted to find a place again, with a name that map and compass show.
 
-use std::f64::consts::FRAC_PI_2;
-
-use antipode_geometry::ChartPoint;
-use antipode_items::Item;
-use glam::DVec3;
-
 use crate::actors::ActorId;
-use crate::fixture::{Fixture, Foot, Refusals, Target};
-use crate::notice::Hint;
+use crate::fixture::Behaviour;
 use crate::outbox::Outbox;
 
-/// Flags in a world at once.
-pub const MOST_FLAGS: usize = 64;
 /// Characters of a name at most.
 pub const LONGEST_NAME: usize = 24;
-/// Height of a flag, metres.
-const HEIGHT_M: f64 = 1.7;
-/// Ground with less than this upright in its unit normal is too steep for one.
-const LEVEL_UP: f64 = 0.5;
-
-/// A flag that was planted.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Flag {
-    /// Where it stands.
-    pub foot: Foot,
-    /// Where its cloth points from the pole, radians of its chart.
-    pub yaw_rad: f64,
-    /// Its name, as of [`tidy_name`]; may be empty.
-    pub name: String,
-}
-
-impl Flag {
-    /// A flag that stands, of that name as far as it can be one.
-    pub fn standing(point: ChartPoint, yaw_rad: f64, name: &str) -> Self {
-        Self {
-            foot: Foot::standing(point),
-            yaw_rad,
-            name: tidy_name(name),
-        }
-    }
-}
-
 /// Whether it is not seen but changes how others are: directions, joiners, marks of the byte order.
 fn is_unseen(c: char) -> bool {
     let ranges = [
@@ -61,44 +25,12 @@ pub fn tidy_name(text: &str) -> String {
     short.trim_end().to_owned()
 }
 
-impl Fixture for Flag {
-    const ITEM: Item = Item::Flag;
-    const MOST: usize = MOST_FLAGS;
-    const TARGET: Target = Target {
-        heights_m: [0.0, HEIGHT_M],
-        radius_m: 0.25,
-    };
-    const MIDDLE_M: f64 = 0.35;
-    const MARKER_M: f64 = 0.12;
-    const REFUSALS: Refusals = Refusals {
-        no_place: Hint::NoPlaceForFlag,
-        none_there: Hint::NoFlagThere,
-        too_many: Hint::TooManyFlags,
-    };
+/// What has a name.
+pub(crate) struct Named;
 
-    /// Its cloth flies to the right of the one who planted it.
-    fn put(foot: Foot, yaw: f64) -> Self {
-        Self {
-            foot,
-            yaw_rad: yaw + FRAC_PI_2,
-            name: String::new(),
-        }
-    }
-
-    fn foot(&self) -> &Foot {
-        &self.foot
-    }
-
-    fn foot_mut(&mut self) -> &mut Foot {
-        &mut self.foot
-    }
-
-    fn foot_on(spot: ChartPoint, normal: DVec3) -> Option<ChartPoint> {
-        (normal.y >= LEVEL_UP).then_some(spot)
-    }
-
+impl Behaviour for Named {
     /// Asks for its name.
-    fn touch(id: ActorId, outbox: &mut Outbox) -> bool {
+    fn touch(&self, id: ActorId, outbox: &mut Outbox) -> bool {
         outbox.names_flag = Some(id);
         true
     }

@@ -6,9 +6,8 @@ use hecs::Component;
 use crate::actors::Actors;
 use crate::car::Car;
 use crate::drops::Drop;
-use crate::flag::Flag;
+use crate::fixture::Fixture;
 use crate::ground::chunks_near;
-use crate::lamp::Lamp;
 use crate::npc::Event;
 use crate::world::World;
 
@@ -27,8 +26,7 @@ pub(crate) trait OnGround {
 
 /// Tells all that may stand in these chunks that their ground has changed.
 pub(crate) fn tell(world: &World, actors: &mut Actors, chunks: &[ChunkCoord]) {
-    wake::<Lamp>(world, actors, chunks);
-    wake::<Flag>(world, actors, chunks);
+    wake::<Fixture>(world, actors, chunks);
     wake::<Drop>(world, actors, chunks);
     wake::<Car>(world, actors, chunks);
     let places = chunks

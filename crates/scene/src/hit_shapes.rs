@@ -6,14 +6,12 @@ use hecs::Entity;
 
 use crate::camera::CameraMode;
 use crate::drops::Drop;
-use crate::fixture::Fixture;
-use crate::flag::Flag;
+use crate::fixture;
 use crate::frame::{HitForm, HitShape};
-use crate::lamp::Lamp;
 use crate::player::{Body, Health, Position};
 use crate::projectile::Projectile;
 use crate::situation::Situation;
-use crate::tuning::{BULLET, DROP, LAMP_TARGET_M};
+use crate::tuning::{BULLET, DROP};
 
 /// Slower than this a body is at rest, in metres per second.
 const RESTS_M_S: f64 = 0.02;
@@ -25,17 +23,17 @@ const GROUND_WITHIN_M: f64 = 2.0;
 pub(crate) fn hit_shapes(now: Situation<'_>) -> Vec<HitShape> {
     let mut shapes = bodies(now);
     let ball = |radius_m, point, awake| HitShape::upright(HitForm::Ball { radius_m }, point, awake);
-    let lamp = |_, it: &Lamp| ball(LAMP_TARGET_M, it.glow(), it.foot.falls());
-    shapes.extend(now.actors.map(lamp));
-    let flag = |_, it: &Flag| {
-        let [low_m, high_m] = Flag::TARGET.heights_m;
-        let form = HitForm::Capsule {
-            height_m: high_m - low_m,
-            radius_m: Flag::TARGET.radius_m,
-        };
-        HitShape::upright(form, it.foot.point.moved(DVec3::Y * low_m), it.foot.falls())
-    };
-    shapes.extend(now.actors.map(flag));
+    shapes.extend(fixture::map(now.actors, |_, it| {
+        let ([low_m, high_m], radius_m) = (it.stands.heights_m, it.stands.radius_m);
+        let (height_m, awake) = (high_m - low_m, it.foot.falls());
+        let over_foot = |up_m| it.foot.point.moved(DVec3::Y * up_m);
+        if height_m > 2.0 * radius_m {
+            let form = HitForm::Capsule { height_m, radius_m };
+            HitShape::upright(form, over_foot(low_m), awake)
+        } else {
+            ball(radius_m, over_foot(low_m + radius_m), awake)
+        }
+    }));
     let bullet = |_, it: &Projectile| {
         let flies = it.velocity.length() > RESTS_M_S;
         ball(BULLET.radius_m, it.point, flies)

@@ -36,7 +36,7 @@ mod hand;
 mod hit_shapes;
 pub mod inventory;
 mod keeping;
-pub mod lamp;
+mod lamp;
 pub mod lens;
 mod light;
 mod moment;

@@ -6,9 +6,9 @@ use glam::{DMat3, DVec3, DVec4};
 use crate::aimed::ViewParams;
 use crate::car;
 use crate::crosshair::Crosshair;
+use crate::fixture;
 use crate::frame::{BeamLight, LampLight};
 use crate::gun::muzzle_of;
-use crate::lamp::Lamp;
 use crate::moment::{Lit, Who};
 use crate::scene::Scene;
 use crate::situation::Situation;
@@ -39,18 +39,21 @@ const HELD_LAMP_M: (f64, f64, f64) = (0.3, -0.2, 0.6);
 pub(crate) fn lights(scene: &Scene, eye: &Eye) -> Lit {
     let now = scene.now();
     let strategy = &**scene.lens().strategy();
-    let mut lamps = now.actors.map(|id, lamp: &Lamp| {
-        let glow = lamp.glow();
-        (strategy.distance_m(eye.point, glow, eye), id, glow)
+    let all = fixture::map(now.actors, |id, it| {
+        let glow = it.glow();
+        let away_m = || strategy.distance_m(eye.point, glow, eye);
+        let who = Who::Fixture(it.item, id);
+        it.item.shines().then(|| (away_m(), who, glow))
     });
+    let mut lamps: Vec<_> = all.into_iter().flatten().collect();
     lamps.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let lamp_light = |(_, id, point)| (Who::Lamp(id), shining(point));
+    let lamp_light = |(_, who, point)| (who, shining(point));
     let of_cars = car::lights::car_lights(now);
     let is_free = !now.actors.cars.is_driving();
     let params = scene.picturing();
     let muzzle = || muzzle_of(now.world, &now.head());
     let shot = scene.shown.hand.shot_light(muzzle);
-    let holds_lamp = is_free && now.player.inventory.held() == Some(Item::Lamp);
+    let holds_lamp = is_free && now.player.inventory.held().is_some_and(Item::shines);
     let in_hand = holds_lamp.then(|| shining(held_at(&now.head_through(&params))));
     let flashlight = is_free && now.player.flashlight;
     let beam = flashlight.then(|| (Who::InHand, flash_beam(now, &params, &scene.eye())));

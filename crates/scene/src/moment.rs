@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Map, Projection, Strategy};
+use antipode_items::Item;
 use glam::DVec3;
 
 use crate::actors::ActorId;
@@ -10,11 +11,9 @@ use crate::aimed::{Aim, ViewParams};
 use crate::camera::{CameraMode, CameraPose};
 use crate::car::mirror::rear_view;
 use crate::day;
-use crate::flag::Flag;
 use crate::frame::{
     BeamLight, Content, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, View,
 };
-use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::light::lights;
 use crate::photo::Viewpoint;
@@ -35,8 +34,8 @@ pub(crate) enum Who {
         id: u32,
         dead: bool,
     },
-    Lamp(ActorId),
-    Flag(ActorId),
+    /// What was put down.
+    Fixture(Item, ActorId),
     Bullet(ActorId),
     Drop(ActorId),
     Car(ActorId),
@@ -101,9 +100,7 @@ impl Scene {
             dead: now.player.is_dead(),
         };
         let marker = self.marker().filter(|marker| marker.active);
-        let marker = marker
-            .or_else(|| fixture::marker::<Lamp>(now))
-            .or_else(|| fixture::marker::<Flag>(now));
+        let marker = marker.or_else(|| fixture::marker(now));
         let still = self.shown.viewing.reduced_motion;
         Moment {
             hand: hand::seen(now, &self.shown.hand, still),

@@ -2,6 +2,7 @@
 //! player's language.
 
 use antipode_geometry::HyperbolicMap;
+use antipode_items::Item;
 use antipode_streaming::Cause;
 use thiserror::Error;
 
@@ -65,24 +66,15 @@ pub enum Hint {
     /// The gun has nothing to shoot.
     #[error("You have no bullets left.")]
     NoBullets,
-    /// The crosshair meets no ground near enough for a lamp.
-    #[error("A lamp needs ground to stand on, within eight metres.")]
-    NoPlaceForLamp,
-    /// The crosshair covers no lamp.
-    #[error("There is no lamp under the crosshair.")]
-    NoLampThere,
-    /// The world has as many lamps as it can have.
-    #[error("There are too many lamps in this world; pick one up first.")]
-    TooManyLamps,
-    /// The crosshair meets no ground near enough and not too steep for a flag.
-    #[error("A flag needs ground that is not too steep, within eight metres.")]
-    NoPlaceForFlag,
-    /// The crosshair covers no flag.
-    #[error("There is no flag under the crosshair.")]
-    NoFlagThere,
-    /// The world has as many flags as it can have.
-    #[error("There are too many flags in this world; take one up first.")]
-    TooManyFlags,
+    /// The crosshair meets no ground near enough where such a thing would stay.
+    #[error("There is no ground within eight metres on which a {} can stand.", .0.id())]
+    NoPlaceFor(Item),
+    /// The crosshair covers no such thing.
+    #[error("There is no {} under the crosshair.", .0.id())]
+    NoneThere(Item),
+    /// The world has as many such things as it can have.
+    #[error("There are too many of these in this world: {}. Take one up first.", .0.id())]
+    TooMany(Item),
     /// Nothing fits into the hotbar and the backpack any more.
     #[error("You cannot carry any more.")]
     NoRoom,

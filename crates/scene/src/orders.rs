@@ -1,15 +1,15 @@
 //! What a host may change in a scene from outside of a step: what commands, scripts and menus ask for.
 
 use antipode_geometry::{ChartPoint, Eye, HyperbolicMap};
+use antipode_items::Item;
 use glam::DVec3;
 
-use crate::actors::{ActorId, one_mut};
+use crate::actors::ActorId;
 use crate::bot::{self, Bot};
 use crate::fixture::{self, Fixture};
-use crate::flag::{Flag, tidy_name};
+use crate::flag::tidy_name;
 use crate::frame::Quality;
 use crate::inventory::{Inventory, Stack};
-use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
 use crate::npc::{self, NpcMode};
@@ -184,19 +184,25 @@ impl Scene {
 
     /// Puts a lamp with its foot at a point. Returns whether there was room for one more.
     pub fn spawn_lamp(&mut self, point: ChartPoint) -> bool {
-        self.put_up(Lamp::standing(point))
+        self.put_up(Item::Lamp, point, 0.0, "")
     }
 
     /// Plants a flag of that name at a point, its cloth along `yaw`, radians. Returns whether
     /// there was room for one more.
     pub fn spawn_flag(&mut self, point: ChartPoint, yaw: f64, name: &str) -> bool {
-        self.put_up(Flag::standing(point, yaw, name))
+        self.put_up(Item::Flag, point, yaw, name)
     }
 
-    fn put_up<T: Fixture>(&mut self, it: T) -> bool {
-        let has_room = fixture::enter(&mut self.sim.actors, it).is_some();
-        self.kept.changed |= has_room;
-        has_room
+    /// Puts an item that stands with its foot at a point; where not all of its kind look the same way, it looks along
+    /// `yaw`, radians. Returns whether it stands there: it is one that does, and there was room for one more.
+    pub fn put_up(&mut self, item: Item, point: ChartPoint, yaw: f64, name: &str) -> bool {
+        let turned = item.stands().and_then(|stands| stands.turned_deg);
+        let yaw_rad = turned.map(|_| yaw);
+        let it = Fixture::standing(&self.sim.world, item, point, yaw_rad);
+        let it = it.map(|it| it.named(name));
+        let id = it.and_then(|it| fixture::enter(&mut self.sim.actors, it));
+        self.kept.changed |= id.is_some();
+        id.is_some()
     }
 
     /// The flag that the player wants to name, asked for once.
@@ -206,7 +212,7 @@ impl Scene {
 
     /// Names a flag, as far as a text can be a name. Returns whether there is such a flag.
     pub fn name_flag(&mut self, id: ActorId, name: &str) -> bool {
-        let flag = one_mut::<Flag>(&mut self.sim.actors.ecs, id);
+        let flag = fixture::one_mut(&mut self.sim.actors, Item::Flag, id);
         let is_there = flag.map(|flag| flag.name = tidy_name(name)).is_some();
         self.kept.changed |= is_there;
         is_there

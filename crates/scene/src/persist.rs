@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use antipode_items::Item;
 use antipode_storage::{
-    BotRecord, CourseRecord, DropRecord, FlagRecord, LampRecord, PlaceRecord, PlayerKept,
-    PlayerRecord, Record, RecordKey, RecordKind, SlotRecord, ViewRecord,
+    BotRecord, CourseRecord, DropRecord, FixtureRecord, FlagRecord, LampRecord, PlaceRecord,
+    PlayerKept, PlayerRecord, Record, RecordKey, RecordKind, SlotRecord, ViewRecord,
 };
 use glam::DVec3;
 
@@ -13,8 +14,7 @@ use crate::bot::Bot;
 use crate::camera::CameraMode;
 use crate::car::Car;
 use crate::drops::Drop;
-use crate::flag::Flag;
-use crate::lamp::Lamp;
+use crate::fixture::Fixture;
 use crate::npc::mind::Mind;
 use crate::player::{Body, Health, Look, Player, Position};
 use crate::world::World;
@@ -100,26 +100,44 @@ fn view_record(world: &World, player: &Player) -> ViewRecord {
     }
 }
 
-/// Lamps, flags, and what lies about. What the pointer holds while the backpack is open lies at the player's feet in a save,
+/// As which kind of record something that was put down is kept. Lamps and flags had theirs before others could stand.
+pub(crate) fn fixture_kind(item: Item) -> RecordKind {
+    match item {
+        Item::Lamp => RecordKind::Lamp,
+        Item::Flag => RecordKind::Flag,
+        _ => RecordKind::Fixture,
+    }
+}
+
+/// What something that was put down is kept as.
+pub(crate) fn fixture_record(it: &Fixture) -> Record {
+    let (chart, pos) = (it.foot.point.chart.number(), it.foot.point.pos.to_array());
+    let (yaw, name) = (it.yaw_rad, it.name.clone());
+    match fixture_kind(it.item) {
+        RecordKind::Lamp => Record::Lamp(LampRecord { chart, pos }),
+        RecordKind::Flag => Record::Flag(FlagRecord {
+            chart,
+            pos,
+            yaw,
+            name,
+        }),
+        _ => Record::Fixture(FixtureRecord {
+            chart,
+            pos,
+            yaw,
+            name,
+            item: it.item.id().to_owned(),
+        }),
+    }
+}
+
+/// What was put down, and what lies about. What the pointer holds while the backpack is open lies at the player's feet in a save,
 /// under the number of the next that is thrown away.
 fn things(actors: &Actors, player: &Player, all: &mut All) {
-    let mut lamps = actors.ecs.query::<(&ActorId, &Lamp)>();
-    all.extend(lamps.iter().map(|(id, lamp)| {
-        let record = Record::Lamp(LampRecord {
-            chart: lamp.foot.point.chart.number(),
-            pos: lamp.foot.point.pos.to_array(),
-        });
-        (RecordKind::Lamp.numbered(id.0), record)
-    }));
-    let mut flags = actors.ecs.query::<(&ActorId, &Flag)>();
-    all.extend(flags.iter().map(|(id, flag)| {
-        let record = Record::Flag(FlagRecord {
-            chart: flag.foot.point.chart.number(),
-            pos: flag.foot.point.pos.to_array(),
-            yaw: flag.yaw_rad,
-            name: flag.name.clone(),
-        });
-        (RecordKind::Flag.numbered(id.0), record)
+    let mut fixtures = actors.ecs.query::<(&ActorId, &Fixture)>();
+    all.extend(fixtures.iter().map(|(id, it)| {
+        let key = fixture_kind(it.item).numbered(id.0);
+        (key, fixture_record(it))
     }));
     let drop_record = |id: ActorId, drop: &Drop| {
         let record = Record::Drop(DropRecord {

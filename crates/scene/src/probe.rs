@@ -53,6 +53,9 @@ pub struct Probe {
     pub lamps: Vec<LampProbe>,
     /// Flags that were planted.
     pub flags: Vec<FlagProbe>,
+    /// What else was put down; left out where nothing was.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fixtures: Vec<FixtureProbe>,
     /// What lies about.
     pub drops: Vec<DropProbe>,
     /// Terrain chunks.
@@ -176,6 +179,19 @@ pub struct ProjectileProbe {
 pub struct LampProbe {
     /// Foot, metres.
     pub pos: [f64; 3],
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
+}
+
+/// Something else that was put down in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FixtureProbe {
+    /// The item.
+    pub item: &'static str,
+    /// Foot, metres.
+    pub pos: [f64; 3],
+    /// Heading, degrees.
+    pub yaw: f64,
     /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
     pub hemisphere: String,
 }

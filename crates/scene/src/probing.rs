@@ -2,6 +2,7 @@
 
 use antipode_geometry::{ChartPoint, HyperbolicMap};
 use antipode_physics::Character;
+use antipode_storage::RecordKind;
 use glam::DVec3;
 
 use crate::actors::ActorId;
@@ -9,12 +10,12 @@ use crate::bot::{self, BotView};
 use crate::car::CarView;
 use crate::day;
 use crate::drops::Drop;
-use crate::flag::Flag;
+use crate::fixture::{self, Fixture};
 use crate::frame::Quality;
-use crate::lamp::Lamp;
+use crate::persist::fixture_kind;
 use crate::probe::{
-    BotProbe, CameraProbe, CarProbe, ChunkProbe, DropProbe, FlagProbe, LampProbe, MarkerProbe,
-    PlayerProbe, Probe, ProjectileProbe, SlotProbe, TerrainProbe, WheelProbe,
+    BotProbe, CameraProbe, CarProbe, ChunkProbe, DropProbe, FixtureProbe, FlagProbe, LampProbe,
+    MarkerProbe, PlayerProbe, Probe, ProjectileProbe, SlotProbe, TerrainProbe, WheelProbe,
 };
 use crate::projectile::Projectile;
 use crate::situation::Situation;
@@ -83,8 +84,9 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
             .map(|it| bot_probe(now, it))
             .collect(),
         projectiles: actors.map(|id, it| projectile_probe(now, id, it)),
-        lamps: actors.map(|_, it| lamp_probe(now, it)),
-        flags: actors.map(|_, it| flag_probe(now, it)),
+        lamps: fixture::map_of(actors, Item::Lamp, |_, it| lamp_probe(now, it)),
+        flags: fixture::map_of(actors, Item::Flag, |_, it| flag_probe(now, it)),
+        fixtures: fixture_probes(now),
         drops: actors.map(|_, it| drop_probe(now, it)),
         chunks: ChunkProbe {
             resident: world.ground.count(),
@@ -172,19 +174,33 @@ fn projectile_probe(now: Situation<'_>, id: ActorId, bullet: &Projectile) -> Pro
     }
 }
 
-fn lamp_probe(now: Situation<'_>, lamp: &Lamp) -> LampProbe {
+fn lamp_probe(now: Situation<'_>, lamp: &Fixture) -> LampProbe {
     LampProbe {
         pos: lamp.foot.point.pos.to_array(),
         hemisphere: chart(now, lamp.foot.point),
     }
 }
 
-fn flag_probe(now: Situation<'_>, flag: &Flag) -> FlagProbe {
+fn flag_probe(now: Situation<'_>, flag: &Fixture) -> FlagProbe {
     FlagProbe {
         pos: flag.foot.point.pos.to_array(),
         hemisphere: chart(now, flag.foot.point),
         name: flag.name.clone(),
     }
+}
+
+/// What was put down besides lamps and flags.
+fn fixture_probes(now: Situation<'_>) -> Vec<FixtureProbe> {
+    let all = fixture::map(now.actors, |_, it| {
+        let is_told = fixture_kind(it.item) == RecordKind::Fixture;
+        is_told.then(|| FixtureProbe {
+            item: it.item.id(),
+            pos: it.foot.point.pos.to_array(),
+            yaw: it.yaw_rad.to_degrees(),
+            hemisphere: chart(now, it.foot.point),
+        })
+    });
+    all.into_iter().flatten().collect()
 }
 
 fn drop_probe(now: Situation<'_>, drop: &Drop) -> DropProbe {

@@ -17,9 +17,8 @@ use crate::car::Car;
 use crate::car::doors::take_wheel;
 use crate::car::tuning::MOST_CARS;
 use crate::drops::Drop;
-use crate::flag::{Flag, MOST_FLAGS};
+use crate::fixture::{self, Fixture};
 use crate::inventory::{Inventory, SLOTS, Stack};
-use crate::lamp::Lamp;
 use crate::lens::{DialGoals, Lens};
 use crate::notice::Notice;
 use crate::npc::mind::Mind;
@@ -27,7 +26,7 @@ use crate::npc::tuning::ANGRY_S;
 use crate::persist::All;
 use crate::player::Player;
 use crate::situation::Situation;
-use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS, MOST_LAMPS};
+use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS};
 use crate::world::World;
 use crate::{body, car};
 use antipode_items::Item;
@@ -162,13 +161,19 @@ fn thing(
         }
         Record::Lamp(it) => {
             let at = point(world, it.chart, it.pos);
-            at.map(|at| actors.enter(Lamp::standing(at))).is_some()
+            fixture(world, actors, Item::Lamp, at, (None, ""))
         }
         Record::Flag(it) => {
             let at = point(world, it.chart, it.pos);
-            let yaw = finite_or(it.yaw, 0.0);
-            at.map(|at| actors.enter(Flag::standing(at, yaw, &it.name)))
-                .is_some()
+            fixture(world, actors, Item::Flag, at, (Some(it.yaw), &it.name))
+        }
+        Record::Fixture(it) => {
+            let Some(item) = Item::from_id(&it.item) else {
+                notices.push(Notice::UnknownItem(it.item.clone()));
+                return false;
+            };
+            let at = point(world, it.chart, it.pos);
+            fixture(world, actors, item, at, (Some(it.yaw), &it.name))
         }
         Record::Drop(it) => drop(world, actors, it, notices),
         Record::Figure(it) => figure(world, actors, it),
@@ -180,12 +185,27 @@ fn thing(
 fn number_next(actors: &mut Actors, key: RecordKey) {
     match key.kind {
         RecordKind::Player | RecordKind::Course | RecordKind::View => {}
-        RecordKind::Lamp => actors.number_next::<Lamp>(key.id),
-        RecordKind::Flag => actors.number_next::<Flag>(key.id),
+        RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => {
+            actors.number_next_fixture(key.kind, key.id);
+        }
         RecordKind::Drop => actors.number_next::<Drop>(key.id),
         RecordKind::Figure => actors.number_next::<Bot>(key.id),
         RecordKind::Car => actors.number_next::<Car>(key.id),
     }
+}
+
+/// Puts up what was put down, with its heading and its name.
+fn fixture(
+    world: &World,
+    actors: &mut Actors,
+    item: Item,
+    at: Option<ChartPoint>,
+    (yaw, name): (Option<f64>, &str),
+) -> bool {
+    let yaw_rad = yaw.map(|yaw| finite_or(yaw, 0.0));
+    let it = at.and_then(|at| Fixture::standing(world, item, at, yaw_rad));
+    it.and_then(|it| fixture::enter(actors, it.named(name)))
+        .is_some()
 }
 
 fn view(lens: &mut Lens, record: &ViewRecord, notices: &mut Vec<Notice>) {
@@ -273,12 +293,17 @@ pub(crate) fn chart(strategy: &dyn Atlas, record: u128) -> Option<ChartId> {
 fn most(kind: RecordKind) -> usize {
     match kind {
         RecordKind::Player | RecordKind::Course | RecordKind::View => 1,
-        RecordKind::Lamp => MOST_LAMPS,
-        RecordKind::Flag => MOST_FLAGS,
+        RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => most_fixtures(),
         RecordKind::Drop => 2 * MOST_DROPS,
         RecordKind::Figure => MOST_BOTS,
         RecordKind::Car => MOST_CARS,
     }
+}
+
+/// How many are taken in of what was put down; of each item the world has its own limit besides.
+fn most_fixtures() -> usize {
+    let stands = Item::ALL.into_iter().filter_map(Item::stands);
+    stands.map(|stands| stands.most).sum()
 }
 
 /// The value, where it is a number.

@@ -8,11 +8,9 @@ use hecs::Entity;
 use crate::bot::Bot;
 use crate::car::lights::{seat_figure, show_cars};
 use crate::drops::{self, Drop};
-use crate::flag::Flag;
+use crate::fixture;
 use crate::frame::Figure;
-use crate::lamp::Lamp;
 use crate::moment::Who;
-use crate::npc::any_heading;
 use crate::npc::mind::Mind;
 use crate::pick::over;
 use crate::player::{Appearance, Body, Look, Position};
@@ -94,19 +92,12 @@ fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
     from.moved(DVec3::NEG_Y * ground_m.max(KNEES_M))
 }
 
-/// Lamps, flags, bullets, and what lies about.
+/// What was put down, bullets, and what lies about.
 fn show_things(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
-    let lamp = |id, lamp: &Lamp| {
-        let yaw_rad = any_heading(&*now.world.strategy, lamp.foot.point.chart, 0.0);
-        let figure = Figure::standing(Item::Lamp.into(), lamp.foot.point, yaw_rad);
-        (Who::Lamp(id), figure)
-    };
-    seen.extend(now.actors.map(lamp));
-    let flag = |id, flag: &Flag| {
-        let figure = Figure::standing(Item::Flag.into(), flag.foot.point, flag.yaw_rad);
-        (Who::Flag(id), figure)
-    };
-    seen.extend(now.actors.map(flag));
+    seen.extend(fixture::map(now.actors, |id, it| {
+        let figure = Figure::standing(it.item.into(), it.foot.point, it.yaw_rad);
+        (Who::Fixture(it.item, id), figure)
+    }));
     let bullet = |id, bullet: &Projectile| {
         let way = bullet.velocity.normalize_or(DVec3::X);
         let figure = Figure {

@@ -8,8 +8,6 @@ use crate::actors::Actors;
 use crate::camera::CameraMode;
 use crate::car::{doors, drive};
 use crate::damage::{DamageKind, fall_damage};
-use crate::flag::Flag;
-use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::motion::Doing;
 use crate::notice::Hint;
@@ -76,11 +74,9 @@ impl Simulation {
             world.streamer.edit(stroke);
         }
         gun::use_in_hand(world, actors, player, outbox, actions);
-        fixture::use_in_hand::<Lamp>(world, actors, player, outbox, actions);
-        fixture::use_in_hand::<Flag>(world, actors, player, outbox, actions);
+        fixture::use_in_hand(world, actors, player, outbox, actions);
         gun::step_bullets(world, actors, player, outbox);
-        fixture::step::<Lamp>(world, actors);
-        fixture::step::<Flag>(world, actors);
+        fixture::step(world, actors);
         drops::step(world, actors, player, outbox);
         player.primary_before = actions.primary;
         player.secondary_before = actions.secondary;

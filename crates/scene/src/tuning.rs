@@ -118,14 +118,8 @@ pub const BOT_HEALTH: f64 = 3.0;
 pub const BOT_LIES_S: f64 = 2.0;
 /// How far from the eye lamps and flags can be put down, in metres.
 pub const FIXTURE_REACH_M: f64 = 8.0;
-/// Lamps in a world at once.
-pub const MOST_LAMPS: usize = 512;
 /// Most figures besides the player's in a world; each looks at every other.
 pub const MOST_BOTS: usize = 512;
-/// Radius around a lamp's middle within which the crosshair covers it, in metres.
-pub const LAMP_TARGET_M: f64 = 0.35;
-/// Height of a lamp's glowing middle over its foot, in metres.
-pub const LAMP_HEIGHT_M: f64 = 0.35;
 /// How a thing that was dropped flies.
 pub const DROP: BallTuning = BallTuning {
     radius_m: 0.18,

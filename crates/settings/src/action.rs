@@ -141,7 +141,7 @@ impl Action {
 }
 
 /// Every action, in the order in which they are shown.
-pub fn actions() -> &'static [ActionInfo] {
+pub const fn actions() -> &'static [ActionInfo] {
     &ACTIONS
 }
 

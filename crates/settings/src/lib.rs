@@ -27,7 +27,7 @@ pub use file::{
     Condition, Keeper, Notice, Opened, Reading, SaveProblem, config_path, open, read, write,
 };
 pub use input::{Input, MouseButton};
-pub use lesson::Lesson;
+pub use lesson::{Done, Lesson, Needs};
 pub use pad::PadButton;
 pub use profile::{BindError, Conflict, MAX_INPUTS, Profile};
 pub use profiles::{MAX_PROFILE_NAME_CHARS, MAX_PROFILES, ProfileError, Profiles};

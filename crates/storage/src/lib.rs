@@ -58,8 +58,9 @@ pub use page_check::check_pages;
 pub use record::{Record, RecordChanges, RecordKey, RecordKind, Records};
 pub use saves::SavesDir;
 pub use schema::{
-    BotRecord, CarRecord, ChunkKey, CourseRecord, DropRecord, FlagRecord, LampRecord, PlaceRecord,
-    PlayerKept, PlayerRecord, SCHEMA_VERSION, SlotRecord, ViewRecord, WorldMeta, WorldState,
+    BotRecord, CarRecord, ChunkKey, CourseRecord, DropRecord, FixtureRecord, FlagRecord,
+    LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SCHEMA_VERSION, SlotRecord, ViewRecord,
+    WorldMeta, WorldState,
 };
 pub use slug::slug_of;
 pub use transfer::{ArchiveFile, archives_in};

@@ -17,7 +17,8 @@ use std::fmt;
 
 use crate::codec::{self, Fault};
 use crate::record_shapes::{
-    BotRecord, CarRecord, CourseRecord, DropRecord, FlagRecord, LampRecord, PlayerKept, ViewRecord,
+    BotRecord, CarRecord, CourseRecord, DropRecord, FixtureRecord, FlagRecord, LampRecord,
+    PlayerKept, ViewRecord,
 };
 use crate::store::Raw;
 use crate::survey::PLAYERS_STATE;
@@ -101,6 +102,8 @@ kinds! {
     Lamp(LampRecord) = "lamp", version 1;
     /// A flag that was planted.
     Flag(FlagRecord) = "flag", version 1;
+    /// Something else that was put down and stands.
+    Fixture(FixtureRecord) = "fixture", version 1;
     /// A stack that lies about.
     Drop(DropRecord) = "drop", version 1;
     /// A figure that nobody plays.

@@ -65,6 +65,22 @@ pub struct FlagRecord {
     pub name: String,
 }
 
+/// Something else that was put down and stands.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct FixtureRecord {
+    /// The number of its chart; on a globe 0 and 1 are the hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
+    /// Its foot, chart metres.
+    pub pos: [f64; 3],
+    /// Its heading, radians.
+    pub yaw: f64,
+    /// Its name; may be empty.
+    pub name: String,
+    /// The item's identifier.
+    pub item: String,
+}
+
 /// A stack that lies about.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DropRecord {

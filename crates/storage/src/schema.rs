@@ -15,8 +15,8 @@ use crate::codec::{self, Fault, Kind, Record};
 use crate::schema_history::{v1, v2, v3, v4, v5};
 
 pub use crate::record_shapes::{
-    BotRecord, CarRecord, CourseRecord, DropRecord, FlagRecord, LampRecord, PlaceRecord,
-    PlayerKept, PlayerRecord, SlotRecord, ViewRecord,
+    BotRecord, CarRecord, CourseRecord, DropRecord, FixtureRecord, FlagRecord, LampRecord,
+    PlaceRecord, PlayerKept, PlayerRecord, SlotRecord, ViewRecord,
 };
 pub use crate::state::WorldState;
 

@@ -276,6 +276,7 @@ pub(crate) mod v5 {
                 flashlight: old.flashlight,
                 lamps: old.lamps,
                 flags: Vec::new(),
+                fixtures: Vec::new(),
                 drops: old.drops,
                 bots: old.bots,
                 cars: old.cars,

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::record::{Record, RecordChanges, RecordKey};
 use crate::record_shapes::{
-    BotRecord, CarRecord, CourseRecord, DropRecord, FlagRecord, LampRecord, PlaceRecord,
-    PlayerKept, PlayerRecord, SlotRecord, ViewRecord,
+    BotRecord, CarRecord, CourseRecord, DropRecord, FixtureRecord, FlagRecord, LampRecord,
+    PlaceRecord, PlayerKept, PlayerRecord, SlotRecord, ViewRecord,
 };
 
 /// Everything that changes while a world is played, but for the terrain.
@@ -43,6 +43,9 @@ pub struct WorldState {
     /// Flags that were planted, in that order. They came with records: in version 6, whose state is this value, they are not.
     #[serde(skip)]
     pub flags: Vec<FlagRecord>,
+    /// What else was put down, in that order; as flags.
+    #[serde(skip)]
+    pub fixtures: Vec<FixtureRecord>,
     /// What lies about.
     pub drops: Vec<DropRecord>,
     /// Other figures.
@@ -64,11 +67,13 @@ impl WorldState {
     pub fn to_records(&self) -> impl Iterator<Item = (RecordKey, Record)> {
         let lamps = self.lamps.iter().cloned().map(Record::Lamp);
         let flags = self.flags.iter().cloned().map(Record::Flag);
+        let fixtures = self.fixtures.iter().cloned().map(Record::Fixture);
         let drops = self.drops.iter().cloned().map(Record::Drop);
         let bots = self.bots.iter().cloned().map(Record::Figure);
         let cars = self.cars.iter().cloned().map(Record::Car);
         let actors = numbered(lamps)
             .chain(numbered(flags))
+            .chain(numbered(fixtures))
             .chain(numbered(drops));
         let actors = actors.chain(numbered(bots)).chain(numbered(cars));
         let singles = [
@@ -122,6 +127,7 @@ impl WorldState {
                 Record::View(it) => state.take_view(it),
                 Record::Lamp(it) => state.lamps.push(it),
                 Record::Flag(it) => state.flags.push(it),
+                Record::Fixture(it) => state.fixtures.push(it),
                 Record::Drop(it) => state.drops.push(it),
                 Record::Figure(it) => state.bots.push(it),
                 Record::Car(it) => {

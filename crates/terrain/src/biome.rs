@@ -1,4 +1,4 @@
-//! The five biomes: octaves, frequencies, amplitudes, height levels and colours.
+//! The biomes of `assets/tables/biomes.ron`: octaves, frequencies, amplitudes, height levels and colours.
 //!
 //! Octaves, frequencies, amplitudes and levels are the reference game's; its colours
 //! are the starting point of the palettes, which are tuned for linear light.
@@ -10,6 +10,7 @@ use crate::fractal::Octave;
 const FREQUENCY_RATIO: f64 = 2.0;
 /// Amplitudes halve from octave to octave.
 const AMPLITUDE_RATIO: f64 = 0.5;
+
 /// The colours of a biome's ground, sRGB.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Palette {
@@ -37,95 +38,17 @@ pub struct Biome {
     /// What low, middle and high ground is covered with.
     pub(crate) covers: [Cover; 3],
     pub(crate) palette: Palette,
+    /// How far the ground of flat worlds at 2, 4 and 8 m is off, metres.
+    pub(crate) level_errors_m: [f64; 3],
 }
 
-static BIOMES: [Biome; 5] = [
-    Biome {
-        name: "volcanic",
-        octaves: 4,
-        first_frequency: 0.30,
-        first_amplitude_m: 20.0,
-        middle_m: 15.0,
-        top_m: 23.0,
-        covers: [Cover::Rock, Cover::Gravel, Cover::Gravel],
-        palette: Palette {
-            bottom: [206, 92, 48],
-            middle: [96, 74, 78],
-            top: [132, 120, 130],
-            rock: [56, 46, 56],
-            strata: [150, 66, 48],
-        },
-    },
-    Biome {
-        name: "desert",
-        octaves: 2,
-        first_frequency: 0.27,
-        first_amplitude_m: 17.0,
-        middle_m: 10.0,
-        top_m: 14.0,
-        covers: [Cover::Gravel, Cover::Sand, Cover::Sand],
-        palette: Palette {
-            bottom: [166, 96, 66],
-            middle: [220, 164, 102],
-            top: [244, 214, 156],
-            rock: [178, 88, 58],
-            strata: [228, 148, 98],
-        },
-    },
-    Biome {
-        name: "forest",
-        octaves: 3,
-        first_frequency: 0.20,
-        first_amplitude_m: 18.0,
-        middle_m: 10.0,
-        top_m: 18.0,
-        covers: [Cover::Soil, Cover::Grass, Cover::Grass],
-        palette: Palette {
-            bottom: [120, 88, 64],
-            middle: [124, 128, 80],
-            top: [86, 128, 78],
-            rock: [128, 104, 84],
-            strata: [172, 140, 106],
-        },
-    },
-    Biome {
-        name: "toxic",
-        octaves: 3,
-        first_frequency: 0.25,
-        first_amplitude_m: 16.0,
-        middle_m: 10.0,
-        top_m: 18.0,
-        covers: [Cover::Soil, Cover::Soil, Cover::Grass],
-        palette: Palette {
-            bottom: [74, 88, 84],
-            middle: [122, 138, 82],
-            top: [172, 176, 96],
-            rock: [96, 84, 110],
-            strata: [146, 160, 96],
-        },
-    },
-    Biome {
-        name: "jungle",
-        octaves: 4,
-        first_frequency: 0.22,
-        first_amplitude_m: 20.0,
-        middle_m: 10.0,
-        top_m: 18.0,
-        covers: [Cover::Soil, Cover::Grass, Cover::Grass],
-        palette: Palette {
-            bottom: [108, 88, 66],
-            middle: [78, 104, 66],
-            top: [56, 108, 74],
-            rock: [88, 84, 72],
-            strata: [136, 112, 74],
-        },
-    },
-];
+type Row = Biome;
+antipode_tables::biomes!();
 
 impl Biome {
-    /// The biome of the world with this seed: `seed % 5`, as in the reference game.
+    /// The biome of the world with this seed: that at `seed` modulo their number, as in the reference game.
     pub fn from_seed(seed: u64) -> &'static Self {
-        &BIOMES[(seed % BIOMES.len() as u64) as usize]
+        &ROWS[(seed % ROWS.len() as u64) as usize]
     }
 
     /// Colours of low, middle and high ground, sRGB.
@@ -188,7 +111,7 @@ mod tests {
 
     #[test]
     fn reliefs_are_the_references() {
-        let reliefs: Vec<_> = BIOMES.iter().map(Biome::max_amplitude_m).collect();
+        let reliefs: Vec<_> = ROWS.iter().map(Biome::max_amplitude_m).collect();
         assert_eq!(reliefs, [18.75, 12.75, 15.75, 14.0, 18.75]);
     }
 

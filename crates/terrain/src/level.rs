@@ -4,18 +4,6 @@ use antipode_geometry::CHUNK_CELLS;
 
 use crate::field::Field;
 
-/// By biome, how far 99 of 100 vertices of the full ground of flat worlds are from the nearest
-/// place of the ground at 2, 4 and 8 m, metres: measured over 40 chunks each and rounded up
-/// (`tests/it/detail.rs`). Upright, vertices are farther off: ground turns over, and under an edge
-/// that moved by little lies nothing for long. Half of the vertices are within a ninth, a
-/// seventh and a sixth to a fifth of this.
-static ERRORS_M: [(&str, [f64; 3]); 5] = [
-    ("volcanic", [0.84, 2.25, 4.3]),
-    ("desert", [0.19, 0.69, 2.1]),
-    ("forest", [0.23, 0.82, 2.3]),
-    ("toxic", [0.32, 1.05, 2.8]),
-    ("jungle", [0.50, 1.45, 3.05]),
-];
 /// On the sphere ground is as much steeper as it is higher, and bolder where it is near the
 /// middle of its range: there errors are this many times those of flat ground, per half range
 /// of the ground over half of the relief (measured for radii of 16 to 256 m).
@@ -67,17 +55,14 @@ impl Level {
 
 impl Field {
     /// How far the ground at a level may be from the full ground, metres: the 99th percentile
-    /// of the distances from the full ground's vertices. Untouched ground only; where players
+    /// of the distances from the full ground's vertices. Upright, vertices are farther off: ground turns
+    /// over, and under an edge that moved by little lies nothing for long. Half of the vertices are within
+    /// a ninth, a seventh and a sixth to a fifth of this. Untouched ground only; where players
     /// dug or built, as much as a whole cell may be lost.
     pub fn level_error_m(&self, level: Level) -> f64 {
-        let Some(coarse) = level.index().checked_sub(1) else {
-            return 0.0;
-        };
-        let mut rows = ERRORS_M.iter();
-        let row = rows.find(|(name, _)| *name == self.biome().name());
-        let error_m = row.and_then(|(_, errors_m)| errors_m.get(coarse));
-        // A biome without a row would be off by a cell.
-        let error_m = error_m.copied().unwrap_or(f64::from(level.step_m()));
+        let coarse = level.index().checked_sub(1);
+        let error_m = coarse.and_then(|coarse| self.biome().level_errors_m.get(coarse));
+        let error_m = error_m.copied().unwrap_or(0.0);
         if self.strategy().limits().is_none() {
             return error_m;
         }

@@ -184,10 +184,9 @@ fn spawn<H: Host + ?Sized>(
     let scene = host.scene()?;
     check_place(&**scene.strategy(), point).map_err(Failure::Usage)?;
     match spawned {
-        Spawned::Lamp => possible(scene.spawn_lamp(point), "there are too many lamps")?,
-        Spawned::Flag => {
-            let has_room = scene.spawn_flag(point, 0.0, "");
-            possible(has_room, "there are too many flags")?;
+        Spawned::Standing(item) => {
+            let stands = scene.put_up(item, point, 0.0, "");
+            possible(stands, &format!("there are too many {}s", item.id()))?;
         }
         Spawned::Car => possible(scene.spawn_car(point, 0.0), "there are too many cars")?,
         Spawned::Bot | Spawned::Hostile => {

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 pub use commands::{Argument, COMMANDS, CommandInfo, SETTINGS, command_named};
 pub use host::{Host, obey};
-pub use parse::{Line, Order, Setting, parse, parse_line};
+pub use parse::{Line, Order, Setting, Spawned, parse, parse_line};
 pub use run::Runner;
 pub(crate) use run::steps_in;
 pub(crate) use say::probe_text;

@@ -91,10 +91,32 @@ pub enum Spawned {
     Hostile,
     /// A car.
     Car,
-    /// A lamp.
-    Lamp,
-    /// A flag.
-    Flag,
+    /// What can be put down.
+    Standing(Item),
+}
+
+impl Spawned {
+    /// Those that are no items, by the words for them.
+    const OTHERS: [(&str, Self); 3] = [
+        ("bot", Self::Bot),
+        ("hostile", Self::Hostile),
+        ("car", Self::Car),
+    ];
+
+    /// Every word for one.
+    pub fn words() -> impl Iterator<Item = &'static str> {
+        let others = Self::OTHERS.map(|(word, _)| word);
+        let standing = Item::ALL.into_iter().filter(|item| item.stands().is_some());
+        others.into_iter().chain(standing.map(Item::id))
+    }
+
+    /// What a word means, if anything.
+    fn named(word: &str) -> Option<Self> {
+        let mut others = Self::OTHERS.into_iter();
+        let other = others.find_map(|(known, it)| (known == word).then_some(it));
+        let item = || Item::from_id(word).filter(|item| item.stands().is_some());
+        other.or_else(|| item().map(Self::Standing))
+    }
 }
 
 impl Order {
@@ -372,19 +394,15 @@ fn give(item: &str, count: &str) -> Result<Order, String> {
 }
 
 fn spawn(what: &str, at: [&str; 3], side: &[&str]) -> Result<Order, String> {
-    let spawned = match what {
-        "bot" => Spawned::Bot,
-        "hostile" => Spawned::Hostile,
-        "car" => Spawned::Car,
-        "lamp" => Spawned::Lamp,
-        "flag" => Spawned::Flag,
-        _ => {
-            return Err(format!(
-                "{} is neither bot, hostile, car, lamp nor flag",
-                quoted(what)
-            ));
-        }
-    };
+    let spawned = Spawned::named(what).ok_or_else(|| {
+        let mut words: Vec<_> = Spawned::words().collect();
+        let last = words.pop().unwrap_or_default();
+        format!(
+            "{} is neither {} nor {last}",
+            quoted(what),
+            words.join(", ")
+        )
+    })?;
     let (at, chart) = place(at, side)?;
     Ok(Order::Spawn(spawned, at, chart))
 }

@@ -1,4 +1,5 @@
-//! What newcomers are told in the world, one thing after another, each until it was done or skipped.
+//! What newcomers are told in the world, one thing after another, each until it was done or skipped: the lessons of
+//! `assets/tables/hints.ron`.
 
 #[cfg(test)]
 mod tests;
@@ -8,25 +9,14 @@ use std::collections::BTreeSet;
 use antipode_language::Texts;
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, Scene};
-use antipode_settings::{Lesson, Profiles};
+use antipode_settings::{Done, Lesson, Needs, Profiles};
 use antipode_ui::{HintModel, first_input_label, pad_input_label};
 
 use super::phase::Phase;
 use crate::bindings::Action;
 
-/// How far the view has to be turned in all, radians.
-const TURN_RAD: f64 = 0.7;
-/// How long one has to walk in all, seconds.
-const WALK_S: f64 = 0.8;
-/// How long the ground has to be worked on, seconds.
-const WORK_S: f64 = 0.8;
 /// From one hint to the next, seconds.
 const REST_S: f64 = 0.6;
-/// How long the hints about the menu and the way home are shown to somebody who does not do what they say, seconds: who
-/// has read them knows it, and nobody must open the menu, or walk round a world, to be rid of them.
-const READ_S: f64 = 15.0;
-/// From this elevation of the view on one looks up, radians.
-const UP_RAD: f64 = 0.6;
 
 /// What of a world the hints depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,11 +50,11 @@ impl HintContext {
 
     /// Whether what a lesson is about is there.
     fn has(self, lesson: Lesson) -> bool {
-        match lesson {
-            Lesson::Curve => self.has_dial,
-            Lesson::Map => !self.only_view,
-            Lesson::Overhead | Lesson::Home => self.closed,
-            _ => true,
+        match lesson.needs() {
+            Needs::Nothing => true,
+            Needs::Dial => self.has_dial,
+            Needs::OtherPicture => !self.only_view,
+            Needs::Closed => self.closed,
         }
     }
 }
@@ -96,7 +86,7 @@ impl Hints {
     pub fn watch(&mut self, shown: bool, phase: &Phase) -> bool {
         if shown && matches!(phase, Phase::Paused(_)) {
             // Whoever is here has found the menu.
-            self.finish(Lesson::Menu);
+            self.use_action(Action::Menu);
         }
         // Of what this world lacks, such as a dial, the next one that has it tells.
         let all = self.learnt().len() == Lesson::ALL.len();
@@ -131,12 +121,12 @@ impl Hints {
     /// Takes in what the player asked for in one step of the simulation, and where.
     pub fn step(&mut self, actions: &Actions, context: HintContext) {
         self.rest_s = (self.rest_s - STEP_S).max(0.0);
-        let current = self.current(context).map(|(lesson, ..)| lesson);
-        let read = current.filter(|lesson| matches!(lesson, Lesson::Home | Lesson::Menu));
-        if let Some(read) = read.filter(|_| self.rest_s <= 0.0) {
+        let current = self.current(context).filter(|_| self.rest_s <= 0.0);
+        if let Some((lesson, Some(most_s))) = current.map(|(lesson, ..)| (lesson, lesson.read_s()))
+        {
             self.read_s += STEP_S;
-            if self.read_s >= READ_S {
-                self.finish(read);
+            if self.read_s >= most_s {
+                self.finish(lesson);
             }
         }
         self.turned_rad += actions.look_yaw.abs() + actions.look_pitch.abs();
@@ -144,31 +134,44 @@ impl Hints {
         let worked = |on: bool| if on { STEP_S } else { 0.0 };
         self.dug_s += worked(actions.primary);
         self.built_s += worked(actions.secondary);
-        for (lesson, done) in [
-            (Lesson::Look, self.turned_rad >= TURN_RAD),
-            (Lesson::Walk, self.walked_s >= WALK_S),
-            (Lesson::Jump, actions.jump),
-            (
-                Lesson::Overhead,
-                context.closed && context.pitch_rad >= UP_RAD,
-            ),
-            (Lesson::Talk, actions.talk),
-            (Lesson::Car, actions.enter_car),
-            (Lesson::Map, actions.turn_map),
-            (Lesson::Camera, actions.toggle_camera),
-            (Lesson::Light, actions.toggle_light),
-            (Lesson::Dig, self.dug_s >= WORK_S),
-            (Lesson::Build, self.built_s >= WORK_S),
-            (Lesson::Curve, actions.dial != 0.0),
-        ] {
-            if done {
+        for lesson in Lesson::ALL {
+            let is_done = match lesson.done() {
+                Done::Turned(most_rad) => self.turned_rad >= most_rad,
+                Done::Walked(most_s) => self.walked_s >= most_s,
+                Done::Dug(most_s) => self.dug_s >= most_s,
+                Done::Built(most_s) => self.built_s >= most_s,
+                Done::LookedUp(most_rad) => context.has(lesson) && context.pitch_rad >= most_rad,
+                Done::Asked | Done::Read => false,
+            };
+            if is_done {
                 self.finish(lesson);
+            }
+        }
+        for (action, is_used) in [
+            (Action::Jump, actions.jump),
+            (Action::Talk, actions.talk),
+            (Action::EnterCar, actions.enter_car),
+            (Action::OtherMap, actions.turn_map),
+            (Action::Camera, actions.toggle_camera),
+            (Action::Flashlight, actions.toggle_light),
+            (Action::DialUp, actions.dial != 0.0),
+        ] {
+            if is_used {
+                self.use_action(action);
             }
         }
     }
 
+    /// Takes in that an action was used.
+    pub fn use_action(&mut self, action: Action) {
+        let lessons = Lesson::ALL.into_iter();
+        for lesson in lessons.filter(|lesson| lesson.is_asked_by(action)) {
+            self.finish(lesson);
+        }
+    }
+
     /// A lesson is done.
-    pub fn finish(&mut self, lesson: Lesson) {
+    fn finish(&mut self, lesson: Lesson) {
         let Some(done) = self.done.get_mut(lesson as usize) else {
             return;
         };
@@ -222,37 +225,14 @@ impl Hints {
 
     /// What a lesson says; `key` names what does a thing.
     fn words(&self, texts: &Texts, lesson: Lesson, key: impl Fn(Action) -> String) -> String {
-        let say = |hint: &str, key: String| texts.say_with(hint, &[("key", key.into())]);
-        match lesson {
-            Lesson::Look if self.by_pad => say("hints-look", texts.say("hints-stick-right")),
-            Lesson::Look => say("hints-look", texts.say("key-Mouse")),
-            Lesson::Walk if self.by_pad => say("hints-walk", texts.say("hints-stick-left")),
-            Lesson::Walk => {
-                let ways = [
-                    Action::Forward,
-                    Action::Left,
-                    Action::Backward,
-                    Action::Right,
-                ];
-                say("hints-walk", ways.map(&key).join(" "))
-            }
-            Lesson::Jump => say("hints-jump", key(Action::Jump)),
-            Lesson::Dig => say("hints-dig", key(Action::Use)),
-            Lesson::Build => say("hints-build", key(Action::SecondUse)),
-            Lesson::Curve => {
-                let (up, down) = (key(Action::DialUp), key(Action::DialDown));
-                texts.say_with("hints-curve", &[("up", up.into()), ("down", down.into())])
-            }
-            Lesson::Overhead => texts.say("hints-overhead"),
-            Lesson::Talk => say("hints-talk", key(Action::Talk)),
-            Lesson::Car => say("hints-car", key(Action::EnterCar)),
-            Lesson::Map => say("hints-map", key(Action::OtherMap)),
-            Lesson::Camera => say("hints-camera", key(Action::Camera)),
-            Lesson::Light => say("hints-light", key(Action::Flashlight)),
-            Lesson::Photo => say("hints-photo", key(Action::PhotoMode)),
-            Lesson::Home => texts.say("hints-home"),
-            Lesson::Backpack => say("hints-backpack", key(Action::Backpack)),
-            Lesson::Menu => say("hints-menu", key(Action::Menu)),
+        let named = |actions: &[Action]| actions.iter().map(|it| key(*it)).collect::<Vec<_>>();
+        let keys = lesson.keys().iter();
+        let mut values: Vec<_> = keys
+            .map(|(argument, actions)| (*argument, named(actions).join(" ").into()))
+            .collect();
+        if let Some(device) = lesson.device(self.by_pad) {
+            values = vec![("key", texts.say(device).into())];
         }
+        texts.say_with(&format!("hints-{}", lesson.id()), &values)
     }
 }

@@ -1,7 +1,7 @@
 //! The order in which the layers of the game are asked about a press, the topmost first. Each takes the press or passes it
 //! on; what all pass is for the interface.
 
-use antipode_settings::{Lesson, Value};
+use antipode_settings::Value;
 
 use super::game::Game;
 use super::hints::HintContext;
@@ -66,7 +66,7 @@ impl Game {
                 self.overlays.console.open(self.play.opened);
             }
             Action::PhotoMode => {
-                self.hints.finish(Lesson::Photo);
+                self.hints.use_action(action);
                 let shutter = self.shutter();
                 if let Phase::Playing(session) = &mut self.play.phase {
                     self.overlays.photo.enter(session, shutter);
@@ -75,7 +75,7 @@ impl Game {
             }
             Action::SkipHint => self.hints.skip(HintContext::in_phase(&self.play.phase)),
             Action::Backpack => {
-                self.hints.finish(Lesson::Backpack);
+                self.hints.use_action(action);
                 self.overlays.backpack.open(&mut self.devices);
             }
             _ => {}

@@ -49,6 +49,27 @@ fn common_failures_are_told_wholly_in_the_players_language() {
 }
 
 #[test]
+fn every_item_that_can_be_put_down_has_words_for_why_it_is_not_in_every_language() {
+    let profiles = Profiles::default();
+    for language in Language::ALL {
+        let texts = Texts::new(language);
+        for item in Item::ALL {
+            if item.stands().is_none() {
+                continue;
+            }
+            for why in [Hint::NoPlaceFor, Hint::NoneThere, Hint::TooMany] {
+                let said = hint(&texts, &profiles, why(item));
+                assert!(!said.contains("hint-"), "{language:?}: {said}");
+            }
+            for key in ["no-place-for", "none-there", "too-many"] {
+                let key = format!("hint-{key}-{}", item.id());
+                assert!(texts.has_own(&key), "{language:?} lacks {key}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_name_that_cannot_be_shown_has_its_folder_beside_it_in_every_failure() {
     let texts = Texts::default();
     let world = "שלום".to_owned();

@@ -71,14 +71,29 @@ fn faster_steps_and_longer_falls_are_louder_and_a_hard_landing_sounds_so() {
     ]);
     assert!(heard[1].gain > heard[0].gain && heard[3].gain > heard[2].gain);
     assert_eq!(
-        (heard[2].sample, heard[3].sample),
-        (Sample::LandSoft, Sample::LandHard)
+        (heard[2].sample.name(), heard[3].sample.name()),
+        ("land-soft", "land-hard")
     );
     let absurd = voices(&[step(Cover::Sand, f64::NAN), landed(f64::INFINITY)]);
     assert!(
         absurd.iter().all(|voice| (0.0..=1.0).contains(&voice.gain)),
         "{absurd:?}"
     );
+}
+
+#[test]
+fn what_is_taken_up_again_sounds_higher_than_what_is_put_down_and_no_two_shots_are_alike() {
+    let item = antipode_scene::Item::ALL[0];
+    let heard = voices(&[
+        SoundEvent::PutDown(item),
+        SoundEvent::TakenUp(item),
+        SoundEvent::Shot,
+        SoundEvent::Shot,
+    ]);
+    assert_eq!(heard[0].sample, heard[1].sample);
+    assert!(heard[1].rate > 1.2 * heard[0].rate && heard[0].rate == 1.0);
+    assert_ne!(heard[2].rate, heard[3].rate);
+    assert_eq!(heard[2].gain, heard[3].gain);
 }
 
 #[test]
@@ -89,7 +104,7 @@ fn day_fades_over_into_night_at_the_same_power() {
         let power = light * light + dark * dark;
         // Changes too small to hear are not passed on.
         assert!(
-            (power - BED_GAIN * BED_GAIN).abs() < 1e-3,
+            (power - Sound::Day.gain(1.0).powi(2)).abs() < 1e-3,
             "{day}: {light} {dark}"
         );
         assert!(

@@ -3,13 +3,12 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::common::FILES;
+use crate::common::{FILES, file};
 use antipode_models::{Clip, GAME_FROM_FILE, Model, Part, Pose};
 use glam::{Mat4, Vec3};
 
 fn load(name: &str) -> Model {
-    let (_, bytes) = FILES.iter().find(|(n, _)| *n == name).unwrap();
-    Model::from_glb(bytes).unwrap_or_else(|e| panic!("{name}: {e}"))
+    Model::from_glb(file(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
 fn astronauts() -> [Model; 2] {
@@ -72,7 +71,7 @@ fn sizes_are_those_of_the_things() {
 
 #[test]
 fn no_triangle_is_degenerate_and_every_normal_is_on_its_outer_side() {
-    for (name, _) in FILES {
+    for (name, _) in &*FILES {
         let model = load(name);
         for primitive in model.meshes.iter().flat_map(|m| &m.primitives) {
             let mut against = 0;
@@ -200,7 +199,7 @@ fn feet_that_touch_the_ground_stand_still() {
 
 #[test]
 fn the_sphere_holds_every_clip_and_every_fade_between_them() {
-    for (name, _) in FILES {
+    for (name, _) in &*FILES {
         let model = load(name);
         let sphere = model.bounds;
         let mut poses = vec![Pose::rest(&model.skeleton)];

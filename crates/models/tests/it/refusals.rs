@@ -1,6 +1,6 @@
 //! What cannot be shown is refused in plain words, and no bytes make the loader panic.
 
-use crate::common::{CORNERS, FILES, floats, glb, triangle};
+use crate::common::{CORNERS, FILES, file, floats, glb, triangle};
 use antipode_models::{Error, Model, Note};
 use proptest::prelude::*;
 
@@ -184,7 +184,7 @@ fn cameras_are_left_out_and_noted() {
 
 #[test]
 fn every_truncation_is_refused() {
-    let (_, bullet) = FILES[4];
+    let bullet = file("bullet");
     for length in (0..bullet.len()).step_by(7) {
         assert!(Model::from_glb(&bullet[..length]).is_err(), "{length}");
     }
@@ -193,7 +193,7 @@ fn every_truncation_is_refused() {
 /// A file shortened without its lengths knowing: the header and the chunks are mended.
 #[test]
 fn shortened_data_are_refused() {
-    let (_, bullet) = FILES[4];
+    let bullet = file("bullet");
     let json = u32::from_le_bytes(bullet[12..16].try_into().unwrap()) as usize;
     let text = std::str::from_utf8(&bullet[20..20 + json]).unwrap();
     let data = &bullet[28 + json..];
@@ -224,7 +224,7 @@ proptest! {
         file in 0..FILES.len(),
         flips in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), any::<bool>()), 1..12),
     ) {
-        let mut bytes = FILES[file].1.to_vec();
+        let mut bytes = FILES[file].1.clone();
         let json = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
         for (at, value, in_description) in flips {
             let length = if in_description { 20 + json } else { bytes.len() };
@@ -241,7 +241,7 @@ proptest! {
         file in 0..FILES.len(),
         flips in prop::collection::vec((any::<prop::sample::Index>(), b'0'..=b'9'), 1..6),
     ) {
-        let mut bytes = FILES[file].1.to_vec();
+        let mut bytes = FILES[file].1.clone();
         let json = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
         let digits: Vec<usize> = (20..20 + json).filter(|&i| bytes[i].is_ascii_digit()).collect();
         for (at, digit) in flips {

@@ -13,7 +13,7 @@ use super::tuning::{
     SCARED_S, SEES_FRIENDS_M, SITS_M, STROLL_PACE, WALKS_M, WATCHES_M, WATCHES_S,
 };
 use crate::day::local_time_s;
-use crate::lamp::Lamp;
+use crate::fixture::Fixture;
 
 /// How near to a goal is there, in metres.
 const THERE_M: f64 = 0.8;
@@ -392,8 +392,8 @@ pub(super) fn at_pace(point: ChartPoint, pace: f64) -> Goal {
 }
 
 /// The lamp nearest to a place, and how far it is.
-fn nearest_lamp(around: &Around<'_>, place: ChartPoint) -> Option<(Lamp, f64)> {
-    let lamps = around.lamps.iter().copied();
+fn nearest_lamp<'a>(around: &Around<'a>, place: ChartPoint) -> Option<(&'a Fixture, f64)> {
+    let lamps = around.lamps.iter();
     lamps
         .map(|lamp| (lamp, around.apart_m(place, lamp.foot.point)))
         .min_by(|a, b| a.1.total_cmp(&b.1))

@@ -25,8 +25,8 @@ use hecs::Entity;
 use crate::actors::Actors;
 use crate::bot::{self, Bot};
 use crate::drops::Drop;
+use crate::fixture::{self, Fixture};
 use crate::inventory::Stack;
-use crate::lamp::Lamp;
 use crate::motion::Doing;
 use crate::outbox::Outbox;
 use crate::player::{self, Body, Player};
@@ -118,7 +118,8 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &Player, outbox: 
     let picture = quarry.as_ref().and_then(|_| hidden::other_picture(now));
     let cars = actors.car_views().into_iter();
     let cars: Vec<_> = cars.filter_map(|car| Some((car, car.comes()?))).collect();
-    let lamps: Vec<Lamp> = actors.each();
+    let lamps = fixture::map(actors, |_, it| it.item.shines().then(|| it.clone()));
+    let lamps: Vec<Fixture> = lamps.into_iter().flatten().collect();
     for (id, entity) in figures_in_order(actors) {
         let Ok(mut npc) = actors.ecs.query_one_mut::<Npc<'_>>(entity) else {
             continue;

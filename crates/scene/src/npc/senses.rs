@@ -13,7 +13,7 @@ use super::tuning::{FEELS_M, GLANCE_HALF_RAD};
 use crate::aimed::ViewParams;
 use crate::bot::BotView;
 use crate::car::CarView;
-use crate::lamp::Lamp;
+use crate::fixture::Fixture;
 use crate::lens::own_view;
 use crate::pick::segment_hit;
 use crate::player::Look;
@@ -67,7 +67,7 @@ pub(crate) struct Around<'a> {
     pub living: &'a [BotView],
     /// Cars that come, and the level way that each takes, m/s.
     pub cars: &'a [(CarView, DVec3)],
-    pub lamps: &'a [Lamp],
+    pub lamps: &'a [Fixture],
     pub events: &'a [Event],
 }
 

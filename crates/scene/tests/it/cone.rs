@@ -360,7 +360,7 @@ fn a_lamp_and_a_thing_lie_across_an_edge() {
         scene.teleport(here);
         assert!(scene.wait_for_step(LIMIT));
         steps(&mut scene, SECOND, &still());
-        let lamp = scene.lamps()[lamps];
+        let lamp = scene.lamps().remove(lamps);
         assert!(
             apart_m(lamp.foot.point, across) < 1.0,
             "{lamp:?} {across:?}"

@@ -2,7 +2,7 @@
 
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_items::Item;
-use antipode_scene::flag::{LONGEST_NAME, MOST_FLAGS};
+use antipode_scene::flag::LONGEST_NAME;
 use antipode_scene::notice::Hint;
 use antipode_scene::{Actions, NpcMode, Scene};
 use antipode_terrain::Field;
@@ -48,7 +48,7 @@ fn a_flag_is_planted_named_and_taken_up_again_in_every_space() {
         scene.aim(0.3, 1.2);
         press(&mut scene, true);
         assert!(
-            scene.take_hints().contains(&Hint::NoPlaceForFlag),
+            scene.take_hints().contains(&Hint::NoPlaceFor(Item::Flag)),
             "{geometry}"
         );
         scene.aim(0.3, -0.5);
@@ -84,7 +84,7 @@ fn a_flag_is_planted_named_and_taken_up_again_in_every_space() {
         assert!(!scene.name_flag(planted.id, "gone"));
         press(&mut scene, false);
         assert!(
-            scene.take_hints().contains(&Hint::NoFlagThere),
+            scene.take_hints().contains(&Hint::NoneThere(Item::Flag)),
             "{geometry}"
         );
     }
@@ -170,11 +170,12 @@ fn flags_beyond_the_equator_are_found_along_the_ground() {
 fn a_world_has_room_for_so_many_flags() {
     let mut scene = scene(Geometry::Euclidean);
     let at = scene.feet();
-    for _ in 0..MOST_FLAGS {
+    let most = Item::Flag.stands().unwrap().most;
+    for _ in 0..most {
         assert!(scene.spawn_flag(at, 0.0, ""));
     }
     assert!(!scene.spawn_flag(at, 0.0, ""));
-    assert_eq!(scene.flag_ways().len(), MOST_FLAGS);
+    assert_eq!(scene.flag_ways().len(), most);
 }
 
 #[cfg(unix)]

@@ -11,8 +11,8 @@ use crate::common::{setup, steps};
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene, WorldSetup};
 use antipode_storage::{
-    Batch, CarRecord, DropRecord, LampRecord, Record, RecordKey, RecordKind, SavesDir, SlotRecord,
-    WORLD_FILE, WorldState, WorldStore,
+    Batch, CarRecord, DropRecord, FixtureRecord, LampRecord, Record, RecordKey, RecordKind,
+    SavesDir, SlotRecord, WORLD_FILE, WorldState, WorldStore,
 };
 
 /// Flips a bit in every copy of the player's record, as a bad disk does. Inside a record the key stands 20 bytes
@@ -291,4 +291,55 @@ fn what_lies_in_a_chart_that_the_space_has_not_is_left_in_the_save() {
     let records = store.records().unwrap().known;
     assert_eq!(records.get(&lamp), Some(&far));
     assert!(matches!(&records[&me], Record::Player(kept) if kept.body.chart == 1 << 90));
+}
+
+/// Items that stand came after lamps and flags, and are kept under their ids.
+#[test]
+fn what_stands_is_taken_in_by_its_id_and_what_cannot_stand_is_left_in_the_save() {
+    let (kept, scene) = Kept::new();
+    scene.close().unwrap();
+    let fixture = |id: u32, item: &str| {
+        let record = Record::Fixture(FixtureRecord {
+            chart: 0,
+            pos: [1.0, 20.0, 3.0],
+            yaw: 0.5,
+            name: "Here".to_owned(),
+            item: item.to_owned(),
+        });
+        (RecordKind::Fixture.numbered(id), record)
+    };
+    let all = [fixture(3, "flag"), fixture(4, "gun"), fixture(5, "unicorn")];
+    let batch = Batch {
+        records: all.clone().map(|(key, record)| (key, Some(record))).into(),
+        ..Batch::default()
+    };
+    WorldStore::open(&kept.here())
+        .unwrap()
+        .commit(&batch)
+        .unwrap();
+    let mut scene = kept.open();
+    let names: Vec<_> = scene.flag_ways().into_iter().map(|way| way.name).collect();
+    assert_eq!(names, ["Here"]);
+    let notices = scene.take_notices();
+    let unknown: Vec<_> = notices.iter().map(ToString::to_string).collect();
+    assert!(
+        unknown.len() == 1 && unknown[0].contains("unicorn"),
+        "{unknown:?}"
+    );
+    steps(&mut scene, 60, &build());
+    scene.close().unwrap();
+    let records = WorldStore::open(&kept.here())
+        .unwrap()
+        .records()
+        .unwrap()
+        .known;
+    let [flag, gun, unicorn] = all;
+    assert!(!records.contains_key(&flag.0), "it is kept as a flag now");
+    let flags = records.values().filter_map(|record| match record {
+        Record::Flag(it) => Some(it.name.as_str()),
+        _ => None,
+    });
+    assert!(flags.eq(["Here"]));
+    assert_eq!(records.get(&gun.0), Some(&gun.1));
+    assert_eq!(records.get(&unicorn.0), Some(&unicorn.1));
 }

@@ -25,6 +25,9 @@ const CLOSED: HintContext = HintContext {
     ..FLAT
 };
 
+/// How long a hint that is only to be read is shown, seconds.
+const READ_S: f64 = 15.0;
+
 fn told(hints: &Hints, context: HintContext) -> String {
     let model = hints.model(&Texts::default(), &Profiles::default(), context);
     model.map_or_else(String::new, |model| {

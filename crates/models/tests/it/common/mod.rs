@@ -1,4 +1,8 @@
-//! Small files made on the spot.
+//! Small files made on the spot, and those of the game.
+
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
 
 /// A .glb of a description and data.
 pub fn glb(json: &str, data: &[u8]) -> Vec<u8> {
@@ -45,33 +49,23 @@ pub fn triangle(changes: &[(&str, &str)], positions: &[f32], more: &[u8]) -> Vec
 /// Corners of a triangle that faces +z.
 pub const CORNERS: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
 
-/// All files of the game.
-pub const FILES: [(&str, &[u8]); 9] = [
-    ("astronaut", antipode_models::ASTRONAUT),
-    ("astronaut_teal", antipode_models::ASTRONAUT_TEAL),
-    ("car", antipode_models::CAR),
-    (
-        "lamp",
-        include_bytes!("../../../../../assets/models/lamp.glb"),
-    ),
-    (
-        "bullet",
-        include_bytes!("../../../../../assets/models/bullet.glb"),
-    ),
-    (
-        "gun",
-        include_bytes!("../../../../../assets/models/gun.glb"),
-    ),
-    (
-        "wooden_pickaxe",
-        include_bytes!("../../../../../assets/models/wooden_pickaxe.glb"),
-    ),
-    (
-        "iron_pickaxe",
-        include_bytes!("../../../../../assets/models/iron_pickaxe.glb"),
-    ),
-    (
-        "diamond_pickaxe",
-        include_bytes!("../../../../../assets/models/diamond_pickaxe.glb"),
-    ),
-];
+/// All files of the game, by their names without `.glb`, in the order of those.
+pub static FILES: LazyLock<Vec<(String, Vec<u8>)>> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/models");
+    let paths = folder.read_dir().unwrap().map(|it| it.unwrap().path());
+    let models = paths.filter(|path| path.extension().is_some_and(|it| it == "glb"));
+    let named = models.map(|path| {
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        (name.to_owned(), fs::read(&path).unwrap())
+    });
+    let mut files: Vec<_> = named.collect();
+    files.sort();
+    assert!(files.len() >= 10, "the models were not found");
+    files
+});
+
+/// The file of that name.
+pub fn file(name: &str) -> &'static [u8] {
+    let (_, bytes) = FILES.iter().find(|(it, _)| it == name).unwrap();
+    bytes
+}

@@ -4,8 +4,8 @@
 pub mod two;
 
 use antipode_storage::{
-    Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, FlagRecord, LampRecord,
-    PlaceRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
+    Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, FixtureRecord, FlagRecord,
+    LampRecord, PlaceRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
 };
 
 /// A meta record with every field set.
@@ -69,6 +69,13 @@ pub fn state(simulated_s: f64) -> WorldState {
             pos: [2.0, 3.0, -4.5],
             yaw: 0.5,
             name: "Home".to_owned(),
+        }],
+        fixtures: vec![FixtureRecord {
+            chart: 1,
+            pos: [3.0, 4.0, -5.5],
+            yaw: 0.25,
+            name: String::new(),
+            item: "lantern".to_owned(),
         }],
         drops: vec![DropRecord {
             chart: 0,

@@ -1,0 +1,172 @@
+//! The rows of `assets/tables/biomes.ron`.
+
+use serde::Deserialize;
+
+use crate::reader::{Assets, Fault, Row, need};
+use crate::source::{Names, Source};
+
+/// What the fields are, the head of the table says.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Biome {
+    id: String,
+    octaves: usize,
+    first_frequency: f64,
+    first_amplitude_m: f64,
+    middle_m: f64,
+    top_m: f64,
+    covers: [Cover; 3],
+    palette: Palette,
+    level_errors_m: [f64; 3],
+}
+
+/// As `Cover` of the terrain.
+#[derive(Debug, Clone, Copy, Deserialize)]
+enum Cover {
+    Rock,
+    Gravel,
+    Sand,
+    Soil,
+    Grass,
+}
+
+/// As `Palette` of the terrain.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "its form is what is read")]
+struct Palette {
+    bottom: [u8; 3],
+    middle: [u8; 3],
+    top: [u8; 3],
+    rock: [u8; 3],
+    strata: [u8; 3],
+}
+
+impl Row for Biome {
+    const FILE: &'static str = "assets/tables/biomes.ron";
+
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn check(&self, _: Assets<'_>) -> Result<(), Fault> {
+        need(
+            "octaves",
+            (1..=8).contains(&self.octaves),
+            "is to be 1 to 8",
+        )?;
+        let is_positive = |field, number: f64| need(field, number > 0.0, "is to be more than 0");
+        is_positive("first_frequency", self.first_frequency)?;
+        is_positive("first_amplitude_m", self.first_amplitude_m)?;
+        is_positive("middle_m", self.middle_m)?;
+        let is_over = self.top_m > self.middle_m;
+        need("top_m", is_over, "is to be over middle_m")?;
+        let errors_m = &self.level_errors_m;
+        let rise = errors_m[0] > 0.0 && errors_m.is_sorted();
+        need("level_errors_m", rise, "is to be more than 0 and to rise")
+    }
+}
+
+impl Source for Biome {
+    const NAMES: Option<Names> = None;
+
+    fn what(&self) -> &'static str {
+        ""
+    }
+
+    fn expression(&self, _: &dyn Fn(&Fault) -> String) -> String {
+        let covers = self.covers.map(|cover| format!("Cover::{cover:?}"));
+        format!(
+            "Row {{ name: {:?}, octaves: {}, first_frequency: {:?}, first_amplitude_m: {:?}, middle_m: {:?}, top_m: {:?}, \
+             covers: [{}], palette: {:?}, level_errors_m: {:?} }}",
+            self.id,
+            self.octaves,
+            self.first_frequency,
+            self.first_amplitude_m,
+            self.middle_m,
+            self.top_m,
+            covers.join(", "),
+            self.palette,
+            self.level_errors_m,
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reader::testing::refuses;
+
+    const ONE: &str = r#"[
+  (
+    id: "tundra",
+    octaves: 4,
+    first_frequency: 0.3,
+    first_amplitude_m: 20,
+    middle_m: 15,
+    top_m: 23,
+    covers: (Rock, Gravel, Grass),
+    palette: (
+      bottom: (206, 92, 48),
+      middle: (96, 74, 78),
+      top: (132, 120, 130),
+      rock: (56, 46, 56),
+      strata: (150, 66, 48),
+    ),
+    level_errors_m: (0.8, 2.2, 4.3),
+  ),
+]"#;
+
+    #[test]
+    fn an_unsound_biome_is_told_by_file_line_and_field() {
+        let twin = ONE.trim_start_matches('[');
+        refuses::<Biome>(
+            ONE,
+            &[
+                ("tundra", "Tundra", "3: id of \"Tundra\" is to be words"),
+                (
+                    "  ),\n]",
+                    &format!("  ),{twin}"),
+                    "20: id of \"tundra\" is the id of an earlier row, too",
+                ),
+                (
+                    "octaves: 4",
+                    "octaves: 9",
+                    "4: octaves of \"tundra\" is to be 1 to 8",
+                ),
+                ("octaves: 4", "octaves: -4", "4: octaves of \"tundra\": "),
+                (
+                    "0.3,",
+                    "0,",
+                    "5: first_frequency of \"tundra\" is to be more than 0",
+                ),
+                (
+                    "20,",
+                    "inf,",
+                    "6: first_amplitude_m of \"tundra\" is to be a number",
+                ),
+                (
+                    "23,",
+                    "15,",
+                    "8: top_m of \"tundra\" is to be over middle_m",
+                ),
+                ("Gravel", "Lava", "9: covers of \"tundra\": Unexpected "),
+                (
+                    "(206, 92, 48)",
+                    "(206, 92, 480)",
+                    "11: palette.bottom of \"tundra\": ",
+                ),
+                (
+                    "strata",
+                    "stripes",
+                    "15: \"tundra\": Unexpected field named `stripes`",
+                ),
+                (
+                    "(0.8, 2.2",
+                    "(2.8, 2.2",
+                    "17: level_errors_m of \"tundra\" is to be more than 0 and to rise",
+                ),
+            ],
+        );
+    }
+}
