@@ -17,10 +17,10 @@ fn corner_of(index: u32) -> vec2<f32> {
 // Clip coordinates of a chart direction, infinitely far away.
 fn clip_of(direction: vec3<f32>) -> vec4<f32> {
     return vec4<f32>(
-        scene.space.project.x * dot(direction, scene.right.xyz),
-        scene.space.project.y * dot(direction, scene.up.xyz),
+        scene.space.project.x * dot(direction, scene.right),
+        scene.space.project.y * dot(direction, scene.up),
         0.0,
-        dot(direction, scene.front.xyz),
+        dot(direction, scene.front),
     );
 }
 
@@ -41,9 +41,9 @@ const MOON_DISC: f32 = 0.25;
 fn vertex_sun(@builtin(vertex_index) index: u32) -> VertexOut {
     let corner = corner_of(index);
     var out: VertexOut;
-    out.clip = patch_corner(scene.sun.xyz, corner, SUN_REACH);
+    out.clip = patch_corner(scene.sun, corner, SUN_REACH);
     out.place = corner;
-    out.light = scene.glare.rgb * smoothstep(-0.10, 0.0, scene.sun.y);
+    out.light = scene.glare * smoothstep(-0.10, 0.0, scene.sun.y);
     return out;
 }
 
@@ -60,10 +60,10 @@ fn fragment_sun(in: VertexOut) -> @location(0) vec4<f32> {
 fn vertex_moon(@builtin(vertex_index) index: u32) -> VertexOut {
     let corner = corner_of(index);
     var out: VertexOut;
-    out.clip = patch_corner(scene.moon.xyz, corner, MOON_REACH);
+    out.clip = patch_corner(scene.moon, corner, MOON_REACH);
     out.place = corner;
     let risen = smoothstep(-0.06, 0.02, scene.moon.y);
-    out.light = vec3<f32>(0.80, 0.86, 1.0) * (risen * (0.10 + 0.90 * scene.top.w));
+    out.light = vec3<f32>(0.80, 0.86, 1.0) * (risen * (0.10 + 0.90 * scene.star_strength));
     return out;
 }
 
@@ -85,17 +85,17 @@ struct StarIn {
 @vertex
 fn vertex_star(star: StarIn, @builtin(vertex_index) index: u32) -> VertexOut {
     // The stars turn about x with the sun.
-    let s = scene.glare.w;
-    let c = scene.sun.w;
+    let s = scene.star_sine;
+    let c = scene.star_cosine;
     let d = star.direction;
     let turned = vec3<f32>(d.x, c * d.y - s * d.z, s * d.y + c * d.z);
     let corner = corner_of(index);
     let middle = clip_of(turned);
     var out: VertexOut;
-    let pixel = vec2<f32>(scene.key_direction.w, scene.key_colour.w);
+    let pixel = vec2<f32>(scene.pixel_width, scene.pixel_height);
     out.clip = middle + vec4<f32>(corner * pixel * (star.light.a * middle.w), 0.0, 0.0);
     out.place = corner;
-    out.light = star.light.rgb * (scene.top.w * smoothstep(-0.02, 0.16, turned.y));
+    out.light = star.light.rgb * (scene.star_strength * smoothstep(-0.02, 0.16, turned.y));
     return out;
 }
 
@@ -118,7 +118,7 @@ fn vertex_orb(@builtin(vertex_index) index: u32, @builtin(instance_index) instan
     let across = normalize(cross(other, toward));
     let along = cross(toward, across);
     let corner = corner_of(index);
-    let at = middle + vec4<f32>(across * corner.x + along * corner.y, 0.0) * (ORB_REACH * scene.orb.x);
+    let at = middle + vec4<f32>(across * corner.x + along * corner.y, 0.0) * (ORB_REACH * scene.orb_radius);
     let space = scene.space;
     var out: VertexOut;
     out.view = vec4<f32>(at.xyz / space.curve.x, at.w);

@@ -14,62 +14,83 @@ const SHADOW_MAPS: u32 = 8u;
 // Light that goes all ways from a place.
 struct Lamp {
     place: vec4<f32>,   // in view coordinates, w in metres
-    colour: vec4<f32>,  // rgb; w: one over the square of the chord at which it has faded away, per square metre
+    colour: vec3<f32>,
+    fades_per_m2: f32,  // one over the square of the chord at which it has faded away
 }
 
 // Light that goes one way from a place.
 struct Beam {
     place: vec4<f32>,   // as above
     axis: vec4<f32>,    // the way it goes there, a unit vector in view coordinates
-    colour: vec4<f32>,  // as above
-    cone: vec4<f32>,    // cosines of the angles within which it is full, and outside which there is none
+    colour: vec3<f32>,
+    fades_per_m2: f32,  // as above
+    full_cosine: f32,   // of the angle within which it is full
+    dark_cosine: f32,   // of the angle outside which there is none
 }
 
 // A map of depth as the key light sees it.
 struct ShadowMap {
     clip: mat4x4<f32>,  // to its clip coordinates, from metres from the reference; in a closed world from view coordinates
-    info: vec4<f32>,    // its layer, depth of a texel's length where w is 1, how far it is to be trusted, -1 for a mirrored picture
+    layer: f32,
+    texel_depth: f32,   // depth of a texel's length where w is 1
+    weight: f32,        // how far it is to be trusted, 0 to 1
+    hand: f32,          // 1, or -1 for a mirrored picture
 }
 
 struct Shadows {
     maps: array<ShadowMap, SHADOW_MAPS>,
-    key: vec4<f32>,     // strength, texels of a side, one over that, 1 where a closed world's moon throws them
+    strength: f32,      // of the key light's shadows, 0 to 1
+    side_texels: f32,   // of a map
+    texel: f32,         // one over that
+    by_moon: f32,       // 1 where a closed world's moon throws them
 }
 
 // The chart of what is drawn.
 struct Chart {
     view: mat4x4<f32>,      // from its ported points, xyz in metres and w without unit, to view coordinates
     home: mat4x4<f32>,      // to the model of the first chart
-    fraction: vec4<f32>,    // xyz: the reference from the whole metres that its chunks are measured from
-    domain: vec4<f32>,      // a rectangle past which other charts draw the land: least x and z from the reference, and most
+    fraction: vec3<f32>,    // the reference from the whole metres that its chunks are measured from
+    domain_low: vec2<f32>,  // a rectangle past which other charts draw the land: least x and z from the reference,
+    domain_high: vec2<f32>, // and greatest
 }
 
 struct Scene {
     space: Space,
-    right: vec4<f32>,          // xyz: to the right of the picture; w: time, s
-    up: vec4<f32>,             // xyz: upwards in the picture; w: strength of the contour bands
-    front: vec4<f32>,          // xyz: into the picture; w: distance at which the fog is complete, m
-    top: vec4<f32>,            // rgb: sky overhead, in a closed world the haze about the eye; w: strength of the stars
-    horizon: vec4<f32>,        // rgb: sky at the horizon, in a closed world the haze of full day; w: room
-    glare: vec4<f32>,          // rgb: the sun's disc and glow; w: sine of the turn of the stars about x
-    sun: vec4<f32>,            // xyz: towards the sun; w: cosine of that turn
-    moon: vec4<f32>,           // xyz: towards the moon; w: room
-    key_direction: vec4<f32>,  // xyz: towards the key light; w: width of a pixel in clip units
-    key_colour: vec4<f32>,     // rgb; w: height of a pixel in clip units
-    ambient_sky: vec4<f32>,    // rgb; w: how far clouds have drifted, 0 to 1 over a day
-    ambient_ground: vec4<f32>,
-    moon_colour: vec4<f32>,    // rgb: moonlight at its full; w: share of the sky that clouds cover
-    sun_place: vec4<f32>,      // of a closed world's sun, a unit vector of the model in view coordinates
-    moon_place: vec4<f32>,     // of its moon
-    orb: vec4<f32>,            // x: radius of both, radii
-    ring_centre: vec4<f32>,    // the middle of the ring about what is dug or built: xyz from the reference, m; in a
-                               // closed world in view coordinates
-    ring: vec4<f32>,           // rgb: its light; w: its radius, m, or 0 for none
-    ring_edges: vec4<f32>,     // x: how dark its edges are
-    ring_x: vec4<f32>,         // in a closed world, metres of the chart along x for a difference in view coordinates,
-    ring_y: vec4<f32>,         // and along y and z
+    right: vec3<f32>,           // to the right of the picture
+    time_s: f32,
+    up: vec3<f32>,              // upwards in the picture
+    contour_strength: f32,      // of the contour bands
+    front: vec3<f32>,           // into the picture
+    fog_distance_m: f32,        // at which the fog is complete
+    top: vec3<f32>,             // sky overhead, in a closed world the haze about the eye
+    star_strength: f32,
+    horizon: vec3<f32>,         // sky at the horizon, in a closed world the haze of full day
+    star_sine: f32,             // of the turn of the stars about x
+    glare: vec3<f32>,           // the sun's disc and glow
+    star_cosine: f32,           // of that turn
+    sun: vec3<f32>,             // towards the sun
+    cloud_drift: f32,           // how far clouds have drifted, 0 to 1 over a day
+    moon: vec3<f32>,            // towards the moon
+    cloud_cover: f32,           // share of the sky that clouds cover
+    key_direction: vec3<f32>,   // towards the key light
+    pixel_width: f32,           // in clip units
+    key_colour: vec3<f32>,
+    pixel_height: f32,          // in clip units
+    ambient_sky: vec3<f32>,
+    orb_radius: f32,            // of a closed world's sun and moon, radii
+    ambient_ground: vec3<f32>,
+    ring_edges: f32,            // how dark the edges of the ring are, 0 to 1
+    moon_colour: vec3<f32>,     // moonlight at its full
+    sun_place: vec4<f32>,       // of a closed world's sun, a unit vector of the model in view coordinates
+    moon_place: vec4<f32>,      // of its moon
+    ring_centre: vec4<f32>,     // the middle of the ring about what is dug or built: xyz from the reference, m; in a
+                                // closed world in view coordinates
+    ring_light: vec3<f32>,
+    ring_radius_m: f32,         // 0 for none
+    ring_x: vec4<f32>,          // in a closed world, metres of the chart along x for a difference in view coordinates,
+    ring_y: vec4<f32>,          // and along y and z
     ring_z: vec4<f32>,
-    cuts: mat4x4<f32>,         // columns: covectors of view coordinates; what has a negative product with one is cut off
+    cuts: mat4x4<f32>,          // columns: covectors of view coordinates; what has a negative product with one is cut off
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m
     lamps: array<Lamp, LAMPS>,
     beams: array<Beam, BEAMS>,
@@ -96,25 +117,25 @@ fn space_of_chart() -> Space {
 
 // Direction, at the eye, in which a view point is seen.
 fn direction_of(view: vec3<f32>) -> vec3<f32> {
-    return normalize(scene.right.xyz * view.x + scene.up.xyz * view.y - scene.front.xyz * view.z);
+    return normalize(scene.right * view.x + scene.up * view.y - scene.front * view.z);
 }
 
 // The sky without disc, moon and stars; land fades into it, so that its edge never shows.
 fn haze(direction: vec3<f32>) -> vec3<f32> {
     let low = 1.0 - clamp(direction.y, 0.0, 1.0);
     let low2 = low * low;
-    let gradient = mix(scene.top.rgb, scene.horizon.rgb, low2 * low2);
-    let toward = max(dot(direction, scene.sun.xyz), 0.0);
+    let gradient = mix(scene.top, scene.horizon, low2 * low2);
+    let toward = max(dot(direction, scene.sun), 0.0);
     let toward2 = toward * toward;
     let toward4 = toward2 * toward2;
     let toward8 = toward4 * toward4;
     let glow = 0.10 * toward2 * low2 + 0.22 * toward8;
-    return gradient + scene.glare.rgb * glow;
+    return gradient + scene.glare * glow;
 }
 
 // Share of the fog at a distance in the space: little at first, complete at the fog distance.
 fn fog_at(distance_m: f32) -> f32 {
-    let x = clamp(distance_m / scene.front.w, 0.0, 1.0);
+    let x = clamp(distance_m / scene.fog_distance_m, 0.0, 1.0);
     let x2 = x * x;
     let x4 = x2 * x2;
     return 0.42 * x2 + 0.58 * x4 * x2;
@@ -127,7 +148,7 @@ const FACING: f32 = 0.2;
 // Warm key and cool ambient from above, bounce from below: nothing is black.
 // `share` of the key reaches the place; in a shadow less of it is bounced about, too.
 fn light_on(normal: vec3<f32>, share: f32) -> vec3<f32> {
-    let facing = dot(normal, scene.key_direction.xyz);
+    let facing = dot(normal, scene.key_direction);
     // Land is flat between its vertices and its normals are not: triangles turn away one by one before they do. Light
     // that has all but gone by then shows no edges of theirs.
     let turned = smoothstep(0.0, FACING, facing);
@@ -135,7 +156,7 @@ fn light_on(normal: vec3<f32>, share: f32) -> vec3<f32> {
     let wrap = 0.06 * (1.0 - abs(facing)) + 0.05;
     let sky = 0.5 + 0.5 * normal.y;
     let bounced = wrap * (0.4 + 0.6 * share * turned);
-    return scene.key_colour.rgb * (0.78 * key * share + bounced) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
+    return scene.key_colour * (0.78 * key * share + bounced) + mix(scene.ambient_ground, scene.ambient_sky, sky);
 }
 
 // sRGB to linear light; cubic fit of the standard's curve, within 0.003.

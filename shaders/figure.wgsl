@@ -178,13 +178,13 @@ fn vertex_hand(in: VertexIn) -> VertexOut {
     let depth = mix(scene.space.project.z, -v.z, HAND_DEPTH);
     var out: VertexOut;
     out.clip = vec4<f32>(HAND_FOCAL * aspect * v.x, HAND_FOCAL * v.y, depth, -v.z);
-    out.normal = scene.right.xyz * normal.x + scene.up.xyz * normal.y - scene.front.xyz * normal.z;
+    out.normal = scene.right * normal.x + scene.up * normal.y - scene.front * normal.z;
     out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(0.0, 0.0, 0.0, 1.0);
     out.glow = in.normal.w;
     out.view = vec4<f32>(v, 1.0);
-    out.place = scene.right.xyz * v.x + scene.up.xyz * v.y - scene.front.xyz * v.z;
+    out.place = scene.right * v.x + scene.up * v.y - scene.front * v.z;
     out.frame_normal = vec4<f32>(normal, 0.0);
     out.lights = in.lights;
     return out;
@@ -197,9 +197,9 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let toward_eye = normalize(in.toward_eye);
     let edge = 1.0 - max(dot(seen, toward_eye), 0.0);
     let edge2 = edge * edge;
-    let halfway = normalize(scene.key_direction.xyz + toward_eye);
+    let halfway = normalize(scene.key_direction + toward_eye);
     let shine = pow(max(dot(seen, halfway), 0.0), 48.0);
-    let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
+    let sky = mix(scene.ambient_ground, scene.ambient_sky, 0.5 + 0.5 * normal.y);
     let unlit = is_unlit(in.view, normal, in.frame_normal);
     let share = key_share(shaded_at(in.place, in.view, normal, in.frame_normal), in.clip.xy, unlit, true);
     var colour = in.albedo.rgb * daylight_on(in.view, normal, in.frame_normal, share);
@@ -207,8 +207,8 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
     }
     // A soft bright edge keeps the figure readable against land of its own brightness.
-    colour += scene.ambient_sky.rgb * (edge2 * edge * (0.30 + 0.9 * gloss));
-    colour += (scene.key_colour.rgb * (shine * share) + sky * 0.35) * gloss;
+    colour += scene.ambient_sky * (edge2 * edge * (0.30 + 0.9 * gloss));
+    colour += (scene.key_colour * (shine * share) + sky * 0.35) * gloss;
     // Brighter than white, so that tone mapping lets it shine; a little less at the rim, so that it stays round.
     colour += in.albedo.rgb * (in.glow * (3.2 - 1.4 * edge2));
     return colour;

@@ -140,7 +140,7 @@ fn lamps_on(lit: Lit, mask: vec2<u32>, gloss: f32) -> vec3<f32> {
             } else {
                 light *= point_share(at);
             }
-            sum += lamp.colour.rgb * (through(at, lamp.colour.w) * light);
+            sum += lamp.colour * (through(at, lamp.fades_per_m2) * light);
         }
     }
     return sum;
@@ -170,8 +170,8 @@ fn lamplight_at(space: Space, view: vec4<f32>, normal: vec4<f32>, mask: vec3<u32
             let near = select(0u, bit, at.chord2 < close * close);
             light.near.x |= select(near, 0u, half == 1u);
             light.near.y |= select(0u, near, half == 1u);
-            let share = (1.0 - point_share(at)) * through(at, lamp.colour.w);
-            light.far += lamp.colour.rgb * (share * diffuse_of(lit, toward, at));
+            let share = (1.0 - point_share(at)) * through(at, lamp.fades_per_m2);
+            light.far += lamp.colour * (share * diffuse_of(lit, toward, at));
         }
     }
     return light;
@@ -187,12 +187,12 @@ fn beams_on(lit: Lit, mask: u32, gloss: f32) -> vec3<f32> {
         let toward = beam.place - lit.view;
         let at = away(lit, toward);
         let along = -model_dot(lit, beam.axis, toward) / at.sine;
-        let inside = smoothstep(beam.cone.y, beam.cone.x, along);
+        let inside = smoothstep(beam.dark_cosine, beam.full_cosine, along);
         var light = diffuse_of(lit, toward, at);
         if gloss > 0.0 {
             light += gloss * shine_of(lit, toward, at);
         }
-        sum += beam.colour.rgb * (inside * through(at, beam.colour.w) * light);
+        sum += beam.colour * (inside * through(at, beam.fades_per_m2) * light);
     }
     return sum;
 }

@@ -42,7 +42,7 @@ fn vertex(in: VertexIn) -> VertexOut {
         out.clip = vec4<f32>(0.0, 0.0, 2.0, 1.0);
         return out;
     }
-    let pixel = vec2<f32>(scene.key_direction.w, scene.key_colour.w);
+    let pixel = vec2<f32>(scene.pixel_width, scene.pixel_height);
     let way = (there.xy / there.w - here.xy / here.w) / pixel;
     let length_px = max(length(way), 1e-4);
     let across = vec2<f32>(-way.y, way.x) / length_px * (in.side * HALF_WIDTH_PX);

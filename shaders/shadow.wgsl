@@ -29,7 +29,8 @@ const SHADOW_STRAY: f32 = 16.0;
 
 struct Caster {
     clip: mat4x4<f32>,  // from what `caster_point` makes of the first chart's points
-    curve: vec4<f32>,  // x: curvature per metre; y: where a chart's land ends, metres from its middle
+    curvature_per_m: f32,
+    rim_m: f32,        // where a chart's land ends, from its middle
 }
 
 @group(0) @binding(2) var shadow_maps: texture_depth_2d_array;
@@ -61,6 +62,10 @@ fn chosen(rows: array<vec4<f32>, 3>, number: u32) -> vec4<f32> {
     return select(select(rows[1], rows[2], number == 2u), rows[0], number == 0u);
 }
 
+fn scalars_of(map: ShadowMap) -> vec4<f32> {
+    return vec4<f32>(map.layer, map.texel_depth, map.weight, map.hand);
+}
+
 // One of the cascades. Numbers that differ from pixel to pixel are dear to look up with in software.
 fn cascade(number: u32) -> ShadowMap {
     let a = scene.shadows.maps[0];
@@ -72,7 +77,8 @@ fn cascade(number: u32) -> ShadowMap {
         chosen(array<vec4<f32>, 3>(a.clip[2], b.clip[2], c.clip[2]), number),
         chosen(array<vec4<f32>, 3>(a.clip[3], b.clip[3], c.clip[3]), number),
     );
-    return ShadowMap(clip, chosen(array<vec4<f32>, 3>(a.info, b.info, c.info), number));
+    let rest = chosen(array<vec4<f32>, 3>(scalars_of(a), scalars_of(b), scalars_of(c)), number);
+    return ShadowMap(clip, rest.x, rest.y, rest.z, rest.w);
 }
 
 // A point on a map's plane, how that changes to the next pixel, and one over its clip coordinate w.
@@ -97,8 +103,8 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
     let s = on.at;
     let dx = on.x;
     let dy = on.y;
-    let texel = map.info.y * on.inverse;
-    let size = scene.shadows.key.y;
+    let texel = map.texel_depth * on.inverse;
+    let size = scene.shadows.side_texels;
     let to_texels = vec2<f32>(0.5, -0.5) * size;
     let ax = dx.xy * to_texels;
     let ay = dy.xy * to_texels;
@@ -111,7 +117,7 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
     let bias = SHADOW_BIAS * min(length(vec3<f32>(g, texel)), SHADOW_BIASED * texel);
     // Surfaces are seen from their front: one that the light sees the other way round shades itself. Compared with
     // its own depth it would be striped, since that is then the far side of what the map holds.
-    if area * map.info.w < 0.0 {
+    if area * map.hand < 0.0 {
         // One whose normals face the light strays from them, as seams between levels of detail do and thin triangles,
         // and its plane is none of the land's: it is to look as the land beside it.
         let stray = s.z + SHADOW_STRAY * texel;
@@ -123,7 +129,7 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
 // Which of four texels let light through, from below on the left against the clock, as they are gathered; `own` is the
 // depth of the point's plane at the upper left one, and `away` where the point is from there, in texels.
 fn gathered(corner: vec2<f32>, layer: f32, own: f32, away: vec2<f32>, placed: Placed) -> vec4<f32> {
-    let found = textureGather(shadow_maps, shadow_sampler, corner * scene.shadows.key.z, u32(layer));
+    let found = textureGather(shadow_maps, shadow_sampler, corner * scene.shadows.texel, u32(layer));
     let slope = placed.slope;
     let plane = own + vec4<f32>(slope.y, slope.x + slope.y, slope.x, 0.0);
     // Where nothing was drawn the map holds 0, and land may lie deeper than that: under a figure on a cliff.
@@ -155,14 +161,14 @@ fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
     for (var j = 0u; j < gathers; j++) {
         for (var i = 0u; i < gathers; i++) {
             let step = vec2<f32>(f32(2u * i), f32(2u * j));
-            let free = gathered(first + step + 1.0, map.info.x, here + dot(placed.slope, step), away - step, placed);
+            let free = gathered(first + step + 1.0, map.layer, here + dot(placed.slope, step), away - step, placed);
             let wx = vec2<f32>(select(1.0, 1.0 - part.x, i == 0u), select(1.0, part.x, i == gathers - 1u));
             let wy = vec2<f32>(select(1.0, 1.0 - part.y, j == 0u), select(1.0, part.y, j == gathers - 1u));
             lit += dot(free, vec4<f32>(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x));
         }
     }
     let width = f32(2u * gathers - 1u);
-    return mix(1.0, lit / (width * width) * (1.0 - placed.turned), map.info.z);
+    return mix(1.0, lit / (width * width) * (1.0 - placed.turned), map.weight);
 }
 
 // Which pixels show the next map where one ends, by a fixed noise from 0 to 1 (Jimenez, 2014).
@@ -208,5 +214,5 @@ fn key_through(point: Shaded, pixel: vec2<f32>, unlit: bool, by_figures: bool) -
 
 // Share of the key light that reaches a point.
 fn key_share(point: Shaded, pixel: vec2<f32>, unlit: bool, by_figures: bool) -> f32 {
-    return 1.0 - scene.shadows.key.x * (1.0 - key_through(point, pixel, unlit, by_figures));
+    return 1.0 - scene.shadows.strength * (1.0 - key_through(point, pixel, unlit, by_figures));
 }

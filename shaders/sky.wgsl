@@ -16,9 +16,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
     var out: VertexOut;
     // Depth 0 is infinitely far in reversed depth.
     out.clip = vec4<f32>(corner, 0.0, 1.0);
-    out.ray = scene.front.xyz
-        + scene.right.xyz * (corner.x / scene.space.project.x)
-        + scene.up.xyz * (corner.y / scene.space.project.y);
+    out.ray = scene.front
+        + scene.right * (corner.x / scene.space.project.x)
+        + scene.up * (corner.y / scene.space.project.y);
     return out;
 }
 
@@ -31,12 +31,12 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
 @fragment
 fn fragment_band(in: VertexOut) -> @location(0) vec4<f32> {
     let d = normalize(in.ray);
-    let s = scene.glare.w;
-    let c = scene.sun.w;
+    let s = scene.star_sine;
+    let c = scene.star_cosine;
     let at_sunrise = vec3<f32>(d.x, c * d.y + s * d.z, c * d.z - s * d.y);
     let light = textureSampleLevel(band, smooth_sampler, at_sunrise, 0.0).rgb;
     let over_horizon = smoothstep(0.0, 0.25, d.y);
-    return vec4<f32>(light * (0.55 * scene.top.w * over_horizon), 0.0);
+    return vec4<f32>(light * (0.55 * scene.star_strength * over_horizon), 0.0);
 }
 
 // Clouds lie in a level layer as many heights away as the ray needs to get up to it. They drift, and seen through a
@@ -48,7 +48,7 @@ const WIND: vec2<f32> = vec2<f32>(1.0, 1.0);
 const SLOW_WIND: vec2<f32> = vec2<f32>(1.0, 0.0);
 
 fn thickness(at: vec2<f32>, level: f32) -> f32 {
-    let drift = scene.ambient_sky.w;
+    let drift = scene.cloud_drift;
     let heaps = textureSampleLevel(layer, smooth_sampler, at + drift * WIND, level).r;
     let groups = textureSampleLevel(layer, smooth_sampler, 0.37 * at + drift * SLOW_WIND + 0.31, level).r;
     return 0.62 * heaps + 0.38 * groups;
@@ -60,19 +60,19 @@ fn fragment_clouds(in: VertexOut) -> @location(0) vec4<f32> {
     let rise = max(d.y, 0.0) + 0.06;
     let at = d.xz / rise * CLOUD_SCALE;
     // A pixel's width in the layer grows with the square of the way there.
-    let pixel = scene.key_colour.w / scene.space.project.y;
+    let pixel = scene.pixel_height / scene.space.project.y;
     let level = clamp(log2(CLOUD_SCALE * CLOUD_TEXELS * pixel / (rise * rise)), 0.0, 6.0);
     let thick = thickness(at, level);
-    let clear = 0.74 - 0.48 * scene.moon_colour.w;
+    let clear = 0.74 - 0.48 * scene.cloud_cover;
     let cover = smoothstep(clear, clear + 0.22, thick) * smoothstep(0.015, 0.16, d.y);
     // Thinner towards the light means that light comes through to this side.
     let toward = normalize(scene.key_direction.xz + vec2<f32>(1.0e-3, 0.0));
     let shaded = clamp(0.5 + 3.2 * (thick - thickness(at + toward * 0.012, level)), 0.0, 1.0);
-    let near_sun = max(dot(d, scene.key_direction.xyz), 0.0);
+    let near_sun = max(dot(d, scene.key_direction), 0.0);
     let near2 = near_sun * near_sun;
     let lining = near2 * near2 * near2 * near2 * (1.0 - cover);
-    let lit = scene.key_colour.rgb * (0.22 + 0.34 * shaded + 0.5 * lining)
-        + scene.ambient_sky.rgb * 0.62 + scene.horizon.rgb * 0.12;
+    let lit = scene.key_colour * (0.22 + 0.34 * shaded + 0.5 * lining)
+        + scene.ambient_sky * 0.62 + scene.horizon * 0.12;
     let colour = mix(haze(d), lit, smoothstep(0.0, 0.35, d.y));
     let opacity = cover * 0.94;
     return vec4<f32>(colour * opacity, opacity);

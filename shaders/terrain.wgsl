@@ -63,7 +63,7 @@ fn normal_of(in: VertexIn) -> vec3<f32> {
 
 // Metres by which a point lies beyond what is drawn of its chart.
 fn beyond_chart(p: vec3<f32>) -> f32 {
-    let past = max(chart.domain.xy - p.xz, p.xz - chart.domain.zw);
+    let past = max(chart.domain_low - p.xz, p.xz - chart.domain_high);
     return max(max(past.x, past.y), geo_beyond_edge(scene.space, p));
 }
 
@@ -111,7 +111,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
 // A vertex from the reference. Offsets are whole metres and so are chunk borders, so the sum is exact there: both
 // chunks give a shared vertex the same bits, however far from the origin they lie.
 fn from_reference(in: VertexIn) -> vec3<f32> {
-    return (in.offset + position_of(in.units)) - chart.fraction.xyz;
+    return (in.offset + position_of(in.units)) - chart.fraction;
 }
 
 @vertex
@@ -140,7 +140,7 @@ struct CasterIn {
 // Land past the edge, which pictures leave to the other chart, is no land and must throw no shadow. It is laid down
 // on the sheet y = 0, under all land: left out, it would take with it the triangles that reach over it.
 fn is_past_rim(p: vec3<f32>) -> bool {
-    return length(p.xz) > caster.curve.y + RIM_OVERLAP;
+    return length(p.xz) > caster.rim_m + RIM_OVERLAP;
 }
 
 @vertex
@@ -165,16 +165,16 @@ const RING_WIDEST: f32 = 0.06;
 fn ring_at(place: vec3<f32>, view: vec4<f32>) -> vec2<f32> {
     let from_middle = length(from_ring(place, view));
     // Where land ends before other land the next pixel may be metres off, and that is not the ring's width.
-    let across_m = clamp(fwidth(from_middle), 1e-6, RING_WIDEST * scene.ring.w + 1e-6);
-    let pixels = abs(from_middle - scene.ring.w) / across_m;
-    let is_there = select(0.0, 1.0, scene.ring.w > 0.0);
+    let across_m = clamp(fwidth(from_middle), 1e-6, RING_WIDEST * scene.ring_radius_m + 1e-6);
+    let pixels = abs(from_middle - scene.ring_radius_m) / across_m;
+    let is_there = select(0.0, 1.0, scene.ring_radius_m > 0.0);
     let wide = 1.0 - smoothstep(2.0, 3.0, pixels);
-    return is_there * vec2<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_edges.x);
+    return is_there * vec2<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_edges);
 }
 
 fn ringed(land: vec4<f32>, ring: vec2<f32>) -> vec4<f32> {
     let edged = land.rgb * (1.0 - ring.y);
-    return vec4<f32>(mix(edged, scene.ring.rgb, ring.x), land.a);
+    return vec4<f32>(mix(edged, scene.ring_light, ring.x), land.a);
 }
 
 // Whether land turns away from the light that throws shadows, or lies where that does not reach.
@@ -199,7 +199,7 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     let to_contour = abs(fract(height * 0.125 + 0.5) - 0.5) * 8.0;
     let width = (0.04 + 0.0020 * spread_m) * max(steep, 0.06);
     let line = 1.0 - smoothstep(width, 2.0 * width, to_contour);
-    tone *= 1.0 - line * scene.up.w;
+    tone *= 1.0 - line * scene.contour_strength;
     // Figures stand in a soft shade of their own, wider and fainter the higher they are.
     let under = (in.place.xyz - in.feet.xyz) * vec3<f32>(1.5, 0.45, 1.5);
     let shade = max(1.0 - dot(under, under), 0.0);

@@ -20,7 +20,7 @@ fn daylight_at(model: vec4<f32>) -> f32 {
 
 // Where the light that throws shadows stands, in view coordinates.
 fn key_body() -> vec4<f32> {
-    return mix(scene.sun_place, scene.moon_place, scene.shadows.key.w);
+    return mix(scene.sun_place, scene.moon_place, scene.shadows.by_moon);
 }
 
 // Charts have nothing in common but the equator: what is told of two of them is told in view coordinates.
@@ -40,8 +40,8 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
 
 // The mean of the haze about the eye and that about the point.
 fn haze_before(view: vec4<f32>) -> vec3<f32> {
-    let there = scene.horizon.rgb * mix(NIGHT_HAZE, vec3<f32>(1.0), daylight_at(model_of(view)));
-    return 0.5 * (scene.top.rgb + there);
+    let there = scene.horizon * mix(NIGHT_HAZE, vec3<f32>(1.0), daylight_at(model_of(view)));
+    return 0.5 * (scene.top + there);
 }
 
 // The cosine between the normal n and the way to a body s is <n, s> over the sine of the distance, n being square to the
@@ -51,7 +51,7 @@ fn orbs_on(view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32) -> vec3<f32>
     let near = vec2<f32>(dot(place, scene.sun_place), dot(place, scene.moon_place));
     let slant = vec2<f32>(dot(normal, scene.sun_place), dot(normal, scene.moon_place));
     let facing = slant * inverseSqrt(max(vec2<f32>(1.0) - near * near, vec2<f32>(1.0e-3)));
-    let reaches = mix(vec2<f32>(share, 1.0), vec2<f32>(1.0, share), scene.shadows.key.w);
+    let reaches = mix(vec2<f32>(share, 1.0), vec2<f32>(1.0, share), scene.shadows.by_moon);
     let bounced = 0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05);
     let turned = smoothstep(vec2<f32>(0.0), vec2<f32>(FACING), facing);
     let about = reaches * turned;
@@ -60,9 +60,9 @@ fn orbs_on(view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32) -> vec3<f32>
     // Low light has come a long way through haze: red.
     let warmth = mix(vec3<f32>(1.0, 0.42, 0.16), vec3<f32>(1.0), smoothstep(0.15, 0.9, day));
     let moonlight = smoothstep(NIGHT, DAY, near.y) * (1.0 - day);
-    let ambient = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * up);
-    return scene.key_colour.rgb * warmth * (day * key.x)
-        + scene.moon_colour.rgb * (moonlight * key.y)
+    let ambient = mix(scene.ambient_ground, scene.ambient_sky, 0.5 + 0.5 * up);
+    return scene.key_colour * warmth * (day * key.x)
+        + scene.moon_colour * (moonlight * key.y)
         + ambient * mix(NIGHT_AMBIENT, vec3<f32>(1.0), day);
 }
 
@@ -101,7 +101,7 @@ fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> 
 fn seen_normal(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> vec3<f32> {
     let place = model_of(view);
     let n = model_normal.xyz - place.xyz * (model_normal.w / max(1.0 + place.w, 1.0e-3));
-    return normalize(scene.right.xyz * n.x + scene.up.xyz * n.y - scene.front.xyz * n.z);
+    return normalize(scene.right * n.x + scene.up * n.y - scene.front * n.z);
 }
 
 // Either chart may draw the land about the ring: metres of the ring's own come from the difference in view coordinates.
@@ -117,7 +117,7 @@ fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool
 // The space itself.
 fn caster_point(p: vec3<f32>) -> vec4<f32> {
     var space: Space;
-    space.curve.x = caster.curve.x;
+    space.curve.x = caster.curvature_per_m;
     return port(space, p);
 }
 

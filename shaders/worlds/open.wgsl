@@ -46,7 +46,7 @@ fn from_ring(place: vec3<f32>, view: vec4<f32>) -> vec3<f32> {
 }
 
 fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool {
-    return dot(normal, scene.key_direction.xyz) <= 0.0;
+    return dot(normal, scene.key_direction) <= 0.0;
 }
 
 fn caster_point(p: vec3<f32>) -> vec4<f32> {
@@ -57,7 +57,7 @@ fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal:
     if SHADOWS == 0u {
         return NOT_SHADED;
     }
-    let faced = surely_faced(dot(normalize(normal), scene.key_direction.xyz));
+    let faced = surely_faced(dot(normalize(normal), scene.key_direction));
     let right = vec4<f32>(dpdx(place), 0.0);
     let below = vec4<f32>(dpdy(place), 0.0);
     return Shaded(vec4<f32>(place, 1.0), right, below, faced);

@@ -32,10 +32,13 @@ pub struct ChartUniform {
     pub view: [[f32; 4]; 4],
     /// See above.
     pub home: [[f32; 4]; 4],
-    /// The reference from the whole metres that chunks are measured from; last, room.
-    pub fraction: [f32; 4],
+    /// The reference from the whole metres that chunks are measured from.
+    pub fraction: [f32; 3],
+    padding: f32,
     /// A rectangle past which other charts draw the land: the least x and z from the reference, and the greatest, metres.
-    pub domain: [f32; 4],
+    pub domain_low: [f32; 2],
+    /// See above.
+    pub domain_high: [f32; 2],
 }
 
 impl ChartUniform {
@@ -54,8 +57,10 @@ impl ChartUniform {
         Self {
             view: columns(frame.view.chart_matrix(chart)),
             home: columns(frame.view.strategy.home_matrix(chart)),
-            fraction: fraction.as_vec3().extend(0.0).into(),
-            domain: [low.x, low.y, high.x, high.y],
+            fraction: fraction.as_vec3().into(),
+            padding: 0.0,
+            domain_low: low.into(),
+            domain_high: high.into(),
         }
     }
 }

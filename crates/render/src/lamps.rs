@@ -24,18 +24,22 @@ const STEP_M: f64 = 1e-3;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 pub struct LampUniform {
-    place: [f32; 4],
-    colour: [f32; 4],
+    pub(crate) place: [f32; 4],
+    pub(crate) colour: [f32; 3],
+    pub(crate) fades_per_m2: f32,
 }
 
 /// `Beam` of common.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 pub struct BeamUniform {
-    place: [f32; 4],
-    axis: [f32; 4],
-    colour: [f32; 4],
-    cone: [f32; 4],
+    pub(crate) place: [f32; 4],
+    pub(crate) axis: [f32; 4],
+    pub(crate) colour: [f32; 3],
+    pub(crate) fades_per_m2: f32,
+    pub(crate) full_cosine: f32,
+    pub(crate) dark_cosine: f32,
+    padding: [f32; 2],
 }
 
 /// The curvature of a picture: its sign and its radius in metres, none where it is flat or as good as flat. A way off
@@ -75,15 +79,10 @@ fn chord_m(frame: &Frame, range_m: f64) -> f64 {
     2.0 * radius_m * chord
 }
 
-fn colour(frame: &Frame, colour: [f32; 3], range_m: f64) -> [f32; 4] {
-    let [r, g, b] = colour;
+/// One over the square of the chord at which a light of that range has faded away, per square metre.
+fn fades_per_m2(frame: &Frame, range_m: f64) -> f32 {
     let chord_m = chord_m(frame, range_m);
-    [
-        r,
-        g,
-        b,
-        (1.0 / (chord_m * chord_m).max(f64::MIN_POSITIVE)) as f32,
-    ]
+    (1.0 / (chord_m * chord_m).max(f64::MIN_POSITIVE)) as f32
 }
 
 /// A frame's lamps.
@@ -92,7 +91,8 @@ pub fn lamps(frame: &Frame) -> [LampUniform; LAMPS] {
     for (uniform, lamp) in uniforms.iter_mut().zip(&frame.content.lights.lamps) {
         *uniform = LampUniform {
             place: place(frame, lamp.point).as_vec4().into(),
-            colour: colour(frame, lamp.colour, lamp.range_m),
+            colour: lamp.colour,
+            fades_per_m2: fades_per_m2(frame, lamp.range_m),
         };
     }
     uniforms
@@ -106,8 +106,11 @@ pub fn beams(frame: &Frame) -> [BeamUniform; BEAMS] {
         *uniform = BeamUniform {
             place: place(frame, beam.point).as_vec4().into(),
             axis: axis(frame, beam).as_vec4().into(),
-            colour: colour(frame, beam.colour, beam.range_m),
-            cone: [inner.cos() as f32, outer.cos() as f32, 0.0, 0.0],
+            colour: beam.colour,
+            fades_per_m2: fades_per_m2(frame, beam.range_m),
+            full_cosine: inner.cos() as f32,
+            dark_cosine: outer.cos() as f32,
+            padding: [0.0; 2],
         };
     }
     uniforms

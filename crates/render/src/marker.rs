@@ -119,8 +119,10 @@ fn light_of(frame: &Frame) -> f32 {
 pub struct Ring {
     /// Its middle: metres from the reference in the common axes, or in a closed world view coordinates.
     pub centre: [f32; 4],
-    /// Its light, and its radius in metres of the chart.
-    pub light: [f32; 4],
+    /// Its light.
+    pub light: [f32; 3],
+    /// Its radius in metres of the chart.
+    pub radius_m: f32,
     /// How dark its edges are, 0 to 1.
     pub edges: f32,
     /// In a closed world, metres of the chart along x, y and z for a difference in view coordinates.
@@ -140,7 +142,6 @@ impl Ring {
         } else {
             (RING, light_of(frame))
         };
-        let [r, g, b] = colour.map(|channel| channel * light);
         let offset = offset_of(frame, marker.point);
         let offset = frame.view.in_common_axes(marker.point.chart, offset);
         let closed = !frame.view.strategy.has_sky();
@@ -151,7 +152,8 @@ impl Ring {
             } else {
                 offset.as_vec3().extend(0.0).into()
             },
-            light: [r, g, b, marker.radius_m as f32],
+            light: colour.map(|channel| channel * light),
+            radius_m: marker.radius_m as f32,
             edges,
             axes: if closed {
                 chart_axes(frame, marker.point)

@@ -4,7 +4,7 @@ use antipode_frame::{Frame, Orbs, View};
 use antipode_geometry::{ChartPoint, ChunkCoord, NoiseFrame, SpaceUniform};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 use crate::charts::whole_reference;
 use crate::lamps::{BEAMS, BeamUniform, LAMPS, LampUniform, beams, lamps};
@@ -23,25 +23,37 @@ const GRAIN_PERIOD_M: f64 = 256.0;
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct SceneUniform {
     space: SpaceUniform,
-    right: [f32; 4],
-    up: [f32; 4],
-    front: [f32; 4],
-    top: [f32; 4],
-    horizon: [f32; 4],
-    glare: [f32; 4],
-    sun: [f32; 4],
-    moon: [f32; 4],
-    key_direction: [f32; 4],
-    key_colour: [f32; 4],
-    ambient_sky: [f32; 4],
-    ambient_ground: [f32; 4],
-    moon_colour: [f32; 4],
+    right: [f32; 3],
+    time_s: f32,
+    up: [f32; 3],
+    contour_strength: f32,
+    front: [f32; 3],
+    fog_distance_m: f32,
+    top: [f32; 3],
+    star_strength: f32,
+    horizon: [f32; 3],
+    star_sine: f32,
+    glare: [f32; 3],
+    star_cosine: f32,
+    sun: [f32; 3],
+    cloud_drift: f32,
+    moon: [f32; 3],
+    cloud_cover: f32,
+    key_direction: [f32; 3],
+    pixel_width: f32,
+    key_colour: [f32; 3],
+    pixel_height: f32,
+    ambient_sky: [f32; 3],
+    orb_radius: f32,
+    ambient_ground: [f32; 3],
+    ring_edges: f32,
+    moon_colour: [f32; 3],
+    padding: f32,
     sun_place: [f32; 4],
     moon_place: [f32; 4],
-    orb: [f32; 4],
     ring_centre: [f32; 4],
-    ring: [f32; 4],
-    ring_edges: [f32; 4],
+    ring_light: [f32; 3],
+    ring_radius_m: f32,
     ring_axes: [[f32; 4]; 3],
     cuts: [[f32; 4]; View::CUTS],
     shades: [[f32; 4]; SHADES],
@@ -59,42 +71,46 @@ impl SceneUniform {
         let (sin, cos) = (sun_y, -sun_z);
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
         let ring = Ring::of(frame);
+        let radius_m = frame.view.strategy.radius_m();
+        let orb_radius = sky.orbs.map_or(0.0, |orbs| orbs.radius_m / radius_m);
         let [right, up, front] = frame.view.axes().map(DVec3::as_vec3);
         Self {
             space: frame.view.uniform(),
-            right: with(right, frame.content.time_s),
-            up: with(
-                up,
-                if frame.view.contour_bands {
-                    CONTOUR_STRENGTH
-                } else {
-                    0.0
-                },
-            ),
-            front: with(front, frame.view.fog_distance_m.max(1.0)),
-            top: with(sky.top.into(), sky.stars),
-            horizon: with(sky.horizon.into(), 0.0),
-            glare: with(sky.glare.into(), sin / length),
-            sun: with(sky.sun_direction.into(), cos / length),
-            moon: with(sky.moon_direction.into(), 0.0),
-            key_direction: with(sky.key_direction.into(), 2.0 / size.0 as f32),
-            key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
-            ambient_sky: with(sky.ambient_sky.into(), sky.drift),
-            ambient_ground: with(sky.ambient_ground.into(), 0.0),
-            moon_colour: with(sky.moon_colour.into(), sky.clouds),
+            right: right.into(),
+            time_s: frame.content.time_s,
+            up: up.into(),
+            contour_strength: if frame.view.contour_bands {
+                CONTOUR_STRENGTH
+            } else {
+                0.0
+            },
+            front: front.into(),
+            fog_distance_m: frame.view.fog_distance_m.max(1.0),
+            top: sky.top,
+            star_strength: sky.stars,
+            horizon: sky.horizon,
+            star_sine: sin / length,
+            glare: sky.glare,
+            star_cosine: cos / length,
+            sun: sky.sun_direction,
+            cloud_drift: sky.drift,
+            moon: sky.moon_direction,
+            cloud_cover: sky.clouds,
+            key_direction: sky.key_direction,
+            pixel_width: 2.0 / size.0 as f32,
+            key_colour: sky.key_colour,
+            pixel_height: 2.0 / size.1 as f32,
+            ambient_sky: sky.ambient_sky,
+            orb_radius: orb_radius as f32,
+            ambient_ground: sky.ambient_ground,
+            ring_edges: ring.edges,
+            moon_colour: sky.moon_colour,
+            padding: 0.0,
             sun_place: orb_place(frame, |orbs| orbs.sun),
             moon_place: orb_place(frame, |orbs| orbs.moon),
-            orb: [
-                sky.orbs
-                    .map_or(0.0, |orbs| orbs.radius_m / frame.view.strategy.radius_m())
-                    as f32,
-                0.0,
-                0.0,
-                0.0,
-            ],
             ring_centre: ring.centre,
-            ring: ring.light,
-            ring_edges: [ring.edges, 0.0, 0.0, 0.0],
+            ring_light: ring.light,
+            ring_radius_m: ring.radius_m,
             ring_axes: ring.axes,
             cuts: frame.view.cuts.map(|cut| cut.as_vec4().into()),
             shades: shades.places(),
@@ -113,10 +129,6 @@ fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
     let view = frame.view.point(which(orbs));
     let units = view.truncate() / frame.view.strategy.radius_m();
     units.extend(view.w).as_vec4().into()
-}
-
-fn with(v: Vec3, w: f32) -> [f32; 4] {
-    v.extend(w).into()
 }
 
 /// Where a chunk stands; the instance attributes of terrain.wgsl.

@@ -5,13 +5,13 @@
 //! The disk is read outside the locks. Edits stay in memory once read (128 kB a chunk) as long as
 //! they are among those used last; of the others, what is saved is read again when it is needed.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashSet};
 use std::error::Error;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use antipode_geometry::ChunkCoord;
 use antipode_terrain::ChunkEdits;
+use lru::LruCache;
 
 use crate::edit_backend::{EditBackend, ReadFault, key_of};
 use crate::range::around;
@@ -47,25 +47,16 @@ pub(crate) struct Change {
 
 /// Every edit since the world was made.
 pub(crate) struct EditStore {
-    state: RwLock<State>,
+    state: Mutex<State>,
     backend: Option<Arc<dyn EditBackend>>,
-    /// Counts uses.
-    clock: AtomicU64,
-}
-
-/// The edits of a chunk.
-struct CachedEdits {
-    edits: Arc<ChunkEdits>,
-    /// When they were last used.
-    used: AtomicU64,
 }
 
 /// Edits of chunks to be saved, or saved.
 pub(crate) type EditMap = BTreeMap<ChunkCoord, Arc<ChunkEdits>>;
 
-#[derive(Default)]
 struct State {
-    chunks: HashMap<ChunkCoord, CachedEdits>,
+    /// Edits in memory, in the order of their use. What is unsaved stays, so that the cache has no bound of its own.
+    chunks: LruCache<ChunkCoord, Arc<ChunkEdits>>,
     /// Stored, but not yet read.
     on_disk: HashSet<ChunkCoord>,
     /// Stored, and told to be out of reach.
@@ -89,12 +80,15 @@ impl EditStore {
     /// A store whose chunks on disk are `on_disk`.
     pub(crate) fn new(backend: Option<Arc<dyn EditBackend>>, on_disk: HashSet<ChunkCoord>) -> Self {
         Self {
-            state: RwLock::new(State {
+            state: Mutex::new(State {
+                chunks: LruCache::unbounded(),
                 on_disk,
-                ..State::default()
+                complained: HashSet::new(),
+                unsaved: EditMap::new(),
+                revision: 0,
+                evictions: 0,
             }),
             backend,
-            clock: AtomicU64::new(0),
         }
     }
 
@@ -106,10 +100,10 @@ impl EditStore {
     /// The edits that the padded block of a chunk needs; reads the store where it must.
     pub(crate) fn snapshot(&self, coord: ChunkCoord, problems: &mut Vec<String>) -> Snapshot {
         let near: Vec<_> = around(coord, -1, 1).collect();
-        let state = self.read_with(&near, problems);
+        let mut state = self.lock_with(&near, problems);
         let near = near
             .into_iter()
-            .filter_map(|near| Some((near, self.look_up(&state, near)?)))
+            .filter_map(|near| Some((near, Arc::clone(state.chunks.get(&near)?))))
             .collect();
         Snapshot {
             revision: state.revision,
@@ -124,17 +118,21 @@ impl EditStore {
         coord: ChunkCoord,
         problems: &mut Vec<String>,
     ) -> Option<ChunkEdits> {
-        let state = self.read_with(&[coord], problems);
-        let known = self
-            .look_up(&state, coord)
-            .map(|edits| ChunkEdits::clone(&edits));
-        known.or_else(|| (!state.on_disk.contains(&coord)).then(ChunkEdits::default))
+        let (known, is_lost) = {
+            let mut state = self.lock_with(&[coord], problems);
+            let known = state.chunks.get(&coord).cloned();
+            (known, state.on_disk.contains(&coord))
+        };
+        match known {
+            Some(edits) => Some(ChunkEdits::clone(&edits)),
+            None => (!is_lost).then(ChunkEdits::default),
+        }
     }
 
     /// Enters a batch. Changes too small to be seen are kept, for they add up, but there is nothing in them to show or
     /// to save.
     pub(crate) fn enter(&self, batch: Vec<Change>) -> Entered {
-        let mut state = self.write();
+        let mut state = self.lock();
         let mut land = EditMap::new();
         if batch.iter().any(|change| change.visible) {
             state.revision += 1;
@@ -146,11 +144,11 @@ impl EditStore {
         } in batch
         {
             state.on_disk.remove(&coord);
-            let cached = self.cached(edits);
+            let edits = Arc::new(edits);
             if visible && self.backend.is_some() {
-                land.insert(coord, Arc::clone(&cached.edits));
+                land.insert(coord, Arc::clone(&edits));
             }
-            state.chunks.insert(coord, cached);
+            state.chunks.put(coord, edits);
         }
         state.unsaved.extend(land.clone());
         let revision = state.revision;
@@ -159,12 +157,12 @@ impl EditStore {
 
     /// Everything that is not saved yet.
     pub(crate) fn unsaved(&self) -> EditMap {
-        self.read().unsaved.clone()
+        self.lock().unsaved.clone()
     }
 
     /// Notes that this is saved.
     pub(crate) fn saved(&self, land: &EditMap) {
-        let mut state = self.write();
+        let mut state = self.lock();
         for (coord, saved) in land {
             let is_last = |last: &Arc<ChunkEdits>| Arc::ptr_eq(last, saved);
             if state.unsaved.get(coord).is_some_and(is_last) {
@@ -179,24 +177,17 @@ impl EditStore {
         if self.backend.is_none() {
             return;
         }
-        let mut state = self.write();
+        let mut state = self.lock();
         let state = &mut *state;
-        let is_saved = |coord: &_| !state.unsaved.contains_key(coord);
-        let saved = state.chunks.iter().filter(|(coord, _)| is_saved(coord));
-        let mut uses: Vec<_> = saved
-            .map(|(&coord, cached)| (cached.used.load(Ordering::Relaxed), coord))
-            .collect();
-        let Some(count) = uses
-            .len()
-            .checked_sub(MOST_SAVED)
-            .filter(|&count| count > 0)
-        else {
+        let is_saved = |coord: &ChunkCoord| !state.unsaved.contains_key(coord);
+        let by_use = state.chunks.iter().map(|(coord, _)| *coord);
+        let forgotten: Vec<_> = by_use.filter(is_saved).skip(MOST_SAVED).collect();
+        if forgotten.is_empty() {
             return;
-        };
-        uses.select_nth_unstable(count - 1);
+        }
         state.evictions += 1;
-        for &(_, coord) in &uses[..count] {
-            state.chunks.remove(&coord);
+        for coord in forgotten {
+            state.chunks.pop(&coord);
             state.on_disk.insert(coord);
         }
     }
@@ -204,42 +195,25 @@ impl EditStore {
     /// Locks the store as a worker that reads it does.
     #[cfg(test)]
     pub(crate) fn being_read(&self) -> impl Drop + '_ {
-        self.read()
+        self.lock()
     }
 
     /// Chunks whose edits are in memory.
     #[cfg(test)]
     pub(crate) fn held(&self) -> usize {
-        self.read().chunks.len()
-    }
-
-    fn cached(&self, edits: ChunkEdits) -> CachedEdits {
-        CachedEdits {
-            edits: Arc::new(edits),
-            used: AtomicU64::new(self.now()),
-        }
-    }
-
-    fn look_up(&self, state: &State, coord: ChunkCoord) -> Option<Arc<ChunkEdits>> {
-        let cached = state.chunks.get(&coord)?;
-        cached.used.store(self.now(), Ordering::Relaxed);
-        Some(Arc::clone(&cached.edits))
-    }
-
-    fn now(&self) -> u64 {
-        self.clock.fetch_add(1, Ordering::Relaxed)
+        self.lock().chunks.len()
     }
 
     /// The state, with those of the chunks read that can be had. Between reading the store and taking the lock the
     /// saver may have let go of one again; then it is read once more.
-    fn read_with(
+    fn lock_with(
         &self,
         coords: &[ChunkCoord],
         problems: &mut Vec<String>,
-    ) -> RwLockReadGuard<'_, State> {
+    ) -> MutexGuard<'_, State> {
         loop {
             let unreadable = self.fetch(coords.iter().copied(), problems);
-            let state = self.read();
+            let state = self.lock();
             let is_lost = |coord: &_| state.on_disk.contains(coord) && !unreadable.contains(coord);
             if self.backend().is_none() || !coords.iter().any(is_lost) {
                 return state;
@@ -260,7 +234,7 @@ impl EditStore {
             return unreadable;
         };
         let (missing, evictions): (Vec<_>, _) = {
-            let state = self.read();
+            let state = self.lock();
             if state.on_disk.is_empty() {
                 return unreadable;
             }
@@ -269,7 +243,7 @@ impl EditStore {
         };
         for coord in missing {
             let found = read_record(backend, coord);
-            let mut state = self.write();
+            let mut state = self.lock();
             // Another worker may have read it meanwhile, or a batch replaced it; or it was replaced, saved and let go
             // of, and what was found is what it had been.
             if state.evictions != evictions || !state.on_disk.remove(&coord) {
@@ -277,7 +251,7 @@ impl EditStore {
             }
             match found {
                 Ok(Some(edits)) => {
-                    state.chunks.insert(coord, self.cached(edits));
+                    state.chunks.put(coord, Arc::new(edits));
                 }
                 Ok(None) => {}
                 Err(ReadFault::Damaged(why)) => problems.push(not_shown(coord, &*why)),
@@ -294,12 +268,8 @@ impl EditStore {
     }
 
     // A worker that panics here leaves nothing half-made behind: every change is one insertion.
-    fn read(&self) -> RwLockReadGuard<'_, State> {
-        self.state.read().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn write(&self) -> RwLockWriteGuard<'_, State> {
-        self.state.write().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

@@ -22,8 +22,11 @@ pub use light::{Caster, Light, key_body};
 use making::Job;
 use maps::{Maps, PASSES};
 pub use maps::{caster_layout, scene_entries};
+#[cfg(test)]
+pub(crate) use uniform::CasterUniform;
+use uniform::FIGURES;
+pub(crate) use uniform::MapUniform;
 pub use uniform::ShadowUniform;
-use uniform::{FIGURES, MapUniform};
 
 use crate::charts::Charts;
 use crate::chunk_store::ChunkStore;
@@ -310,12 +313,10 @@ impl Shadows {
             return uniform;
         }
         let (texels, light) = (self.maps.texels, Light::of(frame));
-        uniform.key = [
-            frame.content.sky.key_shadow,
-            texels as f32,
-            1.0 / texels as f32,
-            if is_closed_moon(frame) { 1.0 } else { 0.0 },
-        ];
+        uniform.strength = frame.content.sky.key_shadow;
+        uniform.side_texels = texels as f32;
+        uniform.texel = 1.0 / texels as f32;
+        uniform.by_moon = if is_closed_moon(frame) { 1.0 } else { 0.0 };
         for (level, map) in self.levels.iter().zip(&mut uniform.maps) {
             if let Some(shot) = &level.shot {
                 let late = shot.light.turn_to(&light) / OUT_OF_DATE_RAD;

@@ -22,12 +22,12 @@ pub const FIGURES: usize = MAPS - 1;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct MapUniform {
-    clip: [[f32; 4]; 4],
-    layer: f32,
-    texel_depth: f32,
-    weight: f32,
+    pub(crate) clip: [[f32; 4]; 4],
+    pub(crate) layer: f32,
+    pub(crate) texel_depth: f32,
+    pub(crate) weight: f32,
     /// 1, or -1 where the picture is mirrored.
-    hand: f32,
+    pub(crate) hand: f32,
 }
 
 /// `Shadows` of common.wgsl.
@@ -35,17 +35,25 @@ pub struct MapUniform {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct ShadowUniform {
     pub maps: [MapUniform; MAPS],
-    /// Strength, texels of a side, one over that, and room.
-    pub key: [f32; 4],
+    /// Strength of the key light's shadows, 0 to 1.
+    pub strength: f32,
+    /// Texels of a map's side.
+    pub side_texels: f32,
+    /// One over that.
+    pub texel: f32,
+    /// 1 where a closed world's moon throws them.
+    pub by_moon: f32,
 }
 
 /// `Caster` of common.wgsl: one pass into a map.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct CasterUniform {
-    clip: [[f32; 4]; 4],
-    /// Curvature per metre, how far charts reach in metres, and room.
-    curve: [f32; 4],
+    pub(crate) clip: [[f32; 4]; 4],
+    pub(crate) curvature_per_m: f32,
+    /// How far charts reach, metres.
+    pub(crate) rim_m: f32,
+    padding: [f32; 2],
 }
 
 impl CasterUniform {
@@ -60,7 +68,9 @@ impl CasterUniform {
         };
         Self {
             clip: clip.as_mat4().to_cols_array_2d(),
-            curve: [k as f32, rim_m as f32, 0.0, 0.0],
+            curvature_per_m: k as f32,
+            rim_m: rim_m as f32,
+            padding: [0.0; 2],
         }
     }
 }

@@ -15,6 +15,7 @@ use super::*;
 use crate::charts::ChartUniform;
 use crate::shaders::tests::parse;
 use crate::shaders::{FIGURE, MARKER, OUTLINES, TERRAIN};
+use crate::shadow::{CasterUniform, MapUniform};
 
 fn members(module: &Module, name: &str) -> (Vec<(String, usize)>, usize) {
     let (_, ty) = module
@@ -40,24 +41,38 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
     let ours = [
         ("space", offset_of!(SceneUniform, space)),
         ("right", offset_of!(SceneUniform, right)),
+        ("time_s", offset_of!(SceneUniform, time_s)),
         ("up", offset_of!(SceneUniform, up)),
+        (
+            "contour_strength",
+            offset_of!(SceneUniform, contour_strength),
+        ),
         ("front", offset_of!(SceneUniform, front)),
+        ("fog_distance_m", offset_of!(SceneUniform, fog_distance_m)),
         ("top", offset_of!(SceneUniform, top)),
+        ("star_strength", offset_of!(SceneUniform, star_strength)),
         ("horizon", offset_of!(SceneUniform, horizon)),
+        ("star_sine", offset_of!(SceneUniform, star_sine)),
         ("glare", offset_of!(SceneUniform, glare)),
+        ("star_cosine", offset_of!(SceneUniform, star_cosine)),
         ("sun", offset_of!(SceneUniform, sun)),
+        ("cloud_drift", offset_of!(SceneUniform, cloud_drift)),
         ("moon", offset_of!(SceneUniform, moon)),
+        ("cloud_cover", offset_of!(SceneUniform, cloud_cover)),
         ("key_direction", offset_of!(SceneUniform, key_direction)),
+        ("pixel_width", offset_of!(SceneUniform, pixel_width)),
         ("key_colour", offset_of!(SceneUniform, key_colour)),
+        ("pixel_height", offset_of!(SceneUniform, pixel_height)),
         ("ambient_sky", offset_of!(SceneUniform, ambient_sky)),
+        ("orb_radius", offset_of!(SceneUniform, orb_radius)),
         ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
+        ("ring_edges", offset_of!(SceneUniform, ring_edges)),
         ("moon_colour", offset_of!(SceneUniform, moon_colour)),
         ("sun_place", offset_of!(SceneUniform, sun_place)),
         ("moon_place", offset_of!(SceneUniform, moon_place)),
-        ("orb", offset_of!(SceneUniform, orb)),
         ("ring_centre", offset_of!(SceneUniform, ring_centre)),
-        ("ring", offset_of!(SceneUniform, ring)),
-        ("ring_edges", offset_of!(SceneUniform, ring_edges)),
+        ("ring_light", offset_of!(SceneUniform, ring_light)),
+        ("ring_radius_m", offset_of!(SceneUniform, ring_radius_m)),
         ("ring_x", offset_of!(SceneUniform, ring_axes)),
         ("ring_y", offset_of!(SceneUniform, ring_axes) + 16),
         ("ring_z", offset_of!(SceneUniform, ring_axes) + 32),
@@ -78,7 +93,8 @@ fn a_chart_is_laid_out_as_the_shaders_read_it() {
         ("view", offset_of!(ChartUniform, view)),
         ("home", offset_of!(ChartUniform, home)),
         ("fraction", offset_of!(ChartUniform, fraction)),
-        ("domain", offset_of!(ChartUniform, domain)),
+        ("domain_low", offset_of!(ChartUniform, domain_low)),
+        ("domain_high", offset_of!(ChartUniform, domain_high)),
     ];
     assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
     assert_eq!(span, size_of::<ChartUniform>());
@@ -95,6 +111,43 @@ fn the_space_is_laid_out_as_the_shaders_read_it() {
     ];
     assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
     assert_eq!(span, size_of::<SpaceUniform>());
+}
+
+/// Names, offsets and size of a uniform's members, as Rust has them.
+macro_rules! laid_out {
+    ($uniform:ty: $($member:ident),+) => {
+        (
+            vec![$((stringify!($member).to_owned(), offset_of!($uniform, $member))),+],
+            size_of::<$uniform>(),
+        )
+    };
+}
+
+#[test]
+fn lights_and_shadows_are_laid_out_as_the_shaders_read_them() {
+    let module = parse(TERRAIN, &FLAT);
+    let cases = [
+        ("Lamp", laid_out!(LampUniform: place, colour, fades_per_m2)),
+        (
+            "Beam",
+            laid_out!(BeamUniform: place, axis, colour, fades_per_m2, full_cosine, dark_cosine),
+        ),
+        (
+            "ShadowMap",
+            laid_out!(MapUniform: clip, layer, texel_depth, weight, hand),
+        ),
+        (
+            "Shadows",
+            laid_out!(ShadowUniform: maps, strength, side_texels, texel, by_moon),
+        ),
+        (
+            "Caster",
+            laid_out!(CasterUniform: clip, curvature_per_m, rim_m),
+        ),
+    ];
+    for (name, ours) in cases {
+        assert_eq!(members(&module, name), ours, "{name}");
+    }
 }
 
 /// Locations and widths (in bytes) that a vertex stage reads.

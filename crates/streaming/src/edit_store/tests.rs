@@ -1,6 +1,7 @@
 //! The store of edits against a disk in memory.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-use std::sync::atomic::AtomicBool;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock};
 
 use antipode_geometry::ChartId;
