@@ -13,7 +13,7 @@ use crate::log::LogLevel;
 use crate::script::Shooting;
 use crate::trouble::Trouble;
 use crate::{confined, crash, log_file, session};
-use crate::{saves_command, script, tour, window};
+use crate::{rooms_command, saves_command, script, tour, window};
 
 /// Exit status of a failure at run time.
 pub const EXIT_FAILED: u8 = 1;
@@ -150,6 +150,12 @@ pub enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         rest: Vec<OsString>,
     },
+    /// Look after rooms of deformed space.
+    Rooms {
+        /// What to do with them.
+        #[command(subcommand)]
+        action: RoomsAction,
+    },
     /// Look after saved worlds.
     Saves {
         /// What to do with them.
@@ -204,6 +210,30 @@ pub enum SavesAction {
     },
 }
 
+/// What can be done with rooms.
+#[derive(Debug, Subcommand)]
+pub enum RoomsAction {
+    /// Every room: the player's own, then those that come with the game.
+    List,
+    /// Read a room and every file that it names, and say whether it is sound.
+    Verify {
+        /// The room's name.
+        name: String,
+    },
+    /// Write a room into one file.
+    Export {
+        /// The room's name.
+        name: String,
+        /// The file to write.
+        file: PathBuf,
+    },
+    /// Bring a room in from a file.
+    Import {
+        /// The file to read.
+        file: PathBuf,
+    },
+}
+
 /// A mistake on the command line in one line: what clap says first, without its hints.
 pub fn one_line(mistake: &clap::Error) -> String {
     if mistake.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
@@ -241,6 +271,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Some(Command::Lab { .. }) => Err(Failure::Usage(
             "The laboratory is a program of its own: antipode-lab, or in a checkout `cargo xtask lab`.".to_owned(),
         )),
+        Some(Command::Rooms { action }) => rooms_command::run(&action, &cli.common),
         Some(Command::Saves { action }) => saves_command::run(&action, &cli.common),
         None => {
             let again = cli.after_crash.is_none() && cli.after_graphics.is_none();

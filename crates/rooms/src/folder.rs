@@ -78,6 +78,7 @@ pub fn open(dir: &Path) -> Result<Loaded, RoomError> {
         names: vec![ROOM_FILE.to_owned()],
     };
     let assets = gather(&room, &mut files).map_err(|(path, reason)| {
+        let reason = printable(&reason);
         let text = String::from_utf8_lossy(&bytes);
         let line = lines::line_of(&text, &path);
         let index = path
@@ -105,6 +106,14 @@ pub fn open(dir: &Path) -> Result<Loaded, RoomError> {
         files,
         bytes,
     })
+}
+
+/// A sentence that quotes what strangers have written: on one line, and not too long.
+pub(crate) fn printable(sentence: &str) -> String {
+    let shown = sentence
+        .chars()
+        .filter(|it| !antipode_storage::is_unprintable(*it));
+    shown.take(400).collect()
 }
 
 /// The files of a room that have been read.

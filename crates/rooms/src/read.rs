@@ -6,6 +6,7 @@ use serde::Deserialize;
 use crate::bounds::MOST_ROOM_BYTES;
 use crate::check::check;
 use crate::error::{Fault, RoomError};
+use crate::folder::printable;
 use crate::lines;
 use crate::room::{Room, VERSION};
 
@@ -78,15 +79,7 @@ fn unreadable(file: &str, text: &str, error: &ron::error::SpannedError) -> RoomE
     } else {
         path.clone()
     };
-    let mut reason: String = error
-        .code
-        .to_string()
-        .chars()
-        .filter(|it| !antipode_storage::is_unprintable(*it))
-        .collect();
-    if let Some((end, _)) = reason.char_indices().nth(300) {
-        reason.truncate(end);
-    }
+    let reason = printable(&error.code.to_string());
     RoomError::Text {
         file: file.to_owned(),
         line: place.line.max(1),

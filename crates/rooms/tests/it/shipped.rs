@@ -1,0 +1,154 @@
+//! The rooms that come with the game.
+
+use std::collections::HashSet;
+
+use antipode_rooms::aberration::{Aberration, Lengths, stretch_of_thesis};
+use antipode_rooms::mesh::{Roundness, meshes};
+use antipode_rooms::room::What;
+use antipode_rooms::{Assets, Room, poses, read, shipped, write};
+use glam::DVec3;
+
+fn rooms() -> Vec<(&'static str, Room)> {
+    shipped::ROOMS
+        .iter()
+        .map(|it| (it.id, it.room().unwrap_or_else(|error| panic!("{error}"))))
+        .collect()
+}
+
+#[test]
+fn every_one_is_sound_and_written_as_the_game_writes() {
+    let mut names = HashSet::new();
+    for (id, room) in rooms() {
+        let text = shipped::find(id).unwrap().text;
+        let again = write(&room).unwrap();
+        let differs = text.lines().zip(again.lines()).find(|(a, b)| a != b);
+        assert_eq!(again, text, "{id}: {differs:?}");
+        assert_eq!(read("again", again.as_bytes()).unwrap(), room);
+        assert!(
+            names.insert(room.name.clone()),
+            "two are called {}",
+            room.name
+        );
+    }
+    assert_eq!(names.len(), 6);
+}
+
+#[test]
+fn a_sign_says_in_one_sentence_what_is_strange() {
+    for (id, room) in rooms() {
+        let sentence = &room.sentence;
+        assert!(
+            sentence.ends_with('.') && sentence.matches(['.', '!', '?']).count() == 1,
+            "{id}: {sentence}"
+        );
+        let (index, sign) = room.find("sign").unwrap();
+        assert!(matches!(&sign.what, What::Sign { text: None, .. }), "{id}");
+        // In view of who begins: ahead, within 12 m, its front towards them.
+        let pose = poses(&room)[index];
+        let away = pose.translation - room.spawn.at;
+        assert!(
+            away.z < -1.0 && away.length() < 12.0 && away.x.abs() < -away.z,
+            "{id}: {away}"
+        );
+        assert!(pose.transform_vector3(DVec3::X).z > 0.9, "{id}");
+    }
+}
+
+#[test]
+fn nobody_begins_in_a_solid_or_an_aberration() {
+    for (id, room) in rooms() {
+        let body = room.spawn.at + DVec3::Y * 0.9;
+        for mesh in meshes(&room, &Assets::default(), Roundness::default()) {
+            let within = mesh.pose.inverse().transform_point3(body);
+            let most = mesh
+                .shape
+                .positions
+                .iter()
+                .copied()
+                .reduce(DVec3::max)
+                .unwrap();
+            let least = mesh
+                .shape
+                .positions
+                .iter()
+                .copied()
+                .reduce(DVec3::min)
+                .unwrap();
+            let outside = within.cmplt(least - 0.4).any() || within.cmpgt(most + 0.4).any();
+            assert!(
+                outside || mesh.object == 0,
+                "{id}: {}",
+                room.objects[mesh.object].name
+            );
+        }
+        let places = antipode_rooms::aberration_places(&room);
+        assert!(!places.is_empty(), "{id} is not strange");
+        for (_, place) in places {
+            let within = place.rotation.inverse() * (body - place.centre);
+            assert!(within.abs().cmpgt(place.half + 0.4).any(), "{id}");
+        }
+    }
+}
+
+fn aberration(room: &Room, name: &str) -> Aberration {
+    match room.find(name).unwrap().1.what {
+        What::Aberration(it) => it,
+        _ => panic!("{name}"),
+    }
+}
+
+#[test]
+fn the_tunnels_are_those_of_the_thesis() {
+    let room = shipped::find("four-tunnels").unwrap().room().unwrap();
+    for (name, axis, d) in [
+        ("shorter", 2, 2.0),
+        ("longer", 2, -0.8),
+        ("narrower", 0, 0.7),
+        ("lower", 1, 0.8),
+    ] {
+        let it = aberration(&room, name);
+        assert_eq!(it.half * 2.0, DVec3::new(9.5, 10.5, 79.0), "{name}");
+        let mut wanted = DVec3::ONE;
+        wanted[axis] = stretch_of_thesis(d).unwrap();
+        assert!(
+            (it.stretch() - wanted).length() < 1e-6,
+            "{name}: {}",
+            it.stretch()
+        );
+    }
+    let room = shipped::find("thesis-room").unwrap().room().unwrap();
+    assert_eq!(
+        aberration(&room, "room").lengths,
+        Lengths::Stretch(DVec3::new(0.5, 0.5, 1.0))
+    );
+}
+
+#[test]
+fn signs_tell_the_truth() {
+    let of = |id: &str| shipped::find(id).unwrap().room().unwrap();
+    let corridor = aberration(&of("long-house"), "corridor");
+    assert_eq!((corridor.stretch().z * corridor.half.z * 2.0).round(), 79.0);
+    let hall = aberration(&of("big-house"), "hall");
+    assert_eq!(hall.stretch().x * hall.half.x * 2.0, 12.0);
+    assert_eq!(hall.stretch().y, 2.0);
+    let twelve = of("twelve-rooms");
+    assert_eq!(twelve.aberrations().count(), 12);
+    for (_, it) in twelve.aberrations() {
+        let felt = it.stretch() * it.half * 2.0;
+        assert!(
+            (felt.x - 5.0).abs() < 0.1 && (felt.z - 5.0).abs() < 0.1,
+            "{felt}"
+        );
+    }
+    for place in antipode_rooms::aberration_places(&twelve) {
+        let corner = (place.1.centre - DVec3::new(0.0, 1.25, -10.0)).abs() + place.1.half;
+        assert!(corner.x <= 2.5 && corner.z <= 2.5);
+    }
+    let nested = of("nested-boxes");
+    assert_eq!(nested.aberrations().count(), 4);
+    assert!(
+        nested
+            .aberrations()
+            .all(|(_, it)| it.stretch() == DVec3::splat(2.0))
+    );
+}
