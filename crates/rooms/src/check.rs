@@ -238,30 +238,35 @@ fn aim(field: &str, aim: DVec2) -> Checked {
 
 fn check_groups(room: &Room) -> Result<(), Fault> {
     let parents = parents(room);
+    let refuse = |index: usize, reason: &str| {
+        let group = shown(room.objects[index].group.as_deref().unwrap_or_default());
+        Err(fault(
+            room,
+            index,
+            wrong("group", format!("is {group}, {reason}")),
+        ))
+    };
+    let mut too_deep = None;
     for (index, object) in room.objects.iter().enumerate() {
-        let Some(group) = &object.group else { continue };
-        let refuse = |reason: String| Err(fault(room, index, wrong("group", reason)));
-        if parents[index].is_none() {
-            return refuse(format!(
-                "is {}, and there is no group of that name",
-                shown(group)
-            ));
+        if object.group.is_some() && parents[index].is_none() {
+            return refuse(index, "and there is no group of that name");
         }
-        let mut at = parents[index];
-        let mut deep = 0;
-        while let Some(parent) = at {
-            deep += 1;
+        let up = std::iter::successors(parents[index], |at| parents[*at]);
+        // One more than there are means a circle, perhaps of others.
+        for (deep, parent) in up.take(room.objects.len()).enumerate() {
             if parent == index {
-                return refuse(format!("is {}, which it carries itself", shown(group)));
+                return refuse(index, "which it carries itself");
             }
-            if deep > MOST_DEEP {
-                return refuse(format!(
-                    "is {}, and groups carry one another at most {MOST_DEEP} deep",
-                    shown(group)
-                ));
+            if deep == MOST_DEEP {
+                too_deep = too_deep.or(Some(index));
             }
-            at = parents[parent];
         }
+    }
+    if let Some(index) = too_deep {
+        return refuse(
+            index,
+            &format!("and groups carry one another at most {MOST_DEEP} deep"),
+        );
     }
     for (index, pose) in poses(room).iter().enumerate() {
         if !pose.translation.abs().cmple(DVec3::splat(FARTHEST_M)).all() {

@@ -29,9 +29,8 @@ pub fn most_bytes(name: &str) -> Option<u64> {
     let ending = ending(name);
     let is_picture = PICTURES.contains(&ending.as_str());
     match folder {
-        MODELS if is_picture => Some(MOST_TEXTURE_BYTES),
         MODELS if SHAPES.contains(&ending.as_str()) || ending == "bin" => Some(MOST_MODEL_BYTES),
-        TEXTURES if is_picture => Some(MOST_TEXTURE_BYTES),
+        MODELS | TEXTURES if is_picture => Some(MOST_TEXTURE_BYTES),
         _ => None,
     }
 }

@@ -1,6 +1,6 @@
 //! A room's folder as a whole: its text and every file that it names, each looked at before any of it is given out.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -73,7 +73,7 @@ pub fn open(dir: &Path) -> Result<Loaded, RoomError> {
     let room = read(&label, &bytes)?;
     let mut files = Files {
         dir,
-        known: HashMap::new(),
+        known: HashSet::new(),
         bytes: bytes.len() as u64,
         names: vec![ROOM_FILE.to_owned()],
     };
@@ -119,7 +119,7 @@ pub(crate) fn printable(sentence: &str) -> String {
 /// The files of a room that have been read.
 struct Files<'a> {
     dir: &'a Path,
-    known: HashMap<String, ()>,
+    known: HashSet<String>,
     names: Vec<String>,
     bytes: u64,
 }
@@ -139,7 +139,7 @@ impl Files<'_> {
             path.push(part);
         }
         let bytes = antipode_storage::read_file(&path, most).map_err(|error| in_words(&error))?;
-        if self.known.insert(name.to_ascii_lowercase(), ()).is_none() {
+        if self.known.insert(name.to_ascii_lowercase()) {
             self.names.push(name.to_owned());
             self.bytes += bytes.len() as u64;
         }

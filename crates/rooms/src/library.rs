@@ -248,7 +248,7 @@ impl RoomsDir {
             .into());
         }
         let loaded =
-            folder::open(scratch.path()).map_err(|error| within(error, scratch.path(), file))?;
+            folder::open(scratch.path()).map_err(|error| within(&error, scratch.path(), file))?;
         // Only what the room uses stays.
         let kept = self.shelf.scratch("import")?;
         copy(&loaded, scratch.path(), kept.path())?;
@@ -378,7 +378,7 @@ fn copy(loaded: &Loaded, from: &Path, to: &Path) -> Result<(), RoomError> {
 }
 
 /// What is wrong in an unpacked archive, told of the archive.
-fn within(error: RoomError, hidden: &Path, archive: &Path) -> RoomError {
+fn within(error: &RoomError, hidden: &Path, archive: &Path) -> RoomError {
     let hidden = format!("{}{}", hidden.display(), std::path::MAIN_SEPARATOR);
     let said = error.to_string().replace(&hidden, "");
     let reason = format!(

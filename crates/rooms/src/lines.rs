@@ -4,6 +4,7 @@
 //! be found again. So the text is walked once more, by its brackets, names, commas and strings alone. A field is known
 //! by its path: `objects[3].what.size`.
 
+use std::fmt::Write;
 use std::ops::Range;
 
 /// Nothing of a room lies deeper; what does is not looked at.
@@ -40,8 +41,13 @@ fn walk(text: &str, seen: impl FnMut(&str, Range<usize>) -> bool) {
         word: 0..0,
         seen,
     };
-    while walk.at < walk.text.len() && walk.step() {}
-    while !walk.open.is_empty() && walk.close() {}
+    let mut goes_on = true;
+    while goes_on && walk.at < walk.text.len() {
+        goes_on = walk.step();
+    }
+    while goes_on && !walk.open.is_empty() {
+        goes_on = walk.close();
+    }
 }
 
 impl<F: FnMut(&str, Range<usize>) -> bool> Walk<'_, F> {
@@ -122,7 +128,8 @@ impl<F: FnMut(&str, Range<usize>) -> bool> Walk<'_, F> {
         {
             frame.began = Some(at);
             self.path.truncate(frame.base);
-            self.path.push_str(&format!("[{}]", frame.index));
+            // Writing into a string cannot fail.
+            let _ = write!(self.path, "[{}]", frame.index);
         }
     }
 
@@ -236,10 +243,12 @@ pub(crate) fn line_of(text: &str, path: &str) -> usize {
         }
         best.0 < path.len()
     });
-    1 + text.as_bytes()[..best.1]
-        .iter()
-        .filter(|it| **it == b'\n')
-        .count()
+    line_at(text.as_bytes(), best.1)
+}
+
+/// The line, from 1, of a byte of a text.
+pub(crate) fn line_at(text: &[u8], at: usize) -> usize {
+    text[..at].split(|it| *it == b'\n').count()
 }
 
 /// The innermost field that a byte of a text is in; none outside of all.

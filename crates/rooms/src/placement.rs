@@ -281,7 +281,8 @@ mod tests {
                 let shared = holds(&b, of(&a, point)) && holds(&a, of(&a, point));
                 prop_assert!(!(shared && relation == Relation::Apart), "they have a point in common");
                 if relation == Relation::Within {
-                    prop_assert!(holds(&Place { half: b.half + 1e-5, ..b }, of(&a, point)));
+                    let wider = Place { half: b.half + 1e-5, ..b };
+                    prop_assert!(holds(&wider, of(&a, point)));
                 }
             }
             let other = super::relation(&b, &a);

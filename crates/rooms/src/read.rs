@@ -38,10 +38,7 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Room, RoomError> {
     }
     let text = std::str::from_utf8(bytes).map_err(|error| RoomError::Text {
         file: file.to_owned(),
-        line: 1 + bytes[..error.valid_up_to()]
-            .iter()
-            .filter(|it| **it == b'\n')
-            .count(),
+        line: lines::line_at(bytes, error.valid_up_to()),
         fault: Fault {
             path: String::new(),
             field: "the file".to_owned(),

@@ -257,13 +257,11 @@ impl<'a> Input<'a> {
         let mut name = vec![0; length as usize];
         self.fill(&mut name)?;
         let name = String::from_utf8_lossy(&name).into_owned();
-        match (self.kind.most_file_bytes)(&name) {
-            Some(most) => Ok((name, most)),
-            None => {
-                let (name, noun) = (name.escape_debug(), self.kind.noun);
-                Err(self.refuse(&format!("it holds a file \"{name}\", which no {noun} has")))
-            }
+        if let Some(most) = (self.kind.most_file_bytes)(&name) {
+            return Ok((name, most));
         }
+        let (name, noun) = (name.escape_debug(), self.kind.noun);
+        Err(self.refuse(&format!("it holds a file \"{name}\", which no {noun} has")))
     }
 
     fn file(&mut self, path: &Path, most: u64, out: File) -> Result<(), StorageError> {

@@ -127,7 +127,7 @@ pub fn shape(what: &What, roundness: Roundness) -> Option<Shape> {
         What::Stairs { size, steps } => blocks::stairs(&mut builder, *size, *steps),
         What::Arch { size, opening } => blocks::arch(&mut builder, *size, *opening, around / 2),
         What::Cylinder { radius, height } => {
-            round::cylinder(&mut builder, *radius, *height, around)
+            round::cylinder(&mut builder, *radius, *height, around);
         }
         What::Ball { radius } => round::ball(&mut builder, *radius, around),
         What::Sign { size, .. } => {

@@ -131,7 +131,7 @@ fn addresses_in_models_lead_nowhere_else() {
             TRIANGLE.replace("BUFFER", address).as_bytes(),
         );
         let said = refusal(dir.path());
-        let names = [":24: file of \"it\"", "models/tri.gltf"];
+        let names = [":19: file of \"it\"", "models/tri.gltf"];
         assert!(
             names.iter().all(|it| said.contains(it)),
             "{address}: {said}"
@@ -150,7 +150,7 @@ fn what_is_missing_broken_or_too_large_is_told_with_its_line() {
     let dir = folder_of(&with_model("models/a.glb"));
     let said = refusal(dir.path());
     assert!(
-        said.contains("room.ron:24: file of \"it\" is \"models/a.glb\": there is no such file."),
+        said.contains("room.ron:19: file of \"it\" is \"models/a.glb\": there is no such file."),
         "{said}"
     );
     put(dir.path(), "models/a.glb", b"no model");

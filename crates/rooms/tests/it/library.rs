@@ -186,8 +186,11 @@ fn what_is_exported_can_be_imported_under_a_free_name() {
     );
 }
 
+/// Names and bytes.
+type Files<'a> = &'a [(&'a str, &'a [u8])];
+
 /// An archive of these files, as somebody who means harm would pack them.
-fn forged(dir: &Path, files: &[(&str, &[u8])]) -> PathBuf {
+fn forged(dir: &Path, files: Files<'_>) -> PathBuf {
     let from = tempfile::tempdir().unwrap();
     for (name, bytes) in files {
         fs::create_dir_all(from.path().join(name).parent().unwrap()).unwrap();
@@ -211,7 +214,7 @@ fn archives_of_strangers_write_nowhere_else_and_leave_nothing() {
     let unsound = sound.replace("0, -0.5, 0", "0, -5000, 0");
     let missing = write(&folder::open(&rooms.path().join("house")).unwrap().room).unwrap();
     let zeros = vec![0; 40 << 20];
-    let cases: &[(&[(&str, &[u8])], &str)] = &[
+    let cases: &[(Files<'_>, &str)] = &[
         (&[("other.txt", b"x")], "which no room has"),
         (
             &[

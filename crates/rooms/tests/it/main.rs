@@ -7,6 +7,7 @@
     reason = "tests fail by panicking"
 )]
 
+mod edit;
 mod folder;
 mod library;
 mod mesh;

@@ -22,7 +22,7 @@ fn every_one_is_sound_and_written_as_the_game_writes() {
         let text = shipped::find(id).unwrap().text;
         let again = write(&room).unwrap();
         let differs = text.lines().zip(again.lines()).find(|(a, b)| a != b);
-        assert_eq!(again, text, "{id}: {differs:?}");
+        assert!(again == text, "{id}: {differs:?}");
         assert_eq!(read("again", again.as_bytes()).unwrap(), room);
         assert!(
             names.insert(room.name.clone()),
