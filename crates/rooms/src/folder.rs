@@ -12,6 +12,7 @@ use crate::bounds::{
     LARGEST_TEXTURE_PX, MOST_FILES, MOST_FOLDER_BYTES, MOST_MODELS, MOST_PIXELS, MOST_ROOM_BYTES,
     MOST_TRIANGLES,
 };
+use crate::check::shown;
 use crate::error::{Fault, RoomError};
 use crate::files::{ROOM_FILE, most_bytes};
 use crate::lines;
@@ -71,32 +72,14 @@ pub fn open(dir: &Path) -> Result<Loaded, RoomError> {
     let bytes = read_text(dir)?;
     let label = dir.join(ROOM_FILE).display().to_string();
     let room = read(&label, &bytes)?;
-    let mut files = Files {
-        dir,
-        known: HashSet::new(),
-        bytes: bytes.len() as u64,
-        names: vec![ROOM_FILE.to_owned()],
-    };
+    let mut files = Files::of(dir, bytes.len() as u64);
     let assets = gather(&room, &mut files).map_err(|(path, reason)| {
-        let reason = printable(&reason);
-        let text = String::from_utf8_lossy(&bytes);
-        let line = lines::line_of(&text, &path);
-        let index = path
-            .split(['[', ']'])
-            .nth(1)
-            .and_then(|it| it.parse::<usize>().ok());
-        let name = index
-            .and_then(|it| room.objects.get(it))
-            .map_or_else(|| "the room".to_owned(), |it| crate::check::shown(&it.name));
-        let last = path.rsplit('.').next().unwrap_or_default().to_owned();
+        let line = lines::line_of(&String::from_utf8_lossy(&bytes), &path);
+        let fault = fault(&room, path, &reason);
         RoomError::Text {
             file: label.clone(),
             line,
-            fault: Fault {
-                field: format!("{last} of {name}"),
-                path,
-                reason,
-            },
+            fault,
         }
     })?;
     let (files, bytes) = (files.names, files.bytes);
@@ -106,6 +89,31 @@ pub fn open(dir: &Path) -> Result<Loaded, RoomError> {
         files,
         bytes,
     })
+}
+
+/// Reads the files in a folder that a room names, which is not the one that its `room.ron` has.
+///
+/// # Errors
+/// [`RoomError::Unsound`]: the field that names what is wrong.
+pub fn assets(dir: &Path, room: &Room) -> Result<Assets, RoomError> {
+    gather(room, &mut Files::of(dir, 0))
+        .map_err(|(path, reason)| RoomError::Unsound(fault(room, path, &reason)))
+}
+
+/// What is wrong with a file, told of the field that names it.
+fn fault(room: &Room, path: String, reason: &str) -> Fault {
+    let index = path
+        .split(['[', ']'])
+        .nth(1)
+        .and_then(|it| it.parse::<usize>().ok());
+    let object = index.and_then(|it| room.objects.get(it));
+    let name = object.map_or_else(|| "the room".to_owned(), |it| shown(&it.name));
+    let last = path.rsplit('.').next().unwrap_or_default();
+    Fault {
+        field: format!("{last} of {name}"),
+        reason: printable(reason),
+        path,
+    }
 }
 
 /// A sentence that quotes what strangers have written: on one line, and not too long.
@@ -124,7 +132,17 @@ struct Files<'a> {
     bytes: u64,
 }
 
-impl Files<'_> {
+impl<'a> Files<'a> {
+    /// Only `room.ron`, of so many bytes, has been read.
+    fn of(dir: &'a Path, bytes: u64) -> Self {
+        Self {
+            dir,
+            known: HashSet::new(),
+            names: vec![ROOM_FILE.to_owned()],
+            bytes,
+        }
+    }
+
     /// Reads a file of the room, or says why it cannot be read.
     fn read(&mut self, name: &str) -> Result<Vec<u8>, String> {
         let most = most_bytes(name).ok_or("no room has such a file")?;

@@ -132,6 +132,7 @@ impl RoomsDir {
         let _turn = self.shelf.turn()?;
         self.check_free(&room.name, None)?;
         let scratch = self.shelf.scratch("new")?;
+        folder::assets(scratch.path(), room)?;
         antipode_storage::new_file(&scratch.path().join(ROOM_FILE), text.as_bytes())?;
         Ok(self.shelf.settle(&scratch, &room.name, "room")?)
     }
@@ -139,10 +140,11 @@ impl RoomsDir {
     /// Writes a room that is there again, whole or not at all. What its file had in comments is gone.
     ///
     /// # Errors
-    /// [`RoomError::Unsound`], [`RoomError::NotFound`], failures of the file system.
+    /// [`RoomError::Unsound`], also where it names a file that its folder does not have, [`RoomError::NotFound`], failures of the file system.
     pub fn save(&self, slug: &str, room: &Room) -> Result<(), RoomError> {
         let text = write(room).map_err(RoomError::Unsound)?;
         let dir = self.dir(slug)?;
+        folder::assets(&dir, room)?;
         Ok(antipode_storage::replace_file(
             &dir.join(ROOM_FILE),
             text.as_bytes(),

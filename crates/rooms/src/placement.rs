@@ -107,7 +107,7 @@ fn lies_in(inner: DVec3, outer: DVec3, axes: &DMat3, centre: DVec3) -> bool {
 /// # Errors
 /// The first that do not.
 pub fn check_places(places: &[Place]) -> Result<(), Misplaced> {
-    let mut meets = vec![Vec::new(); places.len()];
+    let mut meets = vec![vec![false; places.len()]; places.len()];
     for (second, b) in places.iter().enumerate() {
         for (first, a) in places[..second].iter().enumerate() {
             match relation(a, b) {
@@ -115,30 +115,29 @@ pub fn check_places(places: &[Place]) -> Result<(), Misplaced> {
                 Relation::Across { parallel: false } => {
                     return Err(Misplaced::Turned(first, second));
                 }
-                _ => meets[second].push(first),
+                _ => meets[second][first] = true,
             }
         }
     }
-    for (index, before) in meets.iter().enumerate() {
-        if is_deeper(before, &meets, MOST_DEEP) {
-            return Err(Misplaced::TooDeep(index));
-        }
+    let is_too_deep = |index: &usize| {
+        let before: Vec<usize> = (0..*index).filter(|it| meets[*index][*it]).collect();
+        is_deeper(&before, &meets, MOST_DEEP)
+    };
+    match (0..places.len()).find(is_too_deep) {
+        Some(index) => Err(Misplaced::TooDeep(index)),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// Whether there are `deep` among `candidates` that all lie in one another. Each is looked at as the last of its set, so
 /// that every set is met once; boxes of three dimensions keep the number of sets polynomial.
-fn is_deeper(candidates: &[usize], meets: &[Vec<usize>], deep: usize) -> bool {
+fn is_deeper(candidates: &[usize], meets: &[Vec<bool>], deep: usize) -> bool {
     if candidates.len() < deep || deep == 0 {
         return deep == 0;
     }
     candidates.iter().enumerate().rev().any(|(at, last)| {
-        let left: Vec<usize> = candidates[..at]
-            .iter()
-            .copied()
-            .filter(|it| meets[*last].contains(it))
-            .collect();
+        let before = candidates[..at].iter().copied();
+        let left: Vec<usize> = before.filter(|it| meets[*last][*it]).collect();
         is_deeper(&left, meets, deep - 1)
     })
 }
@@ -241,14 +240,14 @@ mod tests {
 
     #[test]
     fn as_many_slabs_as_there_may_be_are_checked_soon() {
-        // Slabs across three axes, each meeting a neighbour: the most sets that boxes can make.
+        // Slabs across three axes, up to three, three and two in one another: the most sets that boxes can make.
         let slabs: Vec<Place> = (0..255)
             .map(|it| {
-                let (axis, step) = (it % 3, f64::from(it / 3));
+                let (axis, step) = ((it % 3) as usize, f64::from(it / 3));
                 let mut half = DVec3::splat(500.0);
-                half[axis as usize] = 0.9;
+                half[axis] = [1.4, 1.4, 0.9][axis];
                 let mut centre = DVec3::ZERO;
-                centre[axis as usize] = step;
+                centre[axis] = step;
                 Place {
                     centre,
                     rotation: DQuat::IDENTITY,

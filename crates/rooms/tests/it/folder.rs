@@ -111,6 +111,42 @@ fn gltf_in_several_files_is_put_together() {
 }
 
 #[test]
+fn several_buffers_and_pictures_come_to_lie_in_one() {
+    let text = TRIANGLE
+        .replace(
+            "\"buffers\":[",
+            "\"buffers\":[{\"byteLength\":5,\"uri\":\"five.bin\"},",
+        )
+        .replace("\"buffer\":0", "\"buffer\":1")
+        .replace("BUFFER", "corners.bin")
+        .replace("{\"POSITION\":0}", "{\"POSITION\":0},\"material\":0")
+        .replace(
+            "\"buffers\"",
+            r#""materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+            "textures":[{"source":0}],"images":[{"uri":"../textures/a.png"}],"buffers""#,
+        );
+    let dir = folder_of(&with_model("models/tri.gltf"));
+    put(dir.path(), "models/tri.gltf", text.as_bytes());
+    put(dir.path(), "models/five.bin", b"12345");
+    put(dir.path(), "models/corners.bin", &corners());
+    put(dir.path(), "textures/a.png", &picture(7));
+    let loaded = folder::open(dir.path()).unwrap();
+    let model = &loaded.assets.models["models/tri.gltf"];
+    assert_eq!(model.model.textures[0].width, 7);
+    let most = model.parts[0]
+        .shape
+        .positions
+        .iter()
+        .copied()
+        .reduce(DVec3::max)
+        .unwrap();
+    assert!((most - DVec3::new(0.0, 1.0, 0.0)).length() < 1e-6, "{most}");
+    // A buffer that is shorter than it says.
+    put(dir.path(), "models/corners.bin", &corners()[..8]);
+    assert!(refusal(dir.path()).contains("shorter than it says"));
+}
+
+#[test]
 fn addresses_in_models_lead_nowhere_else() {
     let outside = tempfile::tempdir().unwrap();
     fs::write(outside.path().join("secret.bin"), corners()).unwrap();

@@ -127,6 +127,20 @@ fn rooms_of_the_game_are_copied_to_be_changed() {
     room.objects[0].surface.glow = 0.5;
     rooms.save(&slug, &room).unwrap();
     assert_eq!(rooms.open(&copy).unwrap().room, room);
+    let mut without_file = room.clone();
+    let what = What::Model {
+        file: "models/none.glb".to_owned(),
+        scale: 1.0,
+    };
+    without_file
+        .objects
+        .push(Object::new("it", DVec3::ZERO, what));
+    let said = rooms.save(&slug, &without_file).unwrap_err().to_string();
+    assert!(
+        said.contains("file of \"it\"") && said.contains("no such file"),
+        "{said}"
+    );
+    assert_eq!(rooms.open(&copy).unwrap().room, room);
     assert_eq!(rooms.find("long-house").unwrap(), shipped);
 }
 
@@ -226,6 +240,14 @@ fn archives_of_strangers_write_nowhere_else_and_leave_nothing() {
         (
             &[("room.ron", sound.as_bytes()), ("models/run.sh", b"x")],
             "which no room has",
+        ),
+        (
+            &[
+                ("room.ron", sound.as_bytes()),
+                ("models/a.glb", LAMP),
+                ("models/A.glb", LAMP),
+            ],
+            "\"models/A.glb\" twice",
         ),
         (&[("models/a.glb", LAMP)], "there is no room.ron in it"),
         (
