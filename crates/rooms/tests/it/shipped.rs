@@ -152,3 +152,118 @@ fn signs_tell_the_truth() {
             .all(|(_, it)| it.stretch() == DVec3::splat(2.0))
     );
 }
+
+/// Whether a way meets a triangle: T. Möller and B. Trumbore (1997), with the way as long as the ray.
+fn meets(from: DVec3, to: DVec3, [a, b, c]: [DVec3; 3]) -> bool {
+    let (along, first, second) = (to - from, b - a, c - a);
+    let across = along.cross(second);
+    let determinant = first.dot(across);
+    if determinant.abs() < 1e-12 {
+        return false;
+    }
+    let off = from - a;
+    let u = off.dot(across) / determinant;
+    let turned = off.cross(first);
+    let v = along.dot(turned) / determinant;
+    let t = second.dot(turned) / determinant;
+    u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&t)
+}
+
+#[test]
+fn who_walks_upright_gets_in() {
+    // Where one stands outside, and where inside, on the ground.
+    let ways = [
+        (
+            "long-house",
+            DVec3::new(0.0, 0.0, -6.5),
+            DVec3::new(0.0, 0.0, -17.5),
+        ),
+        (
+            "big-house",
+            DVec3::new(0.0, 0.0, -6.5),
+            DVec3::new(0.0, 0.0, -9.0),
+        ),
+        (
+            "nested-boxes",
+            DVec3::new(0.0, 0.0, -4.0),
+            DVec3::new(0.0, 0.0, -9.0),
+        ),
+        (
+            "four-tunnels",
+            DVec3::new(-24.0, 0.0, -18.0),
+            DVec3::new(-24.0, 0.0, -103.0),
+        ),
+        (
+            "four-tunnels",
+            DVec3::new(-8.0, 0.0, -18.0),
+            DVec3::new(-8.0, 0.0, -103.0),
+        ),
+        (
+            "four-tunnels",
+            DVec3::new(8.0, 0.0, -18.0),
+            DVec3::new(8.0, 0.0, -103.0),
+        ),
+        (
+            "four-tunnels",
+            DVec3::new(24.0, 0.0, -18.0),
+            DVec3::new(24.0, 0.0, -103.0),
+        ),
+        (
+            "thesis-room",
+            DVec3::new(0.0, 0.0, -6.0),
+            DVec3::new(0.0, 0.0, -15.0),
+        ),
+        (
+            "thesis-room",
+            DVec3::new(1.2, 0.0, -19.0),
+            DVec3::new(1.2, 0.0, -22.0),
+        ),
+    ];
+    let rooms = rooms();
+    let twelve = &rooms
+        .iter()
+        .find(|(id, _)| *id == "twelve-rooms")
+        .unwrap()
+        .1;
+    let doors = twelve
+        .objects
+        .iter()
+        .zip(poses(twelve))
+        .filter(|(it, _)| it.name.starts_with("door-"));
+    let through = doors.map(|(_, pose)| {
+        let (at, ahead) = (
+            pose.translation.with_y(0.0),
+            pose.transform_vector3(DVec3::X),
+        );
+        ("twelve-rooms", at + ahead, at - ahead * 0.3)
+    });
+    let ways: Vec<_> = ways.into_iter().chain(through).collect();
+    assert_eq!(ways.len(), 9 + 12);
+    for (id, from, to) in ways {
+        let room = &rooms.iter().find(|(it, _)| *it == id).unwrap().1;
+        let aside = (to - from).normalize().cross(DVec3::Y) * 0.35;
+        for mesh in meshes(room, &Assets::default(), Roundness::default()) {
+            for corners in &mesh.shape.triangles {
+                let triangle = corners.map(|it| {
+                    mesh.pose
+                        .transform_point3(mesh.shape.positions[it as usize])
+                });
+                for (side, height) in [
+                    (-1.0, 0.4),
+                    (0.0, 0.4),
+                    (1.0, 0.4),
+                    (-1.0, 1.4),
+                    (0.0, 1.8),
+                    (1.0, 1.4),
+                ] {
+                    let off = aside * side + DVec3::Y * height;
+                    let name = &room.objects[mesh.object].name;
+                    assert!(
+                        !meets(from + off, to + off, triangle),
+                        "{id}: {name} is in the way at {height} m"
+                    );
+                }
+            }
+        }
+    }
+}
