@@ -102,8 +102,9 @@ fn run(bytes: &[u8]) -> Result<Seen, String> {
 }
 
 fn seeds() -> Vec<(String, Vec<u8>)> {
-    let mut seeds: Vec<_> = shipped::ROOMS
-        .iter()
+    // Long ones take long and break nothing that short ones do not.
+    let short = shipped::ROOMS.iter().filter(|it| it.text.len() < 8000);
+    let mut seeds: Vec<_> = short
         .map(|it| (it.id.to_owned(), it.text.as_bytes().to_vec()))
         .collect();
     let every: Vec<String> = WORDS

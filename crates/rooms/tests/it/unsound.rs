@@ -267,3 +267,15 @@ fn the_field_is_told_for_a_program_too() {
         ("x/room.ron", 32, "objects[4].what.felt")
     );
 }
+
+#[test]
+fn what_the_description_shows_is_sound() {
+    let text = include_str!("../../../../docs/rooms.md");
+    let room = text
+        .split("```ron\n")
+        .nth(1)
+        .and_then(|it| it.split("```").next())
+        .unwrap();
+    let room = read("room.ron", room.as_bytes()).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(room.objects.len(), 3);
+}
