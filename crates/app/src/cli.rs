@@ -10,13 +10,14 @@ use clap::{Parser, Subcommand};
 use crate::common::Common;
 use crate::failure::Failure;
 use crate::log::LogLevel;
+use crate::rooms_command::RoomsAction;
 use crate::saves_command::SavesAction;
 use crate::script::Shooting;
 use crate::text::shortened;
 use crate::trouble::Trouble;
 use crate::window::Fault;
 use crate::{crash, log_file, session};
-use crate::{saves_command, script, tour, window};
+use crate::{rooms_command, saves_command, script, tour, window};
 
 /// Most characters of a mistake on the command line; it may quote what was typed.
 const LONGEST_MISTAKE: usize = 240;
@@ -89,6 +90,12 @@ pub enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         rest: Vec<OsString>,
     },
+    /// Look after rooms of deformed space.
+    Rooms {
+        /// What to do with them.
+        #[command(subcommand)]
+        action: RoomsAction,
+    },
     /// Look after saved worlds.
     Saves {
         /// What to do with them.
@@ -126,6 +133,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Some(Command::Lab { .. }) => Err(Failure::Usage(
             "The laboratory is a program of its own: antipode-lab, or in a checkout `cargo xtask lab`.".to_owned(),
         )),
+        Some(Command::Rooms { action }) => rooms_command::run(&action, &cli.common),
         Some(Command::Saves { action }) => saves_command::run(&action, &cli.common),
         None => {
             let again = cli.after_crash.is_none() && cli.after_graphics.is_none();

@@ -17,6 +17,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use antipode_rooms::{RoomsDir, rooms_dir};
 use antipode_storage::{RepairReport, SavesDir, StorageError, WORLD_FILE};
 use clap::Subcommand;
 use serde::{Deserialize, Serialize};
@@ -48,6 +49,11 @@ pub enum Task {
         /// The file.
         file: PathBuf,
     },
+    /// Bring a room in from a file, into the rooms beside the worlds.
+    ImportRoom {
+        /// The file.
+        file: PathBuf,
+    },
 }
 
 /// What has come of it.
@@ -55,10 +61,12 @@ pub enum Task {
 pub enum Answer {
     /// The world is repaired, with what could be rescued.
     Repaired(RepairReport),
-    /// The world is in the directory of this name.
+    /// The world, or the room, is in the directory of this name.
     Imported(String),
     /// It was not done, for this reason.
     Refused(StorageError),
+    /// It was not done, for the reason that this sentence has.
+    Told(String),
 }
 
 /// Repairs a world in a process of its own.
@@ -71,6 +79,7 @@ pub fn repair(saves: &SavesDir, slug: &str) -> Result<RepairReport, Failure> {
     match answer_of(myself(&task, saves)?, &task, task.limits(saves))? {
         Answer::Repaired(report) => Ok(report),
         Answer::Refused(error) => Err(error.into()),
+        Answer::Told(sentence) => Err(Failure::Runtime(sentence)),
         Answer::Imported(_) => Err(senseless()),
     }
 }
@@ -81,10 +90,23 @@ pub fn repair(saves: &SavesDir, slug: &str) -> Result<RepairReport, Failure> {
 /// As [`SavesDir::import`]; [`Failure::Runtime`] if the process did not come to an end.
 pub fn import(saves: &SavesDir, file: &Path) -> Result<String, Failure> {
     let file = file.to_path_buf();
-    let task = Task::Import { file };
-    match answer_of(myself(&task, saves)?, &task, task.limits(saves))? {
+    imported(saves, &Task::Import { file })
+}
+
+/// Brings a room in from a file in a process of its own, into the rooms beside `saves`; the name of its directory.
+///
+/// # Errors
+/// As [`RoomsDir::import`], in words; [`Failure::Runtime`] if the process did not come to an end.
+pub fn import_room(saves: &SavesDir, file: &Path) -> Result<String, Failure> {
+    let file = file.to_path_buf();
+    imported(saves, &Task::ImportRoom { file })
+}
+
+fn imported(saves: &SavesDir, task: &Task) -> Result<String, Failure> {
+    match answer_of(myself(task, saves)?, task, task.limits(saves))? {
         Answer::Imported(slug) => Ok(slug),
         Answer::Refused(error) => Err(error.into()),
+        Answer::Told(sentence) => Err(Failure::Runtime(sentence)),
         Answer::Repaired(_) => Err(senseless()),
     }
 }
@@ -100,6 +122,11 @@ pub fn obey(saves: &SavesDir, task: &Task) -> Result<(), Failure> {
     let done = match task {
         Task::Repair { slug } => saves.repair(slug).map(Answer::Repaired),
         Task::Import { file } => saves.import(file).map(Answer::Imported),
+        Task::ImportRoom { file } => {
+            let rooms = RoomsDir::new(rooms_dir(saves.path()));
+            let imported = rooms.import(file).map(Answer::Imported);
+            Ok(imported.unwrap_or_else(|error| Answer::Told(error.to_string())))
+        }
     };
     let answer = done.unwrap_or_else(Answer::Refused);
     let said = serde_json::to_string(&answer).map_err(|_| senseless())?;
@@ -121,7 +148,7 @@ impl Task {
                 let bytes = length(&saves.path().join(slug).join(WORLD_FILE));
                 (bytes, bytes.saturating_mul(2))
             }
-            Self::Import { file } => (length(file), 0),
+            Self::Import { file } | Self::ImportRoom { file } => (length(file), 0),
         };
         let time = TIME + Duration::from_secs(bytes / BYTES_PER_S);
         Limits {
@@ -134,6 +161,7 @@ impl Task {
         let (verb, object) = match self {
             Self::Repair { slug } => ("repair", OsString::from(slug)),
             Self::Import { file } => ("import", file.clone().into_os_string()),
+            Self::ImportRoom { file } => ("import-room", file.clone().into_os_string()),
         };
         // In one word, since the directory may look like an option.
         let mut place = OsString::from("--saves-dir=");
@@ -153,7 +181,9 @@ impl Task {
     fn object(&self) -> String {
         match self {
             Self::Repair { slug } => format!("Repairing the world in {slug}"),
-            Self::Import { file } => format!("Importing {}", file.display()),
+            Self::Import { file } | Self::ImportRoom { file } => {
+                format!("Importing {}", file.display())
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What can end the program, as sentences, each with its exit status.
 
 use antipode_render::RenderError;
+use antipode_rooms::RoomError;
 use antipode_scene::{CloseFailure, SceneError};
 use antipode_storage::StorageError;
 use antipode_streaming::StreamingError;
@@ -17,6 +18,9 @@ pub enum Failure {
     /// A save could not be read or written.
     #[error(transparent)]
     Storage(#[from] StorageError),
+    /// A room could not be read, kept or found.
+    #[error(transparent)]
+    Room(#[from] RoomError),
     /// A world could not be opened.
     #[error(transparent)]
     Scene(#[from] SceneError),

@@ -27,6 +27,7 @@ pub mod overlay;
 pub mod pad;
 pub mod perf;
 pub mod picture;
+pub mod rooms_command;
 pub mod saves_command;
 pub mod screenshots;
 pub mod script;

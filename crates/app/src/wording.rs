@@ -6,6 +6,7 @@ use std::path::Path;
 use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_language::{Texts, Value};
 use antipode_render::RenderError;
+use antipode_rooms::RoomError;
 use antipode_scene::{Hint, Item, Line, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
@@ -19,7 +20,9 @@ use crate::trouble::Trouble;
 /// be shown.
 pub fn failure(texts: &Texts, failure: &Failure, worlds: &[WorldSummary]) -> String {
     match failure {
-        Failure::Storage(error) => storage(texts, error, worlds),
+        Failure::Storage(error) | Failure::Room(RoomError::Storage(error)) => {
+            storage(texts, error, worlds)
+        }
         Failure::Scene(error) => scene(texts, error, worlds),
         Failure::Streaming(error) => streaming(texts, error),
         Failure::Render(error) => render(texts, error),
@@ -28,6 +31,7 @@ pub fn failure(texts: &Texts, failure: &Failure, worlds: &[WorldSummary]) -> Str
         | Failure::Usage(_)
         | Failure::Stopped(_)
         | Failure::Crashed { .. }
+        | Failure::Room(_)
         | Failure::Runtime(_) => other(texts, &failure.to_string()),
     }
 }

@@ -196,3 +196,44 @@ fn a_limit_on_the_size_of_files_is_told_and_does_not_kill() {
     );
     assert!(!said.contains(".antipode"), "{said}");
 }
+
+#[test]
+fn rooms_are_listed_looked_at_given_away_and_taken_in() {
+    let place = tempfile::tempdir().unwrap();
+    let saves = place.path().join("saves");
+    let run = |words: &[&str]| {
+        antipode(&[&["--saves-dir", saves.to_str().unwrap(), "rooms"], words].concat())
+    };
+    let said = printed(&run(&["list"]));
+    assert_eq!(said.lines().count(), 6, "{said}");
+    assert!(
+        said.contains("The long house") && said.contains("the game's"),
+        "{said}"
+    );
+    let said = printed(&run(&["verify", "the long house"]));
+    assert!(
+        said.contains("is sound: ") && said.contains("1 aberrations"),
+        "{said}"
+    );
+    let file = place.path().join("house.antipode-room");
+    let file = file.to_str().unwrap();
+    assert!(run(&["export", "long-house", file]).status.success());
+    let imported = run(&["import", file]);
+    assert_eq!(imported.status.code(), Some(0), "{imported:?}");
+    let room = place.path().join("rooms/the-long-house-2/room.ron");
+    assert!(room.exists(), "{imported:?}");
+    let text = std::fs::read_to_string(&room).unwrap();
+    std::fs::write(&room, text.replace("felt: 79", "felt: 7900")).unwrap();
+    let refused = run(&["verify", "the-long-house-2"]);
+    assert_eq!(refused.status.code(), Some(1));
+    let said = printed(&refused);
+    assert!(said.contains("room.ron:26: felt of \"corridor\""), "{said}");
+    assert!(printed(&run(&["list"])).contains("felt of \"corridor\""));
+    std::fs::write(file, b"no archive").unwrap();
+    let refused = run(&["import", file]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(
+        printed(&refused).contains("no exported room"),
+        "{refused:?}"
+    );
+}

@@ -1,9 +1,9 @@
-//! Packs a world into one file, to keep or to give away, and unpacks it.
+//! Packs a world or a room into one file, to keep or to give away, and unpacks it.
 //!
-//! Layout, little-endian: magic `ANTIPODE`, container version u16, number of files
+//! Layout, little-endian: eight bytes of the kind (`ANTIPODE` for worlds), container version u16, number of files
 //! u8; per file: length of its name u8, name, length u64, blocks of at most 1 MiB,
 //! each: length u32, packed length u32, CRC-32 of the packed bytes, LZ4 block. Then the
-//! mark `END.`. Only the two file names a world has are believed, so an archive
+//! mark `END.`. Only the file names that the kind has are believed, so an archive
 //! cannot write anywhere else.
 
 use std::fs::File;
@@ -14,13 +14,48 @@ use crate::error::StorageError;
 use crate::regular::{self, Entry};
 use crate::{MAX_THUMBNAIL_BYTES, THUMBNAIL_FILE, WORLD_FILE};
 
-const MAGIC: [u8; 8] = *b"ANTIPODE";
 const CONTAINER_VERSION: u16 = 1;
 const END: [u8; 4] = *b"END.";
 const BLOCK_BYTES: usize = 1 << 20;
+
+/// What archives of one kind hold, and how much of it.
+#[derive(Debug, Clone, Copy)]
+pub struct ArchiveKind {
+    /// The first bytes of each.
+    pub magic: [u8; 8],
+    /// What is in one, in a word.
+    pub noun: &'static str,
+    /// The longest archive, bytes.
+    pub most_bytes: u64,
+    /// How long a file of this name may be; nothing if there is no such file. Folders are parted by `/`; a name that is
+    /// taken here is made below the folder that an archive is unpacked into, so it may not lead out of it.
+    pub most_file_bytes: fn(&str) -> Option<u64>,
+    /// How much an archive of so many bytes may unpack to.
+    pub most_unpacked_bytes: fn(u64) -> u64,
+}
+
+/// Worlds.
+pub(crate) const WORLDS: ArchiveKind = ArchiveKind {
+    magic: *b"ANTIPODE",
+    noun: "world",
+    most_bytes: u64::MAX,
+    most_file_bytes: |name| {
+        FILES
+            .into_iter()
+            .find(|(file, _)| *file == name)
+            .map(|(_, most)| most)
+    },
+    most_unpacked_bytes: |length| {
+        MOST_EXPANSION
+            .saturating_mul(length)
+            .saturating_add(FREE_EXPANSION_BYTES)
+    },
+};
 /// The files of a world and how long each may be; more than the longest world keeps a
 /// small archive from filling the disk with zeros.
 const FILES: [(&str, u64); 2] = [(WORLD_FILE, 1 << 36), (THUMBNAIL_FILE, MAX_THUMBNAIL_BYTES)];
+/// Their names.
+pub(crate) const WORLD_FILES: [&str; 2] = [WORLD_FILE, THUMBNAIL_FILE];
 
 /// How much an archive may unpack to: this, and [`MOST_EXPANSION`] times its own length.
 /// A store of a single edit is mostly empty pages, one of many is not; LZ4 alone would
@@ -29,29 +64,50 @@ const FREE_EXPANSION_BYTES: u64 = 64 << 20;
 /// See [`FREE_EXPANSION_BYTES`]. Stores of densely edited chunks pack about 1.5 to 1.
 const MOST_EXPANSION: u64 = 32;
 
-/// Writes the world in `dir`, which nobody else may be writing to, into `archive`,
+/// Writes those of the files `names` that are in `dir`, which nobody else may be writing to, into `archive`,
 /// which must not exist. A failure leaves no archive.
-pub(crate) fn pack(dir: &Path, archive: &Path) -> Result<(), StorageError> {
+///
+/// # Errors
+/// [`StorageError::Archive`] for more files or bytes than the kind allows, failures of the file system.
+pub fn pack(
+    kind: &ArchiveKind,
+    dir: &Path,
+    names: &[&str],
+    archive: &Path,
+) -> Result<(), StorageError> {
     let out = StorageError::at("Making", archive, File::create_new(archive))?;
-    let packed = pack_into(dir, archive, out);
+    let packed = pack_into(kind, dir, names, archive, out);
     if packed.is_err() {
         let _ = std::fs::remove_file(archive);
     }
     packed
 }
 
-fn pack_into(dir: &Path, archive: &Path, out: File) -> Result<(), StorageError> {
+fn pack_into(
+    kind: &ArchiveKind,
+    dir: &Path,
+    names: &[&str],
+    archive: &Path,
+    out: File,
+) -> Result<(), StorageError> {
+    let refuse = |reason: String| StorageError::Archive {
+        path: archive.to_path_buf(),
+        reason,
+    };
     let mut out = BufWriter::new(out);
-    let present: Vec<_> = FILES
-        .into_iter()
+    let present: Vec<_> = names
+        .iter()
+        .filter_map(|name| Some((*name, (kind.most_file_bytes)(name)?)))
         .filter(|(file, most)| {
             matches!(Entry::at(&dir.join(file)), Ok(Entry::File { bytes }) if bytes <= *most)
         })
         .collect();
+    let count = u8::try_from(present.len())
+        .map_err(|_| refuse("it would hold more than 255 files".to_owned()))?;
     let writing = |result: io::Result<()>| StorageError::at("Writing", archive, result);
-    writing(out.write_all(&MAGIC))?;
+    writing(out.write_all(&kind.magic))?;
     writing(out.write_all(&CONTAINER_VERSION.to_le_bytes()))?;
-    writing(out.write_all(&[present.len() as u8]))?;
+    writing(out.write_all(&[count]))?;
     for (name, most) in present {
         let path = dir.join(name);
         let (file, length) = StorageError::at("Reading", &path, regular::open(&path))?;
@@ -62,7 +118,15 @@ fn pack_into(dir: &Path, archive: &Path, out: File) -> Result<(), StorageError> 
     }
     writing(out.write_all(&END))?;
     writing(out.flush())?;
-    writing(out.get_ref().sync_all())
+    writing(out.get_ref().sync_all())?;
+    let length = StorageError::at("Writing", archive, out.get_ref().metadata())?.len();
+    if length > kind.most_bytes {
+        return Err(refuse(format!(
+            "it would have {length} bytes, and a {} has at most {}",
+            kind.noun, kind.most_bytes
+        )));
+    }
+    Ok(())
 }
 
 /// Packs one file of `length` bytes; [`io::ErrorKind::UnexpectedEof`] if there are fewer.
@@ -89,11 +153,14 @@ fn pack_file(out: &mut impl Write, name: &str, length: u64, mut file: impl Read)
     Ok(())
 }
 
-/// Unpacks `archive` into the empty directory `dir`.
-pub(crate) fn unpack(archive: &Path, dir: &Path) -> Result<(), StorageError> {
-    let mut input = Input::open(archive)?;
-    if input.bytes::<8>()? != MAGIC {
-        return Err(input.refuse("it is no exported world"));
+/// Unpacks `archive` into the empty directory `dir`, and tells the names of the files.
+///
+/// # Errors
+/// [`StorageError::Archive`] with what is wrong with it, failures of the file system.
+pub fn unpack(kind: &ArchiveKind, archive: &Path, dir: &Path) -> Result<Vec<String>, StorageError> {
+    let mut input = Input::open(kind, archive)?;
+    if input.bytes::<8>()? != kind.magic {
+        return Err(input.refuse(&format!("it is no exported {}", kind.noun)));
     }
     let version = u16::from_le_bytes(input.bytes()?);
     if version == 0 {
@@ -105,25 +172,29 @@ pub(crate) fn unpack(archive: &Path, dir: &Path) -> Result<(), StorageError> {
         )));
     }
     let [count] = input.bytes()?;
-    let mut seen = Vec::new();
+    let mut seen: Vec<String> = Vec::new();
     for _ in 0..count {
         let (name, most) = input.name()?;
-        if seen.contains(&name) {
+        // Letters of both cases are one on some systems.
+        if seen.iter().any(|other| other.eq_ignore_ascii_case(&name)) {
             return Err(input.refuse(&format!("it holds the file \"{name}\" twice")));
         }
-        seen.push(name);
-        let path = dir.join(name);
+        let path = dir.join(&name);
+        let beside = path.parent().unwrap_or(dir);
+        StorageError::at("Making", beside, std::fs::create_dir_all(beside))?;
         let out = StorageError::at("Making", &path, File::create_new(&path))?;
         input.file(&path, most, out)?;
+        seen.push(name);
     }
     if input.bytes::<4>()? != END || input.reader.read(&mut [0]).unwrap_or(1) != 0 {
         return Err(input.refuse("it does not end where it should"));
     }
-    Ok(())
+    Ok(seen)
 }
 
 /// An archive being read.
 struct Input<'a> {
+    kind: &'a ArchiveKind,
     archive: &'a Path,
     reader: BufReader<File>,
     /// Bytes that may still be unpacked.
@@ -131,7 +202,7 @@ struct Input<'a> {
 }
 
 impl<'a> Input<'a> {
-    fn open(archive: &'a Path) -> Result<Self, StorageError> {
+    fn open(kind: &'a ArchiveKind, archive: &'a Path) -> Result<Self, StorageError> {
         let refuse = |reason: &str| StorageError::Archive {
             path: archive.to_path_buf(),
             reason: reason.to_owned(),
@@ -141,12 +212,18 @@ impl<'a> Input<'a> {
             io::ErrorKind::InvalidInput => refuse(&error.to_string()),
             _ => StorageError::io("Reading", archive, error),
         })?;
+        if length > kind.most_bytes {
+            let noun = kind.noun;
+            return Err(refuse(&format!(
+                "it has {length} bytes, and a {noun} has at most {}",
+                kind.most_bytes
+            )));
+        }
         Ok(Self {
+            kind,
             archive,
             reader: BufReader::new(file),
-            budget: MOST_EXPANSION
-                .saturating_mul(length)
-                .saturating_add(FREE_EXPANSION_BYTES),
+            budget: (kind.most_unpacked_bytes)(length),
         })
     }
 
@@ -175,15 +252,16 @@ impl<'a> Input<'a> {
     }
 
     /// The name of the next file, and how long it may be.
-    fn name(&mut self) -> Result<(&'static str, u64), StorageError> {
+    fn name(&mut self) -> Result<(String, u64), StorageError> {
         let [length] = self.bytes()?;
         let mut name = vec![0; length as usize];
         self.fill(&mut name)?;
-        let known = FILES.into_iter().find(|(file, _)| file.as_bytes() == name);
-        known.ok_or_else(|| {
-            let name = String::from_utf8_lossy(&name).escape_debug().to_string();
-            self.refuse(&format!("it holds a file \"{name}\", which no world has"))
-        })
+        let name = String::from_utf8_lossy(&name).into_owned();
+        if let Some(most) = (self.kind.most_file_bytes)(&name) {
+            return Ok((name, most));
+        }
+        let (name, noun) = (name.escape_debug(), self.kind.noun);
+        Err(self.refuse(&format!("it holds a file \"{name}\", which no {noun} has")))
     }
 
     fn file(&mut self, path: &Path, most: u64, out: File) -> Result<(), StorageError> {
@@ -196,7 +274,8 @@ impl<'a> Input<'a> {
         }
         self.budget = self.budget.checked_sub(left).ok_or_else(|| {
             self.refuse(&format!(
-                "{left} bytes are said to be packed into it, which no world of this game does"
+                "{left} bytes are said to be packed into it, which no {} of this game does",
+                self.kind.noun
             ))
         })?;
         while left > 0 {
@@ -234,163 +313,4 @@ impl<'a> Input<'a> {
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(
-        clippy::unwrap_used,
-        clippy::expect_used,
-        clippy::panic,
-        reason = "tests fail by panicking"
-    )]
-
-    use super::*;
-    use std::fs;
-
-    fn made(world: &[u8]) -> (tempfile::TempDir, Vec<u8>) {
-        let dir = tempfile::tempdir().unwrap();
-        fs::write(dir.path().join(WORLD_FILE), world).unwrap();
-        fs::write(dir.path().join(THUMBNAIL_FILE), b"picture").unwrap();
-        fs::write(dir.path().join("other"), b"stays").unwrap();
-        let archive = dir.path().join("a.antipode-world");
-        pack(dir.path(), &archive).unwrap();
-        let bytes = fs::read(&archive).unwrap();
-        (dir, bytes)
-    }
-
-    fn unpacked(bytes: &[u8]) -> Result<(Vec<u8>, usize), String> {
-        let dir = tempfile::tempdir().unwrap();
-        let archive = dir.path().join("archive");
-        let target = dir.path().join("target");
-        fs::create_dir(&target).unwrap();
-        fs::write(&archive, bytes).unwrap();
-        unpack(&archive, &target).map_err(|e| e.to_string())?;
-        Ok((
-            fs::read(target.join(WORLD_FILE)).unwrap(),
-            fs::read_dir(target).unwrap().count(),
-        ))
-    }
-
-    #[test]
-    fn worlds_of_several_blocks_come_back_and_zeros_shrink() {
-        let world: Vec<u8> = (0..2 * BLOCK_BYTES + 77)
-            .map(|i| u8::from(i % 5000 == 3))
-            .collect();
-        let (_dir, bytes) = made(&world);
-        assert!(bytes.len() < 30_000, "{} bytes", bytes.len());
-        assert_eq!(unpacked(&bytes), Ok((world, 2)));
-    }
-
-    #[test]
-    fn cut_flipped_or_lengthened_archives_are_refused() {
-        let (_dir, bytes) = made(b"a small world with some text in it");
-        for cut in 0..bytes.len() {
-            assert!(unpacked(&bytes[..cut]).is_err(), "cut at {cut}");
-        }
-        for bit in 0..bytes.len() * 8 {
-            let mut flipped = bytes.clone();
-            flipped[bit / 8] ^= 1 << (bit % 8);
-            assert!(unpacked(&flipped).is_err(), "bit {bit}");
-        }
-        assert!(unpacked(&[bytes, vec![0]].concat()).is_err());
-        assert!(
-            unpacked(b"not an archive at all")
-                .unwrap_err()
-                .contains("no exported world")
-        );
-    }
-
-    #[test]
-    fn paths_that_lead_out_are_refused() {
-        for name in [
-            "../evil",
-            "/etc/evil",
-            "a/b",
-            "world.redb/..",
-            "summary.bin",
-            "",
-        ] {
-            let mut bytes = [MAGIC.as_slice(), &CONTAINER_VERSION.to_le_bytes(), &[1]].concat();
-            pack_file(&mut bytes, name, 4, b"evil".as_slice()).unwrap();
-            bytes.extend(END);
-            let refusal = unpacked(&bytes).unwrap_err();
-            assert!(refusal.contains("which no world has"), "{refusal}");
-        }
-    }
-
-    fn archive_of(version: u16, files: &[(&str, &[u8])]) -> Vec<u8> {
-        let count = [files.len() as u8];
-        let mut bytes = [MAGIC.as_slice(), &version.to_le_bytes(), &count].concat();
-        for (name, contents) in files {
-            pack_file(&mut bytes, name, contents.len() as u64, *contents).unwrap();
-        }
-        bytes.extend(END);
-        bytes
-    }
-
-    #[test]
-    fn other_formats_are_told_apart() {
-        let file = (WORLD_FILE, b"x".as_slice());
-        assert!(unpacked(&archive_of(1, &[file])).is_ok());
-        let never = unpacked(&archive_of(0, &[file])).unwrap_err();
-        assert!(never.contains("format 0 was never used"), "{never}");
-        let newer = unpacked(&archive_of(2, &[file])).unwrap_err();
-        assert!(newer.contains("newer version"), "{newer}");
-    }
-
-    #[test]
-    fn a_file_twice_is_refused_by_the_name_in_the_archive() {
-        let file = (WORLD_FILE, b"x".as_slice());
-        let refusal = unpacked(&archive_of(1, &[file, file])).unwrap_err();
-        assert!(
-            refusal.contains("\"world.redb\" twice") && !refusal.contains("exists already"),
-            "{refusal}"
-        );
-    }
-
-    #[test]
-    fn lengths_beyond_all_sense_are_refused_before_anything_is_unpacked() {
-        for (name, most) in FILES {
-            let mut bytes = archive_of(1, &[(name, b"x")]);
-            let at = 11 + 1 + name.len();
-            bytes[at..at + 8].copy_from_slice(&(most + 1).to_le_bytes());
-            let refusal = unpacked(&bytes).unwrap_err();
-            assert!(refusal.contains("at most"), "{refusal}");
-        }
-    }
-
-    #[test]
-    fn a_bomb_is_refused_before_anything_is_unpacked() {
-        // 1 GiB of zeros in 4 MB, as far as LZ4 shrinks them.
-        let zeros = io::repeat(0).take(1 << 30);
-        let mut bytes = [MAGIC.as_slice(), &CONTAINER_VERSION.to_le_bytes(), &[1]].concat();
-        pack_file(&mut bytes, WORLD_FILE, 1 << 30, zeros).unwrap();
-        bytes.extend(END);
-        let dir = tempfile::tempdir().unwrap();
-        let archive = dir.path().join("bomb");
-        fs::write(&archive, &bytes).unwrap();
-        let refusal = unpack(&archive, dir.path()).unwrap_err().to_string();
-        assert!(
-            refusal.contains("which no world of this game does"),
-            "{refusal}"
-        );
-        let unpacked = fs::metadata(dir.path().join(WORLD_FILE)).map_or(0, |file| file.len());
-        assert_eq!(unpacked, 0);
-    }
-
-    #[test]
-    fn a_file_that_shrinks_while_it_is_packed_is_no_archive() {
-        let mut bytes = Vec::new();
-        let error = pack_file(&mut bytes, WORLD_FILE, 9, b"short".as_slice()).unwrap_err();
-        assert_eq!(error.kind(), io::ErrorKind::UnexpectedEof);
-    }
-
-    #[test]
-    fn an_existing_file_is_not_overwritten() {
-        let (dir, bytes) = made(b"world");
-        let archive = dir.path().join("a.antipode-world");
-        assert!(matches!(
-            pack(dir.path(), &archive),
-            Err(StorageError::Exists { .. })
-        ));
-        assert_eq!(fs::read(archive).unwrap(), bytes);
-    }
-}
+mod tests;

@@ -25,6 +25,7 @@ mod guard;
 mod listing;
 mod maintenance;
 mod name;
+mod named_folders;
 mod opening;
 mod overlay;
 mod page_check;
@@ -47,13 +48,18 @@ mod transfer;
 mod turn;
 mod world;
 
+pub use archive::{ArchiveKind, pack as pack_archive, unpack as unpack_archive};
 pub use batch::Batch;
 pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, unpack_chunk};
 pub use error::StorageError;
 pub use guard::is_guarded;
 pub use listing::{LookError, WorldInfo, WorldSummary, saves_dir};
 pub use maintenance::{RepairReport, VerifyReport};
-pub use name::{MAX_NAME_CHARS, NameError, is_unprintable};
+pub use name::{
+    MAX_NAME_CHARS, NameError, check as check_name, folded as folded_name, free_name,
+    is_unprintable,
+};
+pub use named_folders::{NamedFolders, make_file, new_file, read_file, replace_file};
 pub use page_check::check_pages;
 pub use record::{Record, RecordChanges, RecordKey, RecordKind, Records};
 pub use saves::SavesDir;
@@ -62,8 +68,10 @@ pub use schema::{
     LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SCHEMA_VERSION, SlotRecord, ViewRecord,
     WorldMeta, WorldState,
 };
-pub use slug::slug_of;
+pub use scratch::Scratch;
+pub use slug::{is_reserved_name, slug_of};
 pub use transfer::{ArchiveFile, archives_in};
+pub use turn::Turn;
 pub use world::WorldStore;
 
 /// Name of the store inside a world's directory.

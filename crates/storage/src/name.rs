@@ -35,7 +35,10 @@ pub enum NameError {
 }
 
 /// Checks a name by itself; whether it is taken is for the directory to say.
-pub(crate) fn check(name: &str) -> Result<(), NameError> {
+///
+/// # Errors
+/// Why it cannot be one.
+pub fn check(name: &str) -> Result<(), NameError> {
     if name.is_empty() {
         return Err(NameError::Empty);
     }
@@ -52,17 +55,54 @@ pub(crate) fn check(name: &str) -> Result<(), NameError> {
     Ok(())
 }
 
-/// What a name from outside leaves of itself without what no name may have, at most as long as one may be; a word for
-/// a world where that is nothing.
-pub(crate) fn usable(name: &str) -> String {
+/// What a name from outside leaves of itself without what no name may have, at most as long as one may be; `other` where
+/// that is nothing.
+pub(crate) fn usable(name: &str, other: &str) -> String {
     let shown: String = name.chars().filter(|&c| !is_unprintable(c)).collect();
     let kept: String = shown.trim().chars().take(MAX_NAME_CHARS).collect();
     let kept = kept.trim_end();
-    if check(kept).is_ok() { kept } else { "World" }.to_owned()
+    if check(kept).is_ok() { kept } else { other }.to_owned()
+}
+
+/// A name like `wanted` that none of `taken` is: that itself, or with a number in the place of the one it may have.
+/// What no name may have is left out of it, and `other` takes the place of a name of which nothing is left.
+pub fn free_name(wanted: &str, other: &str, taken: &[&str]) -> String {
+    let wanted = usable(wanted, other);
+    let stem = without_number(&wanted);
+    let taken: Vec<String> = taken.iter().map(|it| folded(it)).collect();
+    let mut number = 1;
+    let mut candidate = wanted.clone();
+    while taken.contains(&folded(&candidate)) {
+        number += 1;
+        candidate = numbered_name(stem, number);
+    }
+    candidate
+}
+
+/// The name without the number at its end, if it has one.
+fn without_number(name: &str) -> &str {
+    match name.rsplit_once(' ') {
+        Some((stem, number))
+            if !stem.trim().is_empty()
+                && !number.is_empty()
+                && number.bytes().all(|digit| digit.is_ascii_digit()) =>
+        {
+            stem.trim_end()
+        }
+        _ => name,
+    }
+}
+
+/// The name with a number, shortened so that both fit.
+fn numbered_name(stem: &str, number: u32) -> String {
+    let suffix = format!(" {number}");
+    let room = MAX_NAME_CHARS.saturating_sub(suffix.len());
+    let stem: String = stem.chars().take(room).collect();
+    format!("{}{suffix}", stem.trim_end())
 }
 
 /// What two names have in common if they may not both be used.
-pub(crate) fn folded(name: &str) -> String {
+pub fn folded(name: &str) -> String {
     // By way of upper case, so that `ß` meets `SS` and both sigmas meet.
     name.trim().to_uppercase().to_lowercase()
 }
@@ -122,8 +162,8 @@ mod tests {
             ("", "World"),
             (&"é".repeat(41), &"é".repeat(40)),
         ] {
-            assert_eq!(usable(name), left, "{name:?}");
-            assert_eq!(check(&usable(name)), Ok(()));
+            assert_eq!(usable(name, "World"), left, "{name:?}");
+            assert_eq!(check(&usable(name, "World")), Ok(()));
         }
     }
 
@@ -161,5 +201,25 @@ mod tests {
         assert_eq!(folded(" Straße "), folded("STRASSE"));
         assert_eq!(folded("ΟΔΟΣ"), folded("οδος"));
         assert_ne!(folded("a b"), folded("ab"));
+    }
+
+    #[test]
+    fn a_number_takes_the_place_of_a_number() {
+        for (name, stem) in [
+            ("Foo", "Foo"),
+            ("Foo 2", "Foo"),
+            ("World 12", "World"),
+            ("7", "7"),
+            (" 7", " 7"),
+            ("Foo 2b", "Foo 2b"),
+            ("Foo ", "Foo "),
+            ("Foo ٢", "Foo ٢"),
+        ] {
+            assert_eq!(without_number(name), stem, "{name}");
+        }
+        assert_eq!(numbered_name("Foo", 2), "Foo 2");
+        let long = numbered_name(&"é".repeat(40), 17);
+        assert_eq!(long.chars().count(), 40);
+        assert!(long.ends_with("é 17"), "{long}");
     }
 }

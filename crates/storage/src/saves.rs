@@ -7,9 +7,10 @@ use crate::error::StorageError;
 use crate::listing::{self, WorldInfo, WorldSummary};
 use crate::maintenance::{self, RepairReport, VerifyReport};
 use crate::name::{self, NameError};
+use crate::named_folders::NamedFolders;
 use crate::schema::{SCHEMA_VERSION, WorldMeta};
 use crate::scratch::{self, Scratch};
-use crate::slug::{numbered, slug_of};
+use crate::slug::slug_of;
 use crate::turn::Turn;
 use crate::world::{self, WorldStore};
 use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, page_check, store, summary};
@@ -251,9 +252,7 @@ impl SavesDir {
 
     /// A hidden directory among the worlds, which are made room for if need be.
     pub(crate) fn scratch(&self, purpose: &str) -> Result<Scratch, StorageError> {
-        let made = fs::create_dir_all(&self.path);
-        made.map_err(|error| StorageError::place("Making", &self.path, error))?;
-        Scratch::new(&self.path, purpose)
+        NamedFolders::new(&self.path).scratch(purpose)
     }
 
     fn not_found(&self, world: &str) -> StorageError {
@@ -280,24 +279,7 @@ impl SavesDir {
 
     /// Moves a finished world to the first free directory name for `name`.
     pub(crate) fn settle(&self, scratch: &Scratch, name: &str) -> Result<String, StorageError> {
-        let base = slug_of(name);
-        let mut number = 1;
-        loop {
-            let slug = numbered(&base, number);
-            let target = self.path.join(&slug);
-            // The check keeps an empty directory; the rename refuses a full one made meanwhile.
-            if !target.exists() {
-                match fs::rename(scratch.path(), &target) {
-                    Ok(()) => {
-                        atomic_file::sync_dir(&self.path);
-                        return Ok(slug);
-                    }
-                    Err(_) if target.exists() => {}
-                    Err(error) => return Err(StorageError::io("Making", &target, error)),
-                }
-            }
-            number += 1;
-        }
+        NamedFolders::new(&self.path).settle(scratch, name, "world")
     }
 }
 

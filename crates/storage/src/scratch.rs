@@ -23,7 +23,8 @@ const CONTENTS: &str = "contents";
 const MOST_TRIES: u32 = 1000;
 
 /// A hidden directory for something unfinished.
-pub(crate) struct Scratch {
+#[derive(Debug)]
+pub struct Scratch {
     dir: PathBuf,
     contents: PathBuf,
     /// The mark, locked until dropped.
@@ -83,7 +84,7 @@ impl Scratch {
     }
 
     /// Where to work. It may be moved away as a whole.
-    pub(crate) fn path(&self) -> &Path {
+    pub fn path(&self) -> &Path {
         &self.contents
     }
 }

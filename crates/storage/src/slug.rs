@@ -9,6 +9,11 @@ const MAX_SLUG_BYTES: usize = 32;
 /// single dashes between them, 1 to 40 of them. Different names can give one slug;
 /// the saves directory makes it unique with a number.
 pub fn slug_of(name: &str) -> String {
+    slug_or(name, "world")
+}
+
+/// The same for something else than a world: `other` takes the place of that word.
+pub(crate) fn slug_or(name: &str, other: &str) -> String {
     let mut slug = String::new();
     for c in name.chars() {
         if c.is_ascii_alphanumeric() {
@@ -20,9 +25,9 @@ pub fn slug_of(name: &str) -> String {
     slug.truncate(MAX_SLUG_BYTES);
     let slug = slug.trim_end_matches('-');
     if slug.is_empty() {
-        "world".to_owned()
+        other.to_owned()
     } else if is_reserved(slug) {
-        format!("{slug}-world")
+        format!("{slug}-{other}")
     } else {
         slug.to_owned()
     }
@@ -35,6 +40,11 @@ pub(crate) fn numbered(slug: &str, number: u32) -> String {
     } else {
         format!("{slug}-{number}")
     }
+}
+
+/// Whether some systems keep a name for a device, so that no file may have it, whatever its ending.
+pub fn is_reserved_name(name: &str) -> bool {
+    is_reserved(&name.to_ascii_lowercase())
 }
 
 fn is_reserved(slug: &str) -> bool {

@@ -272,7 +272,13 @@ mod tests {
     /// The world packed as it is, which `export` would refuse to do.
     fn packed(root: &Path) -> PathBuf {
         let file = root.join("w.antipode-world");
-        crate::archive::pack(&root.join("future"), &file).unwrap();
+        crate::archive::pack(
+            &crate::archive::WORLDS,
+            &root.join("future"),
+            &crate::archive::WORLD_FILES,
+            &file,
+        )
+        .unwrap();
         file
     }
 

@@ -1,20 +1,21 @@
 //! Worlds under another name, twice, out of the directory of worlds and into it.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
+use crate::archive::{WORLD_FILES, WORLDS};
 use crate::batch::Batch;
 use crate::error::StorageError;
 use crate::maintenance::Inspection;
-use crate::name::{self, NameError};
+use crate::name;
+use crate::named_folders::make_file;
 use crate::saves::SavesDir;
 use crate::schema::WorldMeta;
 use crate::scratch::Scratch;
 use crate::turn::Turn;
 use crate::world::WorldStore;
-use crate::{ARCHIVE_EXTENSION, MAX_NAME_CHARS, archive, atomic_file, maintenance};
+use crate::{ARCHIVE_EXTENSION, archive, maintenance};
 
 /// How many exported worlds of one directory are told of.
 const MOST_ARCHIVES: usize = 200;
@@ -95,35 +96,19 @@ impl SavesDir {
     /// (repair it first), [`StorageError::Exists`], failures of the file system.
     pub fn export(&self, slug: &str, file: &Path) -> Result<(), StorageError> {
         let dir = self.world_dir(slug)?;
-        if fs::symlink_metadata(file).is_ok() {
-            return Err(StorageError::Exists {
-                path: file.to_path_buf(),
-            });
-        }
-        let beside = match file.parent() {
-            Some(parent) if parent != Path::new("") => parent,
-            _ => Path::new("."),
-        };
-        // Where there is no directory none is made: it is more likely a slip of the pen.
-        StorageError::at("Writing to", beside, fs::metadata(beside))?;
-        // There and not among the worlds: their disk may be full, and this the way to make room.
-        let scratch = Scratch::new(beside, "export")?;
-        // Opening recovers a world that was not closed, in memory, and refuses a damaged one.
-        let world = WorldStore::open_to_read(&dir)?;
-        // Nobody could import it again.
-        if let Some(fault) = Inspection::of(&world).faults.into_iter().next() {
-            return Err(fault);
-        }
-        let name = world.meta().name;
-        let packed = scratch.path().join("archive");
-        world
-            .copy_to(scratch.path())
-            .and_then(|()| archive::pack(scratch.path(), &packed))
-            .map_err(|error| error.of_world(&name, scratch.path(), file))?;
-        drop(world);
-        put(&packed, file)?;
-        atomic_file::sync_dir(beside);
-        Ok(())
+        make_file(file, |scratch, packed| {
+            // Opening recovers a world that was not closed, in memory, and refuses a damaged one.
+            let world = WorldStore::open_to_read(&dir)?;
+            // Nobody could import it again.
+            if let Some(fault) = Inspection::of(&world).faults.into_iter().next() {
+                return Err(fault);
+            }
+            let name = world.meta().name;
+            world
+                .copy_to(scratch.path())
+                .and_then(|()| archive::pack(&WORLDS, scratch.path(), &WORLD_FILES, packed))
+                .map_err(|error| error.of_world(&name, scratch.path(), file))
+        })
     }
 
     /// Adds a world from an exported file and returns its directory's name. Nothing
@@ -136,7 +121,7 @@ impl SavesDir {
         let scratch = self.scratch("import")?;
         let name = file.display().to_string();
         let said = |error: StorageError| error.of_world(&name, scratch.path(), self.path());
-        archive::unpack(file, scratch.path()).map_err(said)?;
+        archive::unpack(&WORLDS, file, scratch.path()).map_err(said)?;
         let adopted = refuse_damaged(scratch.path()).and_then(|()| self.adopt(&scratch));
         adopted.map_err(|error| match error {
             StorageError::NotFound { .. } => no_world(file, "there is none"),
@@ -164,22 +149,8 @@ impl SavesDir {
     /// the place of the one it may have.
     fn free_name(&self, wanted: &str) -> Result<String, StorageError> {
         let worlds = self.list()?;
-        let wanted = name::usable(wanted);
-        let stem = without_number(&wanted);
-        let mut number = 1;
-        loop {
-            let candidate = if number == 1 {
-                wanted.clone()
-            } else {
-                numbered_name(stem, number)
-            };
-            let taken = worlds.iter().map(crate::WorldSummary::name);
-            match Self::check_name_among(&candidate, taken) {
-                Ok(()) => return Ok(candidate),
-                Err(NameError::Taken { .. }) => number += 1,
-                Err(error) => return Err(error.into()),
-            }
-        }
+        let taken: Vec<&str> = worlds.iter().map(crate::WorldSummary::name).collect();
+        Ok(name::free_name(wanted, "World", &taken))
     }
 }
 
@@ -194,43 +165,6 @@ fn rename_store(world: &WorldStore, name: &str) -> Result<(), StorageError> {
     })
 }
 
-/// The name without the number at its end, if it has one.
-fn without_number(name: &str) -> &str {
-    match name.rsplit_once(' ') {
-        Some((stem, number))
-            if !stem.trim().is_empty()
-                && !number.is_empty()
-                && number.bytes().all(|digit| digit.is_ascii_digit()) =>
-        {
-            stem.trim_end()
-        }
-        _ => name,
-    }
-}
-
-/// The name with a number, shortened so that both fit.
-fn numbered_name(stem: &str, number: u32) -> String {
-    let suffix = format!(" {number}");
-    let room = MAX_NAME_CHARS.saturating_sub(suffix.len());
-    let stem: String = stem.chars().take(room).collect();
-    format!("{}{suffix}", stem.trim_end())
-}
-
-/// Gives a finished file its name, which must be free. A link is made in one step and
-/// never over another file; a file system without links gets the check and a rename.
-fn put(finished: &Path, file: &Path) -> Result<(), StorageError> {
-    match fs::hard_link(finished, file) {
-        Ok(()) => Ok(()),
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => Err(StorageError::Exists {
-            path: file.to_path_buf(),
-        }),
-        Err(_) if fs::symlink_metadata(file).is_ok() => Err(StorageError::Exists {
-            path: file.to_path_buf(),
-        }),
-        Err(_) => StorageError::at("Writing", file, fs::rename(finished, file)),
-    }
-}
-
 /// Refuses a world that `verify` would call damaged.
 fn refuse_damaged(dir: &Path) -> Result<(), StorageError> {
     match maintenance::inspect(dir)?.faults.into_iter().next() {
@@ -243,30 +177,5 @@ fn no_world(archive: &Path, reason: &str) -> StorageError {
     StorageError::Archive {
         path: archive.to_path_buf(),
         reason: format!("the world in it is damaged or missing: {reason}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_number_takes_the_place_of_a_number() {
-        for (name, stem) in [
-            ("Foo", "Foo"),
-            ("Foo 2", "Foo"),
-            ("World 12", "World"),
-            ("7", "7"),
-            (" 7", " 7"),
-            ("Foo 2b", "Foo 2b"),
-            ("Foo ", "Foo "),
-            ("Foo ٢", "Foo ٢"),
-        ] {
-            assert_eq!(without_number(name), stem, "{name}");
-        }
-        assert_eq!(numbered_name("Foo", 2), "Foo 2");
-        let long = numbered_name(&"é".repeat(40), 17);
-        assert_eq!(long.chars().count(), 40);
-        assert!(long.ends_with("é 17"), "{long}");
     }
 }

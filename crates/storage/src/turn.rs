@@ -20,7 +20,8 @@ const PATIENCE: Duration = Duration::from_secs(10);
 const PAUSE: Duration = Duration::from_millis(5);
 
 /// The turn, until it is dropped.
-pub(crate) struct Turn {
+#[derive(Debug)]
+pub struct Turn {
     _held: File,
 }
 

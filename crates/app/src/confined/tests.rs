@@ -32,7 +32,16 @@ fn the_hidden_command_is_what_is_started() {
     let repair = Task::Repair {
         slug: "--odd".to_owned(),
     };
-    for (place, task) in [("some where", task()), ("-x", task()), ("--load=y", repair)] {
+    let room = Task::ImportRoom {
+        file: PathBuf::from("x.antipode-room"),
+    };
+    let tasks = [
+        ("some where", task()),
+        ("-x", task()),
+        ("--load=y", repair),
+        ("z", room),
+    ];
+    for (place, task) in tasks {
         let saves = SavesDir::new(place);
         let all = std::iter::once(OsString::from("antipode")).chain(task.arguments(&saves));
         let cli = Cli::try_parse_from(all).unwrap();

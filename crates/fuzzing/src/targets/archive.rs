@@ -23,7 +23,7 @@ pub(super) const TARGET: Target = Target {
 };
 
 const SEAL: u8 = 1;
-const EDIT: usize = 6;
+pub(super) const EDIT: usize = 6;
 
 fn run(input: &[u8]) -> Result<Seen, String> {
     let (bytes, inner_sealed) = archive(input);
@@ -59,7 +59,8 @@ pub fn archive(input: &[u8]) -> (Vec<u8>, bool) {
     (bytes, inner_sealed)
 }
 
-fn change(bytes: &mut Vec<u8>, edit: &[u8]) {
+/// Changes an archive as six bytes say.
+pub(super) fn change(bytes: &mut Vec<u8>, edit: &[u8]) {
     let place = usize::from(edit[0]) | usize::from(edit[1]) << 8 | usize::from(edit[2]) << 16;
     let at = if edit[3] & 0x80 != 0 {
         place % bytes.len().max(1)

@@ -2,6 +2,8 @@
 
 mod archive;
 mod chunk_codec;
+mod room;
+mod room_archive;
 mod script;
 mod settings;
 pub(crate) mod store;
@@ -39,6 +41,8 @@ pub static TARGETS: &[Target] = &[
     summary::TARGET,
     archive::TARGET,
     store::TARGET,
+    room::TARGET,
+    room_archive::TARGET,
 ];
 
 /// The target of that name.

@@ -172,7 +172,7 @@ fn mutate(rng: &mut Rng, seed: &[u8]) -> Vec<u8> {
 }
 
 /// Puts something else in the place of what stands behind a colon.
-fn change_value(rng: &mut Rng, text: &mut Vec<u8>) {
+pub(super) fn change_value(rng: &mut Rng, text: &mut Vec<u8>) {
     let colons: Vec<usize> = (0..text.len()).filter(|at| text[*at] == b':').collect();
     let Some(colon) = rng.choice(colons) else {
         return;

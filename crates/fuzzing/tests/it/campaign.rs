@@ -37,7 +37,7 @@ fn asked_for(variable: &str, usual: u64) -> u64 {
 #[test]
 fn no_input_breaks_a_reader_and_half_get_past_the_checksums() {
     for target in TARGETS {
-        let with_files = ["archive", "store"].contains(&target.name);
+        let with_files = ["archive", "store", "room_archive"].contains(&target.name);
         let count = asked_for("ANTIPODE_TEST_FUZZ", 3000);
         let report = campaign(target, if with_files { count / 10 } else { count });
         assert!(

@@ -1,0 +1,98 @@
+//! What makes each kind of object sound.
+
+use crate::aberration::{Aberration, Axis, Lengths, Sides, Ways};
+use crate::bounds::{HALVES_M, POWERS, SCALES, SIZES_M, STEPS, STRETCHES};
+use crate::check::{Checked, check_text, each, one, pair, wrong};
+use crate::files;
+use crate::room::What;
+
+const EACH_WAY: &str = " m along each axis";
+
+pub(crate) fn check_kind(what: &What) -> Checked {
+    match what {
+        What::Box { size } | What::Pyramid { size } | What::Ramp { size } => {
+            each("what.size", *size, &SIZES_M, EACH_WAY)
+        }
+        What::Cylinder { radius, height } => {
+            one("what.radius", *radius, &SIZES_M, " m")?;
+            one("what.height", *height, &SIZES_M, " m")
+        }
+        What::Ball { radius } => one("what.radius", *radius, &SIZES_M, " m"),
+        What::Stairs { size, steps } => {
+            each("what.size", *size, &SIZES_M, EACH_WAY)?;
+            if STEPS.contains(steps) {
+                return Ok(());
+            }
+            let reason = format!(
+                "is to be {} to {}, and is {steps}",
+                STEPS.start(),
+                STEPS.end()
+            );
+            Err(wrong("what.steps", reason))
+        }
+        What::Arch { size, opening } => {
+            each("what.size", *size, &SIZES_M, EACH_WAY)?;
+            pair("what.opening", *opening, &SIZES_M, " m")?;
+            if opening.x >= size.z || opening.y >= size.y {
+                return Err(wrong(
+                    "what.opening",
+                    "is to be less wide and less high than the arch",
+                ));
+            }
+            if opening.y < opening.x / 2.0 {
+                return Err(wrong(
+                    "what.opening",
+                    "is to be at least half as high as it is wide, since its top is round",
+                ));
+            }
+            Ok(())
+        }
+        What::Model { file, scale } => {
+            files::check_model(file).map_err(|reason| wrong("what.file", reason))?;
+            one("what.scale", *scale, &SCALES, "")
+        }
+        What::Light { power, .. } => one("what.power", *power, &POWERS, ""),
+        What::Aberration(aberration) => check_aberration(aberration),
+        What::Sign { text, size } => {
+            check_text("what.text", text.as_deref().unwrap_or_default())?;
+            pair("what.size", *size, &SIZES_M, " m")
+        }
+        What::Group => Ok(()),
+    }
+}
+
+fn check_aberration(it: &Aberration) -> Checked {
+    each("what.half", it.half, &HALVES_M, EACH_WAY)?;
+    match it.lengths {
+        Lengths::Felt { axis, felt_m } => {
+            let length = 2.0 * it.half[axis.index()];
+            if !STRETCHES.contains(&(felt_m / length)) {
+                let (least, most) = (length * STRETCHES.start(), length * STRETCHES.end());
+                let reason = format!(
+                    "is to be {least} to {most} m for a box of {length} m (1/32 to 32 times), and is {felt_m}"
+                );
+                return Err(wrong("what.felt", reason));
+            }
+        }
+        Lengths::Stretch(stretch) => {
+            for axis in Axis::ALL {
+                let value = stretch[axis.index()];
+                if !STRETCHES.contains(&value) {
+                    let reason = format!("is to be 1/32 to 32 along each axis, and is {value}");
+                    return Err(wrong("what.stretch", reason));
+                }
+            }
+        }
+    }
+    if it.sides == Sides::Walls && !it.doors().contains(&true) {
+        let reason = "cannot be Walls: with more than one axis stretched no two faces are doors, and nobody could enter; Soft has none";
+        return Err(wrong("what.sides", reason));
+    }
+    if it.ways == Ways::Forward && !matches!(it.lengths, Lengths::Felt { .. }) {
+        return Err(wrong(
+            "what.ways",
+            "can be Forward only with axis and felt, since forward is along the axis",
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,42 @@
+//! Rooms: a second kind of place beside worlds, of deformed space.
+//!
+//! A room is a folder: [`files::ROOM_FILE`], which a person can read and compare line by line, and what it names under
+//! `models/` and `textures/`. [`read()`] takes the text and refuses, with file, line and field, whatever is not sound;
+//! [`write()`] gives it back, always in one order. [`open`](folder::open) reads a whole folder, [`RoomsDir`] is the
+//! directory of a player's rooms, and [`shipped`] has those that come with the game. [`meshes`](mesh::meshes) makes
+//! triangles of what stands in a room. How rays go through its aberrations is no matter of this crate.
+
+pub mod aberration;
+pub mod bounds;
+mod check;
+mod check_kind;
+mod colour;
+pub mod edit;
+mod error;
+pub mod files;
+pub mod folder;
+mod gltf_parts;
+mod library;
+mod lines;
+pub mod mesh;
+mod model;
+pub mod placement;
+mod pose;
+mod read;
+pub mod room;
+pub mod shipped;
+mod words;
+mod write;
+
+pub use aberration::Aberration;
+pub use check::{aberration_places, check};
+pub use colour::Colour;
+pub use edit::Editor;
+pub use error::{Fault, RoomError};
+pub use folder::{Assets, Loaded};
+pub use library::{ARCHIVE, ARCHIVE_EXTENSION, RoomSummary, RoomsDir, rooms_dir};
+pub use model::{ModelPart, RoomModel};
+pub use pose::{direction, poses, rotation};
+pub use read::read;
+pub use room::{Object, Room, What};
+pub use write::write;

@@ -1,0 +1,60 @@
+//! The rooms that come with the game. They are written by hand, and read as anybody's are.
+
+use crate::error::RoomError;
+use crate::files::ROOM_FILE;
+use crate::folder::{Assets, Loaded};
+use crate::read::read;
+use crate::room::Room;
+
+/// A room that comes with the game.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shipped {
+    /// What it is known by: words of the letters a to z with `-` between them.
+    pub id: &'static str,
+    /// The text of its file.
+    pub text: &'static str,
+}
+
+macro_rules! rooms {
+    ($($id:literal),* $(,)?) => {
+        &[$(Shipped { id: $id, text: include_str!(concat!("../../../assets/rooms/", $id, "/room.ron")) }),*]
+    };
+}
+
+/// All of them, in the order in which they are to be visited.
+pub const ROOMS: &[Shipped] = rooms![
+    "long-house",
+    "big-house",
+    "twelve-rooms",
+    "nested-boxes",
+    "four-tunnels",
+    "thesis-room",
+];
+
+/// The one of that id.
+pub fn find(id: &str) -> Option<&'static Shipped> {
+    ROOMS.iter().find(|it| it.id == id)
+}
+
+impl Shipped {
+    /// The room.
+    ///
+    /// # Errors
+    /// As [`read()`]; a test sees to it that there is none.
+    pub fn room(&self) -> Result<Room, RoomError> {
+        read(&format!("{}/{ROOM_FILE}", self.id), self.text.as_bytes())
+    }
+
+    /// The room with all that it needs; those of the game have no files besides.
+    ///
+    /// # Errors
+    /// As [`Shipped::room`].
+    pub fn loaded(&self) -> Result<Loaded, RoomError> {
+        Ok(Loaded {
+            room: self.room()?,
+            assets: Assets::default(),
+            files: vec![ROOM_FILE.to_owned()],
+            bytes: self.text.len() as u64,
+        })
+    }
+}

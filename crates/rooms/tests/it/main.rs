@@ -1,0 +1,16 @@
+//! What is asked of rooms: their file, their folder, the directory of them, and those that come with the game.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "tests fail by panicking"
+)]
+
+mod edit;
+mod folder;
+mod library;
+mod mesh;
+mod round_trip;
+mod shipped;
+mod unsound;
