@@ -54,7 +54,7 @@ impl Studio {
     ) -> Result<Self, Failure> {
         let gpu = Gpu::headless(adapter_choice(common.adapter))?;
         let options = Options {
-            samples: if gpu.is_software() { 1 } else { 4 },
+            samples: settings.msaa.samples(gpu.is_software()),
             scale: 1.0,
             output_format: FORMAT,
             shadows: options::shadows(settings, gpu.is_software()),
@@ -78,9 +78,10 @@ impl Studio {
     /// # Errors
     /// When the renderer refuses; it goes on as before then.
     pub fn follow(&mut self, settings: &Settings) -> Result<(), Failure> {
-        let shadows = options::shadows(settings, self.gpu.is_software());
+        let software = self.gpu.is_software();
         let options = Options {
-            shadows,
+            samples: settings.msaa.samples(software),
+            shadows: options::shadows(settings, software),
             ..self.options
         };
         if options != self.options {

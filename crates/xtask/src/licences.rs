@@ -19,13 +19,12 @@ struct Package {
     repository: String,
 }
 
-/// Names, licences and notices of all packages, and of fonts and other files that are not ours.
+/// Names, licences and notices of all packages of a tree, and of fonts and other files that are not ours.
 ///
 /// # Errors
 /// When cargo cannot tell what is built in.
-pub fn collect() -> Result<String, Error> {
-    let tree = steps::tree_of_game()?;
-    let packages: Vec<_> = packages(&tree);
+pub fn collect(tree: &str) -> Result<String, Error> {
+    let packages: Vec<_> = packages(tree);
     let mut text = String::from(
         "Antipode is built with the work of many others. These are the parts, and their terms.\n\n",
     );
@@ -79,7 +78,7 @@ const COMPONENTS: &str = "assets/licences/components.txt";
 /// When cargo cannot tell what is built in, or the file cannot be written.
 pub fn remake_list() -> Result<PathBuf, Error> {
     let path = steps::root().join(COMPONENTS);
-    fs::write(&path, list(&steps::tree_of_game()?)).map_err(|source| Error::Scratch {
+    fs::write(&path, list(&steps::tree_of("antipode", &[])?)).map_err(|source| Error::Scratch {
         path: path.clone(),
         source,
     })?;
