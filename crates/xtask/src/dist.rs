@@ -57,7 +57,7 @@ pub fn dist() -> Result<Vec<PathBuf>, Error> {
     for document in DOCUMENTS {
         copy(&root().join(document), &folder.join(document))?;
     }
-    let notices = licences::collect(&steps::tree_of("antipode", &[])?)?;
+    let notices = licences::collect(&steps::tree_of("antipode", &[])?);
     write(&folder.join("THIRD-PARTY.txt"), &notices)?;
     for (from, to) in SHARED {
         copy(&root().join(from), &folder.join(to))?;

@@ -54,7 +54,7 @@ pub fn lab_archive(profile: Option<&str>) -> Result<PathBuf, Error> {
         steps::tree_of("antipode", &[])?,
         steps::tree_of("antipode-lab", &BARE)?,
     ];
-    let notices = licences::collect(&trees.concat())?;
+    let notices = licences::collect(&trees.concat());
     dist::write(&folder.join("THIRD-PARTY.txt"), &notices)?;
     let archive = out.join(format!("{name}.tar.gz"));
     dist::pack(&out, &name, &archive)?;

@@ -13,8 +13,9 @@ use crate::LabError;
 use crate::speed::shadows;
 use crate::speed::stage::Stage;
 
-/// Frames that are drawn first and not timed: land is sent, shaders are made, shadow maps come, the adapter wakes.
-const WARM: usize = 12;
+/// Share of the time in which frames are drawn and not timed: land is sent, shaders are made, shadow maps come, and a card
+/// leaves the clock rate of its rest.
+const WARM: f64 = 0.125;
 /// Fewest frames, whatever they take.
 const FEWEST: usize = 3;
 
@@ -93,12 +94,13 @@ fn spread(
         world.frame.clone().with_view(|view| view.eye.yaw += by_rad)
     };
     stage.complete_next();
-    let limit = Limit::of(amount.spread_s);
-    for warm in 0..WARM {
-        if warm < FEWEST || !limit.is_over() {
-            stage.draw(&turned(0))?;
-        }
+    let warming = Limit::of(WARM * amount.spread_s);
+    let mut warm = 0;
+    while warm < FEWEST || !warming.is_over() {
+        stage.draw(&turned(0))?;
+        warm += 1;
     }
+    let limit = Limit::of((1.0 - WARM) * amount.spread_s);
     let (mut drawing, mut whole, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
     for turn in 0..amount.frames {
         if turn >= FEWEST && limit.is_over() {
