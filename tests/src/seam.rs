@@ -49,53 +49,6 @@ pub fn compare(a: &RgbImage, b: &RgbImage) -> Difference {
     }
 }
 
-/// The block of two pictures that differs most.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Block {
-    /// How far its means are apart in the channel that differs most, steps of 1/255.
-    pub steps: f64,
-    /// Its upper left corner, pixels.
-    pub at: (u32, u32),
-}
-
-/// Sides of a block, pixels: what adapters round differently is single pixels of edges and stars, and fades in the mean.
-const BLOCK: u32 = 16;
-
-/// Compares the means of blocks of two pictures; what is left over at the right and below forms smaller blocks.
-///
-/// # Panics
-/// When their sizes differ.
-pub fn worst_block(a: &RgbImage, b: &RgbImage) -> Block {
-    assert_eq!(a.dimensions(), b.dimensions());
-    let (width, height) = a.dimensions();
-    let corners = (0..height)
-        .step_by(BLOCK as usize)
-        .flat_map(|y| (0..width).step_by(BLOCK as usize).map(move |x| (x, y)));
-    let blocks = corners.map(|(x, y)| {
-        let mut sum = [0i64; 3];
-        let (right, below) = ((x + BLOCK).min(width), (y + BLOCK).min(height));
-        for (x, y) in (y..below).flat_map(|y| (x..right).map(move |x| (x, y))) {
-            let pair = a.get_pixel(x, y).0.into_iter().zip(b.get_pixel(x, y).0);
-            for (sum, (p, q)) in sum.iter_mut().zip(pair) {
-                *sum += i64::from(p) - i64::from(q);
-            }
-        }
-        let worst = sum.iter().map(|sum| sum.abs()).max().unwrap();
-        let pixels = f64::from(right - x) * f64::from(below - y);
-        let steps = worst as f64 / pixels;
-        Block { steps, at: (x, y) }
-    });
-    blocks.max_by(|a, b| a.steps.total_cmp(&b.steps)).unwrap()
-}
-
-/// How far each pixel is off, eight times as bright.
-pub fn difference(a: &RgbImage, b: &RgbImage) -> RgbImage {
-    RgbImage::from_fn(a.width(), a.height(), |x, y| {
-        let [p, q] = [a, b].map(|picture| picture.get_pixel(x, y).0);
-        image::Rgb([0, 1, 2].map(|i| p[i].abs_diff(q[i]).saturating_mul(8)))
-    })
-}
-
 /// How many different colours a picture holds, as a sign that it shows something.
 pub fn colours(picture: &RgbImage) -> usize {
     picture
@@ -126,19 +79,5 @@ mod tests {
             (difference.mean - 0.85).abs() < 1e-12 && (difference.far_off - 0.01).abs() < 1e-12
         );
         assert_eq!(colours(&dotted), 2);
-        assert_eq!(
-            super::difference(&black, &dotted).get_pixel(3, 4).0,
-            [255, 0, 0]
-        );
-    }
-
-    #[test]
-    fn the_worst_block_is_found_also_where_it_is_cut_off() {
-        let black = RgbImage::new(40, 20);
-        let mut dotted = black.clone();
-        dotted.put_pixel(3, 4, image::Rgb([255, 0, 0]));
-        dotted.put_pixel(39, 19, image::Rgb([0, 64, 0]));
-        let Block { steps, at } = worst_block(&dotted, &black);
-        assert_eq!((steps, at), (2.0, (32, 16)));
     }
 }

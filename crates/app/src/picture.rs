@@ -54,7 +54,7 @@ impl Studio {
     ) -> Result<Self, Failure> {
         let gpu = Gpu::headless(adapter_choice(common.adapter))?;
         let options = Options {
-            samples: if gpu.is_software() { 1 } else { 4 },
+            samples: settings.msaa.samples(gpu.is_software()),
             scale: 1.0,
             output_format: FORMAT,
             shadows: options::shadows(settings, gpu.is_software()),
@@ -78,9 +78,10 @@ impl Studio {
     /// # Errors
     /// When the renderer refuses; it goes on as before then.
     pub fn follow(&mut self, settings: &Settings) -> Result<(), Failure> {
-        let shadows = options::shadows(settings, self.gpu.is_software());
+        let software = self.gpu.is_software();
         let options = Options {
-            shadows,
+            samples: settings.msaa.samples(software),
+            shadows: options::shadows(settings, software),
             ..self.options
         };
         if options != self.options {
@@ -190,16 +191,17 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
     use antipode_geometry::Geometry;
     use antipode_scene::{Scene, WorldSetup};
+    use antipode_settings::Msaa;
     use clap::Parser as _;
 
     use super::*;
     use crate::cli::Cli;
 
-    #[test]
-    fn a_picture_that_lacks_what_a_shader_was_to_draw_is_refused() {
-        let common =
-            Cli::parse_from(["antipode", "--adapter", "software", "--size", "96x72"]).common;
-        let (settings, texts) = (Settings::default(), Texts::default());
+    fn common() -> Common {
+        Cli::parse_from(["antipode", "--adapter", "software", "--size", "96x72"]).common
+    }
+
+    fn scene() -> Scene {
         let setup = WorldSetup {
             name: "Picture".to_owned(),
             seed: 1,
@@ -207,7 +209,33 @@ mod tests {
             radius_m: 32.0,
             view_distance: 2,
         };
-        let frame = Scene::open(setup, None).unwrap().frame(1.2, 4.0 / 3.0, 1);
+        Scene::open(setup, None).unwrap()
+    }
+
+    #[test]
+    fn edges_are_smoothed_as_the_settings_say() {
+        let texts = Texts::default();
+        let mut scene = scene();
+        assert!(scene.settle(Duration::from_mins(1)));
+        let frame = scene.frame(1.2, 4.0 / 3.0, 1);
+        let shot = |studio: &mut Studio| studio.shoot(&frame, &texts, |_| None).unwrap();
+        let smooth = Settings {
+            msaa: Msaa::Four,
+            ..Settings::default()
+        };
+        let mut studio = Studio::new(&common(), &Settings::default()).unwrap();
+        let plain = shot(&mut studio);
+        let smoothed = shot(&mut Studio::new(&common(), &smooth).unwrap());
+        assert_ne!(plain, smoothed);
+        studio.follow(&smooth).unwrap();
+        assert_eq!(shot(&mut studio), smoothed);
+    }
+
+    #[test]
+    fn a_picture_that_lacks_what_a_shader_was_to_draw_is_refused() {
+        let common = common();
+        let (settings, texts) = (Settings::default(), Texts::default());
+        let frame = scene().frame(1.2, 4.0 / 3.0, 1);
         let take = |shaders| {
             let mut studio = Studio::with_shaders(&common, &settings, shaders)?;
             studio.draw(&frame)?;

@@ -10,6 +10,8 @@ use antipode_lab::{Effort, LabError, Report, Section, made_on, peer, speed, text
 use antipode_render::AdapterChoice;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::gpu_command::{self, GpuArguments};
+
 /// Most failed rows that are named on standard error; the tables have them all.
 const MOST_NAMED: usize = 4;
 
@@ -20,14 +22,14 @@ pub struct Cli {
     /// What to measure.
     #[command(subcommand)]
     action: Action,
-    /// What computes and draws.
-    #[arg(long, global = true, value_enum, default_value_t = Adapter::Auto)]
-    adapter: Adapter,
+    /// What computes and draws [default: auto, and gpu where a graphics card is measured].
+    #[arg(long, global = true, value_enum)]
+    adapter: Option<Adapter>,
 }
 
 /// What computes and draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Adapter {
+pub enum Adapter {
     /// A graphics card if there is one, else software.
     Auto,
     /// A graphics card, or fail.
@@ -39,7 +41,8 @@ enum Adapter {
 }
 
 impl Adapter {
-    fn chosen(self) -> Option<AdapterChoice> {
+    /// The renderer's choice; nothing where nothing is to be drawn.
+    pub fn chosen(self) -> Option<AdapterChoice> {
         match self {
             Self::Auto => Some(AdapterChoice::Auto),
             Self::Gpu => Some(AdapterChoice::Gpu),
@@ -67,7 +70,9 @@ enum Action {
         #[arg(long, value_name = "FILE")]
         frame_log: Option<PathBuf>,
     },
-    /// All of it.
+    /// What only a graphics card can tell, in five minutes: one JSON and one page, to be sent.
+    Gpu(GpuArguments),
+    /// All of it but the graphics card.
     All(Outputs),
     /// Make the documents from a report, without measuring.
     Docs {
@@ -106,7 +111,7 @@ struct Wanted {
 }
 
 impl Action {
-    /// What is to be measured and what comes of it; nothing where a report is only read.
+    /// What is to be measured and what comes of it; nothing where others see to it.
     fn measurement(&self) -> Option<(Wanted, &Outputs)> {
         let none = Wanted::default();
         let exactness = Wanted {
@@ -142,7 +147,7 @@ impl Action {
                 outputs,
             ),
             Self::All(outputs) => (all, outputs),
-            Self::Docs { .. } => return None,
+            Self::Docs { .. } | Self::Gpu(_) => return None,
         })
     }
 
@@ -163,13 +168,17 @@ pub fn run(cli: &Cli) -> Result<(), LabError> {
     if let Action::Docs { json, docs } = action {
         return Report::read(json)?.write_docs(docs);
     }
+    if let Action::Gpu(arguments) = action {
+        return gpu_command::run(arguments, cli.adapter);
+    }
     let Some((wanted, outputs)) = action.measurement() else {
         return Ok(());
     };
     let frame_log = action.frame_log();
     writable(outputs, frame_log)?;
     let mut logs = Logs::default();
-    let report = measured(outputs, wanted, cli.adapter, &mut logs)?;
+    let adapter = cli.adapter.unwrap_or(Adapter::Auto);
+    let report = measured(outputs, wanted, adapter, &mut logs)?;
     if let Some(file) = frame_log {
         std::fs::write(file, &logs.flight).map_err(|source| unwritable(file, source))?;
     }
@@ -185,12 +194,17 @@ pub fn run(cli: &Cli) -> Result<(), LabError> {
     judged(&report)
 }
 
-fn unwritable(path: &Path, source: io::Error) -> LabError {
+/// The failure to write there.
+pub fn unwritable(path: &Path, source: io::Error) -> LabError {
     let path = path.to_owned();
     LabError::Write { path, source }
 }
 
-fn lines(text: &str) -> Result<(), LabError> {
+/// Prints lines on standard output.
+///
+/// # Errors
+/// When it is full or closed.
+pub fn lines(text: &str) -> Result<(), LabError> {
     let mut out = io::stdout().lock();
     writeln!(out, "{text}")
         .and_then(|()| out.flush())
@@ -261,7 +275,10 @@ fn measured(
 }
 
 /// A failure that names the rows that missed their bar, if any did.
-fn judged(report: &Report) -> Result<(), LabError> {
+///
+/// # Errors
+/// That failure.
+pub fn judged(report: &Report) -> Result<(), LabError> {
     let failed = report.failures();
     if failed.is_empty() {
         return Ok(());
@@ -299,6 +316,7 @@ mod tests {
                     rows: verdicts.iter().map(row).collect(),
                 }],
                 plots: vec![],
+                pictures: vec![],
             }],
         }
     }

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::LabError;
 use crate::figure;
+use crate::gpu;
 use crate::markdown;
 use crate::report::{Cell, Report, Section};
 use crate::svg;
@@ -62,9 +63,10 @@ pub struct Document {
 }
 
 impl Kind {
-    /// Whether a section belongs into this document.
+    /// Whether a section belongs into this document. What was measured of somebody's graphics card is in none.
     pub fn has(&self, section: &Section) -> bool {
-        section.id.starts_with(terrain::PREFIX) == self.terrain
+        let is_of_a_card = section.id.starts_with(gpu::PREFIX);
+        !is_of_a_card && section.id.starts_with(terrain::PREFIX) == self.terrain
     }
 
     /// The document of a report.
@@ -197,6 +199,7 @@ mod tests {
                 ]],
             }],
             plots: vec![],
+            pictures: vec![],
         };
         Report {
             made_on: vec![("adapter".into(), "none".into())],
@@ -232,6 +235,11 @@ mod tests {
         assert!(shown.contains("## A") && !shown.contains("## B"), "{shown}");
         let shown = TERRAIN.filled("{{rest}}", &report).unwrap();
         assert!(shown.contains("## B") && !shown.contains("## A"), "{shown}");
+        report.sections[1].id = "gpu-frames".into();
+        for kind in ALL {
+            let shown = kind.filled("{{rest}}", &report).unwrap();
+            assert!(!shown.contains("## B"), "{shown}");
+        }
     }
 
     #[test]

@@ -24,6 +24,9 @@ pub enum LabError {
     /// The scene of a measurement could not be made.
     #[error("The scene to measure could not be made: {0}")]
     Scene(String),
+    /// The image suite could not be drawn, in words.
+    #[error("{0}")]
+    Suite(String),
     /// A file could not be written.
     #[error("{} cannot be written: {source}", path.display())]
     Write {

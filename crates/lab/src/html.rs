@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use crate::docs;
 use crate::figure;
-use crate::report::{Cell, Report, Section, Table};
+use crate::gpu;
+use crate::report::{Cell, Picture, Report, Section, Table};
 use crate::svg::{self, escape};
 use crate::text::is_figures;
 
@@ -12,12 +13,7 @@ const STYLE: &str = include_str!("report.css");
 
 /// The whole page.
 pub fn page(report: &Report) -> String {
-    let terrain = report.sections.iter().all(|part| docs::TERRAIN.has(part));
-    let title = if terrain {
-        "terrain laboratory"
-    } else {
-        "exactness laboratory"
-    };
+    let title = title(report);
     let mut out = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
@@ -33,6 +29,17 @@ pub fn page(report: &Report) -> String {
     out
 }
 
+fn title(report: &Report) -> &'static str {
+    let parts = || report.sections.iter();
+    if parts().any(|part| part.id.starts_with(gpu::PREFIX)) {
+        "a graphics card"
+    } else if parts().all(|part| docs::TERRAIN.has(part)) {
+        "terrain laboratory"
+    } else {
+        "exactness laboratory"
+    }
+}
+
 fn summary(out: &mut String, report: &Report) {
     let verdicts: Vec<bool> = report
         .sections
@@ -46,11 +53,13 @@ fn summary(out: &mut String, report: &Report) {
         .collect();
     let met = verdicts.iter().filter(|met| **met).count();
     let class = if met == verdicts.len() { "good" } else { "bad" };
-    let _ = writeln!(
-        out,
-        "<p class=\"{class}\">{met} of {} bars are met.</p>",
-        verdicts.len()
-    );
+    if !verdicts.is_empty() {
+        let _ = writeln!(
+            out,
+            "<p class=\"{class}\">{met} of {} bars are met.</p>",
+            verdicts.len()
+        );
+    }
     out.push_str("<dl>\n");
     for (name, value) in &report.made_on {
         let _ = writeln!(out, "<dt>{}</dt><dd>{}</dd>", escape(name), escape(value));
@@ -87,6 +96,14 @@ fn section(out: &mut String, section: &Section) {
             "<figure>\n<figcaption>{}</figcaption>\n{}</figure>",
             escape(&plot.title),
             svg::plot(plot)
+        );
+    }
+    for Picture { title, png } in &section.pictures {
+        let (title, png) = (escape(title), escape(png));
+        let _ = writeln!(
+            out,
+            "<figure>\n<figcaption>{title}</figcaption>\n\
+             <img src=\"data:image/png;base64,{png}\" alt=\"{title}\">\n</figure>"
         );
     }
     out.push_str("</section>\n");

@@ -11,6 +11,7 @@ pub mod double_double;
 mod error;
 mod figure;
 mod files;
+pub mod gpu;
 pub mod html;
 mod json;
 mod machine;
@@ -28,7 +29,7 @@ pub mod text;
 
 pub use error::LabError;
 pub use machine::made_on;
-pub use report::{Axis, Cell, Plot, Report, Scale, Section, Series, Table};
+pub use report::{Axis, Cell, Picture, Plot, Report, Scale, Section, Series, Table};
 
 /// How thoroughly to measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

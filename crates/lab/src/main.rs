@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 mod command;
+mod gpu_command;
 
 /// The game's allocator, so that what is timed is what the game does.
 #[global_allocator]

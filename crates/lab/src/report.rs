@@ -24,6 +24,18 @@ pub struct Section {
     pub tables: Vec<Table>,
     /// Its plots.
     pub plots: Vec<Plot>,
+    /// Its pictures; most sections have none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pictures: Vec<Picture>,
+}
+
+/// A picture, as a page can show it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Picture {
+    /// What is to be seen.
+    pub title: String,
+    /// The PNG file in base64, with padding.
+    pub png: String,
 }
 
 /// Rows of figures under named columns.
@@ -222,6 +234,7 @@ impl Section {
             method: method.into_iter().map(Into::into).collect(),
             tables: tables.into_iter().collect(),
             plots: Vec::new(),
+            pictures: Vec::new(),
         }
     }
 

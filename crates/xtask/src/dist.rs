@@ -13,7 +13,8 @@ use crate::error::Error;
 use crate::licences;
 use crate::steps::{self, root};
 
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// The version of everything that is packed.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// What the Debian package needs to start, and what it is better with.
 const DEPENDS: &str = "libc6 (>= 2.36), libgcc-s1, libasound2, libudev1";
 const RECOMMENDS: &str = "libvulkan1, mesa-vulkan-drivers, libegl1, libgl1-mesa-dri, libx11-6, libx11-xcb1, \
@@ -56,7 +57,8 @@ pub fn dist() -> Result<Vec<PathBuf>, Error> {
     for document in DOCUMENTS {
         copy(&root().join(document), &folder.join(document))?;
     }
-    write(&folder.join("THIRD-PARTY.txt"), &licences::collect()?)?;
+    let notices = licences::collect(&steps::tree_of("antipode", &[])?);
+    write(&folder.join("THIRD-PARTY.txt"), &notices)?;
     for (from, to) in SHARED {
         copy(&root().join(from), &folder.join(to))?;
     }
@@ -72,8 +74,11 @@ pub fn dist() -> Result<Vec<PathBuf>, Error> {
     Ok(made)
 }
 
-/// The same files give the same archive, whoever packs them and when.
-fn pack(out: &Path, name: &str, archive: &Path) -> Result<(), Error> {
+/// Packs a folder of `out`. The same files give the same archive, whoever packs them and when.
+///
+/// # Errors
+/// When tar fails or is missing.
+pub fn pack(out: &Path, name: &str, archive: &Path) -> Result<(), Error> {
     let mut tar = Command::new("tar");
     tar.args(["--sort=name", "--owner=0", "--group=0", "--numeric-owner"])
         .args(["--mtime=2026-01-01 00:00:00Z", "--mode=u=rwX,go=rX", "-C"])
@@ -86,9 +91,12 @@ fn pack(out: &Path, name: &str, archive: &Path) -> Result<(), Error> {
     run(&mut tar)
 }
 
-/// Unpacks the archive elsewhere and plays a script there, with nothing of the checkout in sight.
-fn try_archive(name: &str, archive: &Path) -> Result<(), Error> {
-    let elsewhere = std::env::temp_dir().join(format!("antipode-dist-{}", std::process::id()));
+/// Unpacks an archive in a new folder of the system's temporary ones, and returns that.
+///
+/// # Errors
+/// When the folder cannot be made, or tar fails.
+pub fn unpacked(archive: &Path, folder: &str) -> Result<PathBuf, Error> {
+    let elsewhere = std::env::temp_dir().join(format!("{folder}-{}", std::process::id()));
     remove(&elsewhere)?;
     create(&elsewhere)?;
     run(Command::new("tar")
@@ -96,6 +104,12 @@ fn try_archive(name: &str, archive: &Path) -> Result<(), Error> {
         .arg(&elsewhere)
         .arg("-xzf")
         .arg(archive))?;
+    Ok(elsewhere)
+}
+
+/// Unpacks the archive elsewhere and plays a script there, with nothing of the checkout in sight.
+fn try_archive(name: &str, archive: &Path) -> Result<(), Error> {
+    let elsewhere = unpacked(archive, "antipode-dist")?;
     let script = elsewhere.join("first.script");
     write(
         &script,
@@ -168,7 +182,11 @@ fn is_there(program: &str) -> bool {
     output.is_ok_and(|output| output.status.success())
 }
 
-fn run(command: &mut Command) -> Result<(), Error> {
+/// Runs a program to its end; what it says on standard error is shown where it fails.
+///
+/// # Errors
+/// When it cannot be started or fails.
+pub fn run(command: &mut Command) -> Result<(), Error> {
     let program = command.get_program().to_string_lossy().into_owned();
     let output = command.output().map_err(|source| Error::Start {
         program: program.clone(),
@@ -200,14 +218,22 @@ fn create(folder: &Path) -> Result<(), Error> {
     fs::create_dir_all(folder).map_err(scratch(folder))
 }
 
-fn remove(folder: &Path) -> Result<(), Error> {
+/// Removes a folder and all that is in it, if it is there.
+///
+/// # Errors
+/// When it cannot be removed.
+pub fn remove(folder: &Path) -> Result<(), Error> {
     match fs::remove_dir_all(folder) {
         Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(scratch(folder)(e)),
         _ => Ok(()),
     }
 }
 
-fn copy(from: &Path, to: &Path) -> Result<(), Error> {
+/// Copies a file, and makes the folders that it goes into.
+///
+/// # Errors
+/// When the file cannot be read or written.
+pub fn copy(from: &Path, to: &Path) -> Result<(), Error> {
     create(to.parent().unwrap_or(to))?;
     fs::copy(from, to).map(drop).map_err(scratch(from))
 }
@@ -216,7 +242,11 @@ fn read(path: &Path) -> Result<String, Error> {
     fs::read_to_string(path).map_err(scratch(path))
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Error> {
+/// Writes a text, and makes the folders that it goes into.
+///
+/// # Errors
+/// When it cannot be written.
+pub fn write(path: &Path, text: &str) -> Result<(), Error> {
     create(path.parent().unwrap_or(path))?;
     fs::write(path, text).map_err(scratch(path))
 }

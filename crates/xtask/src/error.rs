@@ -23,6 +23,12 @@ pub enum Error {
     NoWindowManager(PathBuf),
     /// apt would have to run as root, and there is no sudo.
     NotRoot { command: String },
+    /// What was packed is too large to be sent.
+    TooLarge {
+        path: PathBuf,
+        bytes: u64,
+        most_bytes: u64,
+    },
     /// apt did not install the packages.
     Install { command: String },
 }
@@ -77,6 +83,17 @@ impl fmt::Display for Error {
             Self::NotRoot { command } => write!(
                 f,
                 "installing needs root and there is no sudo; run `{command}` as root, or go on without with --no-install"
+            ),
+            Self::TooLarge {
+                path,
+                bytes,
+                most_bytes,
+            } => write!(
+                f,
+                "`{}` has {:.1} MB, and at most {:.0} MB may be sent; look with `tar -tvzf` at what has grown",
+                path.display(),
+                *bytes as f64 * 1e-6,
+                *most_bytes as f64 * 1e-6
             ),
             Self::Install { command } => write!(
                 f,

@@ -19,13 +19,9 @@ struct Package {
     repository: String,
 }
 
-/// Names, licences and notices of all packages, and of fonts and other files that are not ours.
-///
-/// # Errors
-/// When cargo cannot tell what is built in.
-pub fn collect() -> Result<String, Error> {
-    let tree = steps::tree_of_game()?;
-    let packages: Vec<_> = packages(&tree);
+/// Names, licences and notices of all packages of a tree of cargo's, and of fonts and other files that are not ours.
+pub fn collect(tree: &str) -> String {
+    let packages: Vec<_> = packages(tree);
     let mut text = String::from(
         "Antipode is built with the work of many others. These are the parts, and their terms.\n\n",
     );
@@ -67,7 +63,7 @@ pub fn collect() -> Result<String, Error> {
         ]
         .concat();
     }
-    Ok(text)
+    text
 }
 
 /// Where the list that the game shows stands in the checkout.
@@ -79,7 +75,7 @@ const COMPONENTS: &str = "assets/licences/components.txt";
 /// When cargo cannot tell what is built in, or the file cannot be written.
 pub fn remake_list() -> Result<PathBuf, Error> {
     let path = steps::root().join(COMPONENTS);
-    fs::write(&path, list(&steps::tree_of_game()?)).map_err(|source| Error::Scratch {
+    fs::write(&path, list(&steps::tree_of("antipode", &[])?)).map_err(|source| Error::Scratch {
         path: path.clone(),
         source,
     })?;
@@ -167,7 +163,7 @@ mod tests {
     #[cfg(target_os = "linux")]
     fn the_game_lists_what_is_built_in() {
         let shown = fs::read_to_string(steps::root().join(COMPONENTS)).unwrap();
-        let tree = steps::tree_of_game().unwrap();
+        let tree = steps::tree_of("antipode", &[]).unwrap();
         assert!(shown == list(&tree), "run `cargo xtask licences`");
         assert!(shown.contains("wgpu ") && shown.lines().count() > 50);
     }

@@ -8,6 +8,7 @@ mod display;
 mod dist;
 mod error;
 mod fuzzing;
+mod lab_archive;
 mod licences;
 mod machine;
 mod openbox;
@@ -31,6 +32,7 @@ cargo xtask bench [FILTER]                                measure every bench
 cargo xtask fuzz [MINUTES]                                fuzz what reads bytes of others, where nightly and cargo-fuzz are here
 cargo xtask lab                                           measure everything, and remake docs/accuracy.md and docs/terrain.md
 cargo xtask dist                                          an archive and a Debian package of the game, in target/dist
+cargo xtask lab-archive [PROFILE]                         an archive that measures a graphics card, in target/lab-archive
 cargo xtask licences                                      the list of others' work that the game shows, anew
 cargo xtask packages                                      system packages: what for, and whether they are here
 
@@ -76,6 +78,12 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             }
             Ok(0)
         }
+        "lab-archive" if options.rest.len() <= 1 => {
+            provide(Purpose::Test, options.install)?;
+            let profile = options.rest.first().map(String::as_str);
+            println!("{}", lab_archive::lab_archive(profile)?.display());
+            Ok(0)
+        }
         "licences" if options.rest.is_empty() => {
             println!("{}", licences::remake_list()?.display());
             Ok(0)
@@ -88,10 +96,9 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             println!("{USAGE}");
             Ok(0)
         }
-        "ci" | "lab" | "dist" | "licences" | "packages" => Err(Error::Usage(format!(
-            "`{command}` does not know `{}`",
-            options.rest.join(" ")
-        ))),
+        "ci" | "lab" | "lab-archive" | "dist" | "licences" | "packages" => Err(Error::Usage(
+            format!("`{command}` does not know `{}`", options.rest.join(" ")),
+        )),
         _ => Err(Error::Usage(format!("there is no command `{command}`"))),
     }
 }
@@ -224,7 +231,14 @@ mod tests {
 
     #[test]
     fn wrong_usage_has_status_two_and_shows_the_usage() {
-        for line in ["", "fly", "ci fast", "lab fast", "packages --all"] {
+        for line in [
+            "",
+            "fly",
+            "ci fast",
+            "lab fast",
+            "lab-archive a b",
+            "packages --all",
+        ] {
             let error = dispatch(&words(line)).unwrap_err();
             assert_eq!(error.status(), 2, "{line}");
             assert!(error.to_string().contains("cargo xtask play"), "{line}");
@@ -233,7 +247,16 @@ mod tests {
 
     #[test]
     fn every_command_is_in_the_usage() {
-        for command in ["play", "test", "ci", "bench", "fuzz", "lab", "packages"] {
+        for command in [
+            "play",
+            "test",
+            "ci",
+            "bench",
+            "fuzz",
+            "lab",
+            "lab-archive",
+            "packages",
+        ] {
             assert!(
                 USAGE.contains(&format!("cargo xtask {command}")),
                 "{command}"

@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::testbed::TestBed;
 
 /// The profile of what players are given.
-const SHIPPED: &str = "shipped";
+pub const SHIPPED: &str = "shipped";
 
 /// The root of the checkout.
 pub fn root() -> &'static Path {
@@ -48,17 +48,28 @@ pub fn game(arguments: &[impl AsRef<OsStr>], features: Option<&[&str]>) -> Resul
 /// # Errors
 /// When cargo cannot be started or the build fails.
 pub fn build_game() -> Result<PathBuf, Error> {
-    let mut build = cargo(&["build", "--profile", SHIPPED, "--package", "antipode"]);
-    Steps::new(1).run("build", &mut build)?;
-    Ok(root().join("target").join(SHIPPED).join("antipode"))
+    build_program("antipode", SHIPPED, &[])
 }
 
-/// What is built into the game, one package a line: name, version and place, `|`, licence, `|`, repository.
+/// Builds a program in a profile, with more arguments of cargo, and returns where it is.
+///
+/// # Errors
+/// When cargo cannot be started or the build fails.
+pub fn build_program(package: &str, profile: &str, more: &[&str]) -> Result<PathBuf, Error> {
+    let mut build = cargo(&["build", "--profile", profile, "--package", package]);
+    Steps::new(1).run(&format!("build of {package}"), build.args(more))?;
+    // What cargo calls the profile of debugging has a folder of another name.
+    let folder = if profile == "dev" { "debug" } else { profile };
+    Ok(root().join("target").join(folder).join(package))
+}
+
+/// What is built into a program, one package a line: name, version and place, `|`, licence, `|`, repository.
 ///
 /// # Errors
 /// When cargo cannot be started or fails.
-pub fn tree_of_game() -> Result<String, Error> {
-    let mut tree = cargo(&["tree", "--package", "antipode", "--edges", "normal"]);
+pub fn tree_of(package: &str, more: &[&str]) -> Result<String, Error> {
+    let mut tree = cargo(&["tree", "--package", package, "--edges", "normal"]);
+    tree.args(more);
     tree.args(["--prefix", "none", "--format", "{p}|{l}|{r}"]);
     let output = tree.output().map_err(|source| start_error(&tree, source))?;
     if !output.status.success() {

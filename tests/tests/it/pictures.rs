@@ -4,41 +4,31 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
+use antipode_lab::gpu::suite::{MOST_STEPS, SCENES, Shot, Suite, shots, worst};
+use antipode_lab::gpu::{Block, difference};
+use antipode_render::AdapterChoice;
 use antipode_testing::may_skip;
-use antipode_tests::program::run_with;
-use antipode_tests::seam::{Block, difference, picture, worst_block};
-use image::RgbImage;
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-
-const SOFTWARE: [&str; 2] = ["--adapter", "software"];
-const SMALL: [&str; 4] = ["--size", "256x144", "--view-distance", "2"];
-/// How far the mean of a block may be off, steps of 1/255.
-const MOST_STEPS: f64 = 3.0;
+use antipode_tests::program::{binary, run_with};
 
 fn scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
 }
 
-fn script(space: &str) -> String {
-    fs::read_to_string(scenes().join(format!("{space}.script"))).unwrap()
-}
-
-/// The pictures that a script takes, by their files' names.
-fn shots(script: &str) -> impl Iterator<Item = &str> {
-    script.lines().filter_map(|line| line.strip_prefix("shot "))
-}
-
-fn remake(name: &str, found: &RgbImage) {
-    let file = fs::File::create(scenes().join(name)).unwrap();
-    let encoder = PngEncoder::new_with_quality(file, CompressionType::Best, FilterType::Adaptive);
-    found.write_with_encoder(encoder).unwrap();
+fn suite() -> Suite {
+    Suite {
+        game: binary(),
+        scenes: scenes(),
+        adapter: AdapterChoice::Software,
+        patience: Duration::from_mins(10),
+    }
 }
 
 /// What is wrong with a picture, whose actual and difference are then kept.
-fn fault(name: &str, found: &RgbImage) -> Option<String> {
-    let expected = picture(&scenes().join(name));
-    let Block { steps, at: (x, y) } = worst_block(found, &expected);
+fn fault(Shot { name, found }: &Shot) -> Option<String> {
+    let expected = suite().expected(name).unwrap();
+    let Block { steps, at: (x, y) } = worst(name, found, &expected).unwrap();
     if steps <= MOST_STEPS {
         return None;
     }
@@ -55,22 +45,25 @@ fn fault(name: &str, found: &RgbImage) -> Option<String> {
 
 fn looks_as_expected(space: &str) {
     let saves = tempfile::tempdir().unwrap();
-    let probe = [&SOFTWARE[..], &["--size", "64x64", "--view-distance", "1"]].concat();
+    let probe = [
+        "--adapter",
+        "software",
+        "--size",
+        "64x64",
+        "--view-distance",
+        "1",
+    ];
     let adapter = run_with(saves.path(), "new euclidean\nshot probe.png", &probe);
     if adapter.status != Some(0) && may_skip("a software adapter") {
         return;
     }
-    let script = script(space);
-    let run = run_with(saves.path(), &script, &[&SOFTWARE[..], &SMALL].concat());
-    assert_eq!(run.status, Some(0), "{}", run.stderr);
-    let found = shots(&script).map(|name| (name, picture(&saves.path().join(name))));
+    let played = suite().play(space, saves.path()).unwrap();
     if std::env::var_os("ANTIPODE_REMAKE_PICTURES").is_some() {
-        found.for_each(|(name, found)| remake(name, &found));
+        let remake = |shot: &Shot| suite().expect(&shot.name, &shot.found).unwrap();
+        played.shots.iter().for_each(remake);
         return;
     }
-    let faults: Vec<String> = found
-        .filter_map(|(name, found)| fault(name, &found))
-        .collect();
+    let faults: Vec<String> = played.shots.iter().filter_map(fault).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
@@ -91,7 +84,7 @@ fn the_closed_world_looks_as_expected() {
 
 #[test]
 fn each_expected_picture_is_taken_by_one_scene() {
-    let scripts = ["euclidean", "hyperbolic", "spherical"].map(script);
+    let scripts = SCENES.map(|scene| suite().script(scene).unwrap());
     let taken: Vec<&str> = scripts.iter().flat_map(|script| shots(script)).collect();
     let there: BTreeSet<String> = fs::read_dir(scenes())
         .unwrap()

@@ -152,6 +152,11 @@ pub const SUITES: &[Suite] = &[
     },
 ];
 
+/// The suite of that name.
+pub fn suite(id: &str) -> Option<&'static Suite> {
+    SUITES.iter().find(|suite| suite.id == id)
+}
+
 impl Suite {
     /// Runs it.
     ///

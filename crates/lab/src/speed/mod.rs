@@ -1,7 +1,7 @@
 //! What accuracy costs: nanoseconds beside errors for every formula the game could have used, and frame times of
 //! the same scene in every space.
 
-mod clock;
+pub(crate) mod clock;
 mod columns;
 mod cpu;
 mod culling;
@@ -18,8 +18,8 @@ mod passes;
 mod pictures;
 mod port;
 mod quality;
-mod scenes;
-mod shadows;
+pub(crate) mod scenes;
+pub(crate) mod shadows;
 pub(crate) mod stage;
 mod vertex_stage;
 mod view;

@@ -29,12 +29,20 @@ const PATIENCE: Duration = Duration::from_mins(3);
 /// # Errors
 /// When the world cannot be opened or its land is not made in time.
 pub fn fixed(geometry: Geometry, aspect: f64) -> Result<Frame, LabError> {
+    made(geometry, aspect, VIEW_DISTANCE)
+}
+
+/// The same with land to that distance, in chunks.
+///
+/// # Errors
+/// As [`fixed`].
+pub fn made(geometry: Geometry, aspect: f64, view_distance: u32) -> Result<Frame, LabError> {
     let setup = WorldSetup {
         name: "fixed scene".to_owned(),
         seed: SEED,
         geometry,
         radius_m: radius_m(geometry),
-        view_distance: VIEW_DISTANCE,
+        view_distance,
     };
     let mut scene = Scene::open(setup, None).map_err(|e| LabError::Scene(e.to_string()))?;
     scene.aim(POSE_RAD.0, POSE_RAD.1);

@@ -109,7 +109,7 @@ fn walk(gpu: &Gpu, frame: &Frame, effort: Effort) -> Result<[Vec<f64>; 2], LabEr
 }
 
 /// The quality that the game takes on an adapter.
-fn quality(gpu: &Gpu) -> ShadowQuality {
+pub fn quality(gpu: &Gpu) -> ShadowQuality {
     if gpu.is_software() {
         ShadowQuality::Low
     } else {

@@ -2,14 +2,14 @@
 
 use std::time::Instant;
 
-use antipode_render::{DrawStats, Gpu, Offscreen, Options, Renderer, ShadowQuality};
+use antipode_render::{DrawStats, FurtherView, Gpu, Offscreen, Options, Renderer, ShadowQuality};
 use antipode_scene::frame::Frame;
 
 use crate::speed::clock::{median, worked_s};
 use crate::{Effort, LabError};
 
 /// Format of pictures in memory.
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// A renderer and a picture of fixed size.
 pub struct Stage<'g> {
@@ -63,12 +63,26 @@ impl<'g> Stage<'g> {
     /// # Errors
     /// When the adapter fails.
     pub fn draw(&mut self, frame: &Frame) -> Result<Drawn, LabError> {
+        self.draw_with(frame, &[])
+    }
+
+    /// Draws a frame and further views of what it shows, and waits for all of them. The triangles told are those of all.
+    ///
+    /// # Errors
+    /// When the adapter fails.
+    pub fn draw_with(
+        &mut self,
+        frame: &Frame,
+        further: &[FurtherView<'_>],
+    ) -> Result<Drawn, LabError> {
         let worked_s = self.worked_s();
         let began = Instant::now();
         let mut encoder = self.gpu.encoder();
-        let stats = self
+        let target = self.offscreen.view();
+        let (mut stats, others) = self
             .renderer
-            .draw(frame, &mut encoder, self.offscreen.view());
+            .draw_views(frame, further, &mut encoder, target);
+        stats.triangles += others.iter().map(|it| it.triangles).sum::<usize>();
         let recorded_ms = began.elapsed().as_secs_f64() * 1e3;
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.wait()?;

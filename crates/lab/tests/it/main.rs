@@ -9,6 +9,7 @@
 mod accuracy;
 mod docs;
 mod double_double;
+mod gpu;
 mod peer;
 mod report;
 mod speed;

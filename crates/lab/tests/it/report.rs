@@ -1,6 +1,6 @@
 //! Reports as others see them: JSON that reads back, a page that needs nothing else, verdicts that count.
 
-use antipode_lab::{Axis, Cell, Plot, Report, Scale, Section, Series, Table, html};
+use antipode_lab::{Axis, Cell, Picture, Plot, Report, Scale, Section, Series, Table, html};
 
 fn report(met: bool) -> Report {
     let axis = |label: &str, scale| Axis {
@@ -37,6 +37,7 @@ fn report(met: bool) -> Report {
                     joined: true,
                 }],
             }],
+            pictures: vec![],
         }],
     }
 }
@@ -87,6 +88,22 @@ fn the_page_has_every_table_and_needs_nothing_else() {
     );
     assert!(page.contains("&quot;software&quot; &amp; more"));
     assert!(page.contains("prefers-color-scheme: dark"));
+}
+
+#[test]
+fn pictures_are_in_the_page_itself_and_read_back() {
+    let mut shown = report(true);
+    shown.sections[0].pictures.push(Picture {
+        title: "Day & night".into(),
+        png: "iVBORw0KGgo=".into(),
+    });
+    let page = html::page(&shown);
+    assert!(page.contains("<img src=\"data:image/png;base64,iVBORw0KGgo=\""));
+    assert!(page.contains("alt=\"Day &amp; night\""), "{page}");
+    let json = shown.to_json().unwrap();
+    assert_eq!(serde_json::from_str::<Report>(&json).unwrap(), shown);
+    // Reports of before there were pictures are read as well.
+    assert!(!report(true).to_json().unwrap().contains("pictures"));
 }
 
 #[test]
