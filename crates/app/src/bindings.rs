@@ -1,4 +1,4 @@
-//! From the window library's keys and buttons to the inputs that bindings are made of.
+//! Translates the window library's keys and buttons into the inputs of key bindings.
 
 use winit::event::MouseButton as WindowButton;
 use winit::keyboard::KeyCode;

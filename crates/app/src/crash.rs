@@ -1,4 +1,4 @@
-//! What is left behind when the game itself breaks: a report, and words about it.
+//! Writes a report when the game itself breaks, and finds words for it.
 
 use std::backtrace::Backtrace;
 use std::ffi::{OsStr, OsString};

@@ -1,4 +1,4 @@
-//! What the last picture was drawn with, for the probe and for the frame figures of the display.
+//! Describes how the last picture was drawn, for the probe and for the frame figures of the display.
 
 use antipode_geometry::HyperbolicMap;
 use antipode_language::{Texts, Value};

@@ -1,4 +1,4 @@
-//! What can end the program, as sentences, each with its exit status.
+//! The failures that end the program: each is a sentence and has an exit status.
 
 use antipode_render::RenderError;
 use antipode_rooms::RoomError;

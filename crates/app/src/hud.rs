@@ -1,4 +1,4 @@
-//! From the scene to what the heads-up display shows.
+//! Fills the model of the heads-up display from the scene.
 
 use antipode_geometry::{ChartPoint, Curvature, Eye, HyperbolicMap};
 use antipode_language::Texts;

@@ -1,4 +1,4 @@
-//! From the scene to compass, map and what tells of damage on the display.
+//! Fills compass, map and signs of damage on the display from the scene.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;

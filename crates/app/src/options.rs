@@ -1,4 +1,4 @@
-//! From settings to what the parts of the game understand, and the file they come from.
+//! Turns settings into options for the parts of the game, and keeps their file.
 
 use std::fs;
 use std::path::Path;

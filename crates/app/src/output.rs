@@ -1,4 +1,4 @@
-//! What the program prints: answers on standard output, mistakes and the log on standard error. Nothing else may open
+//! Prints for the program: answers on standard output, mistakes and the log on standard error. Nothing else may open
 //! either (`clippy.toml` beside this crate), so whatever is printed is escaped here: names, words of scripts and paths
 //! come from outside, and a terminal obeys the control characters in them. A full disk or a reader that has gone is a
 //! failure here, never a panic.

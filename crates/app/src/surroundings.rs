@@ -1,4 +1,4 @@
-//! What of the environment has to be other than it is for the libraries below to keep quiet and work.
+//! Environment variables that the game sets so that the libraries below work and stay quiet.
 
 use std::ffi::OsString;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What can make sounds audible, and one that only writes them down.
+//! Players of sounds, and one that only records them.
 
 use crate::bank::{Sample, Sound};
 use crate::volumes::Group;

@@ -1,4 +1,4 @@
-//! What runs on the sound thread: takes messages, keeps a player in place, and says how it goes.
+//! Runs on the sound thread: takes messages, keeps a player working, and reports its state.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! How loud each group of sounds is to be.
+//! The volume of each group of sounds.
 
 /// A group of sounds that has a volume of its own, besides that of all together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! How a figure holds its body at a moment: plain data from which a picture is made.
+//! The posture of a figure at a moment: plain data for a picture.
 
 /// A movement of a body. Figures with a skeleton have a clip for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! How exact pictures are, by name.
+//! The named qualities of pictures: how exact they are.
 
 use std::fmt;
 use std::str::FromStr;

@@ -1,4 +1,4 @@
-//! Which space a world is in, and through which map it is seen.
+//! The kinds of spaces, and the maps through which they are seen.
 
 use std::fmt;
 use std::ops::RangeInclusive;

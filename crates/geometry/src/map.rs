@@ -1,4 +1,4 @@
-//! From the charts to what an eye sees, and back.
+//! Maps points of charts to view coordinates of an eye, and back.
 
 use glam::{DVec3, DVec4};
 

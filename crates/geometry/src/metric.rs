@@ -1,4 +1,4 @@
-//! How far places are apart, and how much the space is bent.
+//! Distances and curvature of a space.
 
 use glam::DVec4;
 

@@ -1,4 +1,4 @@
-//! From view coordinates to the picture: focal factors and one depth rule per space.
+//! Projects view coordinates into the picture: focal factors, and one depth rule per space.
 //!
 //! Depth is reversed: it is cleared to 0, nearer is greater, and the near distance gives 1.
 

@@ -1,4 +1,4 @@
-//! Where a box of the chart is seen: the cell of directions that holds its picture.
+//! Bounds the directions in which a box of the chart is seen by a cell of azimuths and slopes.
 //!
 //! Every map but the sphere's second chart turns about the upright through the eye, so it keeps
 //! azimuths: a point's picture has its chart azimuth, and a slope (rise over level distance, as the

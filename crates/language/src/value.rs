@@ -1,4 +1,4 @@
-//! What is put into a message: words and numbers.
+//! Values that are put into a message: words and numbers.
 
 use std::borrow::Cow;
 

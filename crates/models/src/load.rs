@@ -1,4 +1,4 @@
-//! From the bytes of a file to a [`Model`].
+//! Reads the bytes of a file into a [`Model`].
 
 use gltf::json;
 

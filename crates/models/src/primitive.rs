@@ -1,4 +1,4 @@
-//! From a file's primitives to [`Primitive`]s.
+//! Reads a file's primitives into [`Primitive`]s.
 
 use glam::{Vec2, Vec3, Vec4};
 use gltf::json::mesh::{Primitive as JsonPrimitive, Semantic};

@@ -1,4 +1,4 @@
-//! What walking and flying through the air share: which contacts are ground, and where the floor is.
+//! Shared by walking and flying: which contacts are ground, and where the floor is.
 //!
 //! The controller advances in parts of at most half the capsule's radius and then leaves whatever it
 //! overlaps, deepest contact first, by exact distances. That cannot tunnel (the axis never crosses

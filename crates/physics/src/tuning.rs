@@ -1,4 +1,4 @@
-//! How a character moves: everything a player feels, in data, with its units.
+//! The tuning of a character: every figure that a player feels, with its units.
 
 /// Sizes, speeds and times of a walking character. [`Default`] gives the player's own.
 ///

@@ -1,4 +1,4 @@
-//! What is solid in a world: each chart's ground by itself.
+//! The solid ground of a world, chart by chart.
 //!
 //! A place is a place of a chart, so there may be any number of charts, and none is in another's way. What lies near an
 //! edge is written in each chart that comes there, and a body that crosses asks in the other chart from then on.

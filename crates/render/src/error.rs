@@ -1,4 +1,4 @@
-//! What can go wrong between us and a graphics adapter, as sentences for the player.
+//! Errors of the graphics adapter, as sentences for the player.
 
 use thiserror::Error;
 

@@ -1,4 +1,4 @@
-//! What is drawn of a view's figures: their instances, the joints of those that bend, and the calls.
+//! Draws a view's figures: their instances, the joints of those that bend, and the calls.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! What the player sees in the own hand: drawn before the eye in its own axes, where every space is flat.
+//! Draws what the player holds in first person: drawn before the eye in its own axes, where every space is flat.
 
 use std::f32::consts::FRAC_PI_2;
 

@@ -1,4 +1,4 @@
-//! Which seams are drawn: those beside a neighbour of which something finer is shown.
+//! Chooses the seams to draw: those beside a neighbour that is shown in finer detail.
 
 use antipode_geometry::ChunkCoord;
 use antipode_terrain::Level;

@@ -1,4 +1,4 @@
-//! How long the adapter itself takes for a frame, by timestamps, read some frames later without waiting.
+//! Measures the adapter's own time of a frame by timestamps, which are read some frames later without waiting.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};

@@ -1,4 +1,4 @@
-//! From the light of the scene to the picture shown.
+//! Maps the light of the scene to the picture that is shown.
 
 use wgpu::{
     BindGroup, BindGroupLayout, Color, CommandEncoder, Device, LoadOp, Operations, RenderPass,

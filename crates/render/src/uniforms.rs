@@ -1,4 +1,4 @@
-//! What the shaders are told each frame, laid out as they read it.
+//! Uniforms and instances of a frame, laid out as the shaders read them.
 
 use antipode_frame::{Frame, Orbs, View};
 use antipode_geometry::{ChartPoint, ChunkCoord, NoiseFrame, SpaceUniform};

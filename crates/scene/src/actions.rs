@@ -1,4 +1,4 @@
-//! What the player asks for in one simulation step, after key bindings have been applied.
+//! The player's actions in one simulation step, after key bindings have been applied.
 //!
 //! The simulation is a pure function of the saved world, the seed and the sequence of these.
 

@@ -1,4 +1,4 @@
-//! How a shot must leave the muzzle to go through a given point.
+//! Aims a shot so that it goes from the muzzle through a given point.
 
 use antipode_geometry::{ChartPoint, Strategy};
 use antipode_physics::Ball;

@@ -1,4 +1,4 @@
-//! What a host may ask of a scene: answers that change nothing.
+//! Answers to a host's questions about a scene. They change nothing.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Where things are as on a map about the player: bearings, north, the equator, and what stands about.
+//! Lays things out as on a map around the player: bearings, north, the equator, and what stands about.
 //!
 //! A map is of the sheet at height 0, which lines along the ground never leave in any space: each place is drawn in
 //! the direction in which the shortest line to it sets out, at that line's length (azimuthal equidistant). The picture's

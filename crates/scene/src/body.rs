@@ -1,4 +1,4 @@
-//! Where the player's body may be: within the world, and not inside the ground.
+//! Keeps the player's body within the world and out of the ground.
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint};
 use antipode_physics::Character;

@@ -1,4 +1,4 @@
-//! The ground that is there: resident chunks as colliders, as density for point queries, and as changes for the renderer.
+//! The loaded ground: resident chunks as colliders, as density for point queries, and as changes for the renderer.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;

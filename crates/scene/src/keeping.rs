@@ -1,4 +1,4 @@
-//! What is known of a world's save while it is played.
+//! Remembers what a world's save holds while the world is played.
 
 use antipode_storage::{RecordChanges, SlotRecord};
 

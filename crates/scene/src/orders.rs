@@ -1,4 +1,4 @@
-//! What a host may change in a scene from outside of a step: what commands, scripts and menus ask for.
+//! Changes that a host makes to a scene from outside of a step, for commands, scripts and menus.
 
 use antipode_geometry::{ChartPoint, Eye, HyperbolicMap};
 use antipode_items::Item;

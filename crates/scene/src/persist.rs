@@ -1,4 +1,4 @@
-//! From the scene to its save: what a world has to be written of it, one record a thing.
+//! Saves a scene: writes one record for each thing of a world.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What the crosshair covers: the first thing on the *geodesic* through the screen's centre.
+//! Finds what the crosshair covers: the first thing on the *geodesic* through the screen's centre.
 //!
 //! A geodesic is no straight line of the chart (at 13 m they differ by 6 to 12 degrees in a hyperbolic
 //! world), so the ray marches along it, un-ports each point and tests the short chart segments between.

@@ -1,4 +1,4 @@
-//! How the world is shown to the player: no part of the simulation, so that no rule may ask for any of it.
+//! The presentation of the world to the player. It is no part of the simulation, so no rule may ask for any of it.
 
 use std::sync::Arc;
 

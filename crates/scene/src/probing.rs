@@ -1,4 +1,4 @@
-//! What the probe says of the world at a moment.
+//! Fills the probe with the state of the world at a moment.
 
 use antipode_geometry::{ChartPoint, HyperbolicMap};
 use antipode_physics::Character;

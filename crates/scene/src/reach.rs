@@ -1,4 +1,4 @@
-//! What ground bodies reach: within it the chunk workers keep colliders and samples.
+//! The ground that bodies can reach. The chunk workers keep colliders and samples within it.
 
 use antipode_geometry::{Atlas, ChartPoint};
 use antipode_streaming::Reach;

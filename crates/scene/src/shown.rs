@@ -1,4 +1,4 @@
-//! What of the scene is shown as figures: everyone, what they hold, and things that lie, stand or fly.
+//! Shows the scene as figures: everyone, what they hold, and things that lie, stand or fly.
 
 use antipode_geometry::{ChartPoint, Eye};
 use antipode_items::Item;

@@ -1,4 +1,4 @@
-//! Where a new player stands: on the surface, never in it, and on the gentlest ground nearby.
+//! Chooses where a new player stands: on the surface, never in it, and on the gentlest ground nearby.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,4 +1,4 @@
-//! How the player wants to see the world: no part of it, so nothing of this is saved with it.
+//! The player's preferences for viewing the world. They are no part of the world, so it does not save them.
 
 use crate::tuning::FOV_Y_RAD;
 

@@ -1,4 +1,4 @@
-//! What one commit writes, and how it is sealed.
+//! The contents of one commit, and their sealing.
 
 use crate::codec::{self, Kind};
 use crate::error::StorageError;

@@ -1,4 +1,4 @@
-//! Where the worlds are, and what can be told of each without opening it for play.
+//! Lists the worlds, and what can be told of each without opening it for play.
 
 use std::fs;
 use std::io;

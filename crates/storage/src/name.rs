@@ -1,4 +1,4 @@
-//! What a world may be called.
+//! Checks the names of worlds.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! Worlds under another name, twice, out of the directory of worlds and into it.
+//! Renames, duplicates, exports and imports worlds.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! What passes between the game and the streamer: wishes in, updates out.
+//! The types that pass between the game and the streamer: wishes in, updates out.
 
 use std::error::Error;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! What workers and saver report to the game's side.
+//! Reports of the workers and the saver to the game.
 
 use antipode_geometry::ChunkCoord;
 

@@ -1,4 +1,4 @@
-//! Which chunks are wanted: a cube around the player, in every chart that comes into it, or the whole of a closed world.
+//! The range of wanted chunks: a cube around the player, in every chart that comes into it, or the whole of a closed world.
 
 use std::ops::RangeInclusive;
 

@@ -1,4 +1,4 @@
-//! Where ground is solid: the chunks that bodies reach, and those a little beyond, which stay so.
+//! The solid ground: the chunks that bodies reach, and those a little beyond, which stay solid.
 
 use antipode_geometry::{CHUNK_CELLS, ChartId, ChunkCoord};
 use glam::{DVec3, IVec3};

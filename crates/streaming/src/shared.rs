@@ -1,4 +1,4 @@
-//! What the workers share, and how one chunk is made.
+//! The state that workers share, and the making of one chunk.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};

@@ -1,4 +1,4 @@
-//! What updates tell, and what they cost the game.
+//! The chunks that updates are about, and the cost of updates for the game.
 
 use std::time::Duration;
 

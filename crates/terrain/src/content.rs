@@ -1,4 +1,4 @@
-//! What a chunk can hold, from bounds alone.
+//! Decides from bounds alone whether a chunk can contain surface.
 //!
 //! Ground lies between two heights, so most layers of chunks are known to be air or ground. In
 //! the layers that ground can reach into, the coarse octaves are looked at in a few nodes: in

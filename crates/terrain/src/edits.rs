@@ -1,4 +1,4 @@
-//! What players changed: bounded fixed-point offsets to a chunk's samples.
+//! The edits of players: bounded fixed-point offsets to a chunk's samples.
 //!
 //! A chunk owns the 32^3 samples at its origin plus `0..32`; its border belongs to its
 //! neighbours. Sums are kept to a 256th of [`EDIT_STEP`], so that sixty small changes a second

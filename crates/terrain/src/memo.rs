@@ -1,4 +1,4 @@
-//! What neighbouring points have in common: cells of noise, and places in noise space.
+//! Caches what neighbouring points have in common: cells of noise, and places in noise space.
 
 use antipode_geometry::{ChartId, ChartPoint, NoiseFrame};
 use glam::{DVec3, Vec4};

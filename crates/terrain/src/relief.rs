@@ -1,4 +1,4 @@
-//! From sums of noise to the field, and where the band makes the rest of a sum needless.
+//! Turns sums of noise into the field, and knows where the band makes the rest of a sum needless.
 
 use glam::Vec4;
 

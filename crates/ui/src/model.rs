@@ -1,4 +1,4 @@
-//! What the menus are shown and what they give back: plain data, no behaviour.
+//! The models that the menus show and the intents that they return: plain data, no behaviour.
 
 use antipode_language::Texts;
 use antipode_settings::{Config, Profiles, Value};

@@ -1,4 +1,4 @@
-//! What can go wrong here, each as one sentence that says what to do.
+//! Errors of this program: each is one sentence that says what to do.
 
 use std::fmt;
 use std::io;

@@ -1,4 +1,4 @@
-//! What this machine has: shared libraries, programs, Vulkan drivers, packages.
+//! Finds what this machine has: shared libraries, programs, Vulkan drivers, packages.
 //!
 //! Everything is read once into plain data, so that deciding what is missing
 //! is a pure function that tests can call with a machine of their own.

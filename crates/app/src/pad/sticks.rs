@@ -1,4 +1,4 @@
-//! From where the sticks stand to walking and looking: dead zones and the response curve.
+//! Turns the positions of the sticks into walking and looking: dead zones and the response curve.
 
 use antipode_scene::{Actions, LookTurn};
 use antipode_settings::Settings;

@@ -1,4 +1,4 @@
-//! What a script prints: one JSON object a line on standard output.
+//! Prints a script's answers: one JSON object a line on standard output.
 
 use antipode_scene::Probe;
 use antipode_storage::WorldSummary;

@@ -1,4 +1,4 @@
-//! What the about screen tells of the machine and of what is built in.
+//! The contents of the about screen: the machine, and the parts that are built in.
 
 use antipode_ui::AboutModel;
 

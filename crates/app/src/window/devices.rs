@@ -1,4 +1,4 @@
-//! What the player holds: keys, mouse and sticks, and whether the keyboard is this window's.
+//! The player's devices: keys, mouse and sticks, and whether this window has the keyboard.
 
 use crate::bindings::Input;
 use crate::controls::Controls;

@@ -1,4 +1,4 @@
-//! What the game sounds like in its window: hands over what there is to hear, and follows the settings.
+//! Connects the game in its window to the sound: hands over what there is to hear, and follows the settings.
 
 use antipode_audio::{Audio, Cue, Heard, Status, Volumes};
 use antipode_settings::Settings;

@@ -1,4 +1,4 @@
-//! What is broken on purpose, to see what becomes of it.
+//! Faults that a test injects on purpose, to see how the game copes.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! What the interface shows of the game, and what the player asks for there.
+//! Shows the game to the interface, and does what the player asks for there.
 
 use antipode_geometry::Geometry;
 use antipode_settings::Value;

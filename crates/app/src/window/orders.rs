@@ -1,4 +1,4 @@
-//! What the lines of the console make the game do; nothing waits for it.
+//! Carries out the lines of the console; nothing waits for them.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What can be up over the open world and has keys and pointer then: console, backpack, photo mode and the
+//! The overlays over the open world, which take keys and pointer while they are up: console, backpack, photo mode and the
 //! question for a flag's name.
 
 use antipode_ui::{Console, photo_panel};

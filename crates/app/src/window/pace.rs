@@ -1,4 +1,4 @@
-//! How many steps of the world a frame takes, and what becomes of time that it has none for.
+//! Decides how many steps of the world a frame takes, and drops the time that is too much.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What the game is doing at a moment, and what it goes on to.
+//! The phase of the game at a moment, and the phases that can follow.
 
 use super::background::Task;
 use crate::failure::Failure;

@@ -1,4 +1,4 @@
-//! What a hand does, and what becomes of it: presses of keys, buttons and the wheel.
+//! Presses of keys, buttons and the wheel, and what a layer makes of them.
 
 use std::collections::HashSet;
 

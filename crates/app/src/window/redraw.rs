@@ -1,4 +1,4 @@
-//! Whether a frame is worth drawing: a picture that stands still is not drawn again.
+//! Decides whether a frame is drawn: a picture that stands still is not drawn again.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! What the main thread's time goes to, frame by frame: at work, ready while others have the processor, and waiting.
+//! Accounts for the main thread's time, frame by frame: at work, ready while others have the processor, and waiting.
 //!
 //! Only drawing may wait, for the adapter and the screen. Whatever else does is a mistake, and the log tells of it at
 //! its level for developers.

@@ -1,4 +1,4 @@
-//! What a driver asks of a vehicle becomes forces of its wheels.
+//! Turns a driver's input into forces of the wheels.
 
 use rapier3d::control::DynamicRayCastVehicleController;
 

@@ -1,4 +1,4 @@
-//! What keeps a vehicle where its brake holds it.
+//! Keeps a braked vehicle in its place.
 //!
 //! The controller's tyres only take speed away, a step after the weight has given it: on a slope a braked vehicle would
 //! creep on for ever, 5 cm/s at 17 degrees. Tyres that hold stand off from where they took hold until they pull as much

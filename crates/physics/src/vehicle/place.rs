@@ -1,4 +1,4 @@
-//! Where a vehicle can be: set upright, put down on free ground, and brought out of ground that was built over it.
+//! Finds places for a vehicle: sets it upright, puts it down on free ground, and frees it from ground that was built over it.
 
 use antipode_geometry::ChartPoint;
 use glam::{DQuat, DVec3};

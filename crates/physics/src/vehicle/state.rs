@@ -1,4 +1,4 @@
-//! What is known of a vehicle and asked of it: plain data.
+//! The state and the input of a vehicle: plain data.
 
 use antipode_geometry::{ChartId, ChartPoint, Crossing};
 use glam::{DQuat, DVec3};

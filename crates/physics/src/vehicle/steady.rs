@@ -1,4 +1,4 @@
-//! What keeps a vehicle from turning over too easily, and lets it when it is thrown hard enough.
+//! Keeps a vehicle from turning over too easily. A hard enough throw still turns it over.
 
 use glam::DVec3;
 use rapier3d::dynamics::RigidBodyHandle;

@@ -1,4 +1,4 @@
-//! How a vehicle drives: everything a player feels, in data, with its units.
+//! The tuning of a vehicle: every figure that a player feels, with its units.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! How one chunk is drawn: port, trimming, refinement and depth, from the frame's bounds.
+//! Chooses how one chunk is drawn: port, trimming, refinement and depth, from the frame's bounds.
 
 use antipode_frame::Frame;
 use antipode_geometry::SightCell;

@@ -1,4 +1,4 @@
-//! What the planner is to know of a chunk's mesh.
+//! A chunk's mesh as the planner knows it.
 
 use antipode_geometry::{CHUNK_CELLS, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Level, UNITS_PER_M};

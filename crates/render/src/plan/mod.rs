@@ -1,4 +1,4 @@
-//! What a frame requires: which chunks are drawn, and how, so that no error reaches a visible size.
+//! Plans a frame: which chunks are drawn, and how, so that no error becomes visible.
 //!
 //! Everything is decided from measured bounds in pixels against the tolerance of the chosen quality.
 //! Chunks are taken front to back, so that the skyline of nearer land is known when a farther chunk is

@@ -1,4 +1,4 @@
-//! What was chosen for a frame, in numbers.
+//! Statistics of a frame's plan.
 
 use serde::Serialize;
 

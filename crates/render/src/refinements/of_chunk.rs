@@ -1,4 +1,4 @@
-//! What a chunk has of refinements, and how far off it is drawn with them.
+//! The refinements of one chunk, and the error of drawing it with them.
 
 use antipode_frame::Frame;
 

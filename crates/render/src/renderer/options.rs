@@ -1,4 +1,4 @@
-//! How pictures are drawn, and what drawing one took.
+//! Options for drawing pictures, and statistics of drawing one.
 
 use wgpu::TextureFormat;
 

@@ -1,4 +1,4 @@
-//! What frames are drawn with, and what becomes of one for which it is not made yet.
+//! Keeps the pipelines of frames ready, and handles a frame whose pipelines are not made yet.
 
 use antipode_frame::Frame;
 use wgpu::{BindGroupLayout, CommandEncoder, Device, TextureView};

@@ -1,4 +1,4 @@
-//! How far a body reaches in any posture, known before it is posed.
+//! Bounds how far a body reaches in any posture, before it is posed.
 
 use antipode_models::{Channel, Skeleton};
 use glam::Vec3;

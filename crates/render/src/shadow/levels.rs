@@ -1,4 +1,4 @@
-//! Which shadow maps there are, what each is to be a picture of, and which is to be drawn anew next.
+//! The shadow maps of land: what each one covers, and which is drawn anew next.
 //!
 //! Under a sky there are cascades: squares round the eye, each some times as wide as the one before. They do not
 //! follow the view, so that turning changes nothing and what lies behind the eye throws its shadow too. In a closed

@@ -1,4 +1,4 @@
-//! What the shaders are told of the shadow maps, laid out as they read it.
+//! Uniforms of the shadow maps, laid out as the shaders read them.
 
 use std::f64::consts::FRAC_PI_2;
 

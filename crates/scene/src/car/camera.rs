@@ -1,4 +1,4 @@
-//! From where a driver sees the world: behind the car on a spring, or from the bonnet.
+//! The driver's camera: behind the car on a spring, or on the bonnet.
 
 use antipode_geometry::{Atlas, ChartPoint, Crossing, Eye};
 use antipode_physics::{ChartGround, PhysicsWorld};

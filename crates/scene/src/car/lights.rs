@@ -1,4 +1,4 @@
-//! How cars are seen: bodies and wheels as figures, the driver at the wheel, and their lights.
+//! Shows cars: bodies and wheels as figures, the driver at the wheel, and their lights.
 
 use glam::{DQuat, DVec3};
 

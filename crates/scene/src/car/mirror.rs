@@ -1,4 +1,4 @@
-//! What the rear mirror over a driver's view shows: the world behind the car, through the same lens.
+//! The rear mirror over a driver's view shows the world behind the car, through the same lens.
 
 use antipode_geometry::{Eye, Projection};
 

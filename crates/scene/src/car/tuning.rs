@@ -1,4 +1,4 @@
-//! What a player feels of the car besides how it drives, with units.
+//! Figures of the car that a player feels besides its driving, with units.
 
 use glam::DVec3;
 

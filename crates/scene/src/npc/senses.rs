@@ -1,4 +1,4 @@
-//! What a mind knows of the world around it: what it sees along geodesics, what it hears, who is near.
+//! The senses of a mind: what it sees along geodesics, what it hears, and who is near.
 
 use std::sync::Arc;
 

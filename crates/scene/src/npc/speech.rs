@@ -1,4 +1,4 @@
-//! What somebody says just now, and where in the picture that is.
+//! The words that figures say at the moment, and their places in the picture.
 
 use antipode_geometry::Strategy;
 use glam::{DVec2, DVec3};

@@ -1,4 +1,4 @@
-//! What peaceful figures say: things about the space that are true of the place where one stands.
+//! The sentences of peaceful figures: facts about the space that hold at the place where one stands.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Where in the picture the health of those who are hurt is shown.
+//! Places the health of wounded figures in the picture.
 
 use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
 use glam::{DVec2, DVec3};

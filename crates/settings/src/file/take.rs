@@ -1,4 +1,4 @@
-//! From what a file says to settings: older schemas brought up to date, every value checked.
+//! Reads settings from a file's values: updates older schemas and checks every value.
 
 use std::collections::BTreeSet;
 

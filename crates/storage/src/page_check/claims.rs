@@ -1,4 +1,4 @@
-//! Which pages have been named, a bit each.
+//! Notes which pages have been named, with a bit for each.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! What the store believes to be free: read when it opens, and given away as pages.
+//! The space that the store believes to be free. It reads this when it opens, and hands it out as pages.
 //!
 //! The table `allocator_state` has a key of five bytes: a kind, and a number. Kind 3 is a
 //! region by its number, 4 which regions have room, 5 the transaction that wrote it.

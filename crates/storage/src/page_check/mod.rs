@@ -1,4 +1,4 @@
-//! Whether the embedded store can be trusted with a file, read from the file's bytes alone.
+//! Checks from a file's bytes alone whether the embedded store can be trusted with it.
 //!
 //! The store believes what its file says: how long a page is, where its children are,
 //! how many entries a leaf has. So a flipped bit, or somebody's forged archive, makes it

@@ -1,4 +1,4 @@
-//! How the keys of a table are ordered.
+//! The order of a table's keys.
 
 use std::cmp::Ordering;
 

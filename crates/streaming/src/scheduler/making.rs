@@ -1,4 +1,4 @@
-//! What is made next, and what becomes of it.
+//! Chooses the chunk that is made next, and decides what happens with a finished one.
 //!
 //! Chunks that share a face are never more than one level apart, as far as can be: a level is held
 //! to what the neighbours have, and to what is being made of them. Since targets differ by one at

@@ -1,4 +1,4 @@
-//! What the game may ask of the streamer: what is there, what is still to come, what is not saved.
+//! Answers to the game's questions: what is loaded, what is still to come, and what is not saved.
 
 use antipode_geometry::ChunkCoord;
 

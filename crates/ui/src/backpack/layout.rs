@@ -1,4 +1,4 @@
-//! Where things stand on the screen: three lines of the backpack above the hotbar's, on windows of every size.
+//! Lays out the backpack: three lines of the backpack above the hotbar's, on windows of every size.
 
 use egui::{Pos2, Rect, pos2, vec2};
 

@@ -1,4 +1,4 @@
-//! What lies in the slot that is pointed at: its name, how many, and what it does.
+//! Describes the stack in the slot under the pointer: its name, its count, and what it does.
 
 use antipode_language::Texts;
 use egui::{FontId, Painter, Rect, pos2, vec2};

@@ -1,4 +1,4 @@
-//! What tells the player of damage: a red edge with a mark towards where it came from, and a cross where a shot struck.
+//! Shows damage to the player: a red edge with a mark towards its origin, and a cross where a shot struck.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 

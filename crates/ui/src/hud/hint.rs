@@ -1,4 +1,4 @@
-//! What a newcomer is told: one thing to do, and how to be told the next.
+//! Shows a newcomer one thing to do, and how to get the next hint.
 
 use egui::{Color32, FontId, Painter, Rect, Stroke, StrokeKind, pos2, vec2};
 

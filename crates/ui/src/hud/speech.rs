@@ -1,4 +1,4 @@
-//! What somebody says, on a plate over his head.
+//! Shows the words of a figure on a plate over its head.
 
 use egui::{Align2, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 

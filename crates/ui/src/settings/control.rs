@@ -1,4 +1,4 @@
-//! What a value is changed with: a box to tick, a slider, or a few words to choose from.
+//! The controls that change a value: a box to tick, a slider, or a few words to choose from.
 
 use antipode_language::{Texts, Value};
 use antipode_settings::{Field, Kind};

@@ -1,4 +1,4 @@
-//! Which settings a search means: those in whose words every word of it occurs.
+//! Finds the settings that a search means: those whose texts contain every word of it.
 
 use antipode_language::Texts;
 use antipode_settings::{Field, Kind, fields};

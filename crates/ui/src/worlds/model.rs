@@ -1,4 +1,4 @@
-//! What the screens about worlds are shown beside the list, and what they ask for.
+//! The models of the screens about worlds, and their intents.
 
 /// A file that may be an exported world.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,4 +1,4 @@
-//! What is asked before a world is deleted: everything that would be gone.
+//! Asks before a world is deleted, and lists everything that would be gone.
 
 use egui::{Rect, RichText, Ui, vec2};
 

@@ -1,4 +1,4 @@
-//! What `set` can change, and how that is written.
+//! Parses the arguments of `set`.
 
 use antipode_geometry::HyperbolicMap;
 use antipode_scene::NpcMode;

@@ -1,4 +1,4 @@
-//! What is drawn with and drawn on: adapter, surface and renderer, which come and go together.
+//! The canvas: adapter, surface and renderer, which come and go together.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! What the interface is told of a window before each pass.
+//! Passes a window's state to the interface before each pass.
 
 use super::Stage;
 

@@ -1,4 +1,4 @@
-//! What becomes of a lost surface or a lost adapter: everything on it is made anew, and the game goes on.
+//! Recovers from a lost surface or a lost adapter: everything on it is made anew, and the game goes on.
 
 use std::collections::VecDeque;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What is told of the picture of the world in a frame of the window.
+//! Reports on the picture of the world in a frame of the window.
 
 use antipode_render::{DrawStats, Picture};
 use antipode_scene::frame::Quality;

@@ -1,4 +1,4 @@
-//! What work with saved worlds has come to, to be told.
+//! The results of jobs with saved worlds, to be told to the player.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! What is done with saved worlds away from the main thread.
+//! Jobs with saved worlds that run away from the main thread.
 
 use std::path::{Path, PathBuf};
 
