@@ -88,7 +88,7 @@ fn verified(loaded: &Loaded) -> String {
         .filter(|it| known.insert(Arc::as_ptr(&it.shape)));
     let triangles: usize = shapes.map(|it| it.shape.triangles.len()).sum();
     format!(
-        "\"{}\" is sound: {} objects, {} aberrations, {lights} lights, {triangles} triangles, {} files of {:.2} MB",
+        "\"{}\" is sound: objects {}, aberrations {}, lights {lights}, triangles {triangles}, files {} with {:.2} MB",
         room.name,
         room.objects.len(),
         room.aberrations().count(),

@@ -66,11 +66,16 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Room, RoomError> {
     Ok(room)
 }
 
+/// The longest path of a field that is told.
+const MOST_PATH_CHARS: usize = 120;
+
 /// What the library could not read, with the field that it stands in.
 fn unreadable(file: &str, text: &str, error: &ron::error::SpannedError) -> RoomError {
     let place = error.span.start;
     let at = lines::byte_at(text, place.line, place.col);
+    // A name that nobody knows may have any length.
     let path = lines::path_at(text, at).unwrap_or_default();
+    let path: String = path.chars().take(MOST_PATH_CHARS).collect();
     let field = if path.is_empty() {
         "the file".to_owned()
     } else {

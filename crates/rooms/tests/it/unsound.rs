@@ -214,6 +214,11 @@ fn what_is_no_text_or_too_long_is_refused() {
     );
     let said = read(&vec![b' '; 3 << 20]);
     assert!(said.contains("3145728 bytes"), "{said}");
+    let long = format!("(version: 1, {}: 1)", "name".repeat(9999));
+    assert!(
+        read(long.as_bytes()).len() < 700,
+        "a name that nobody knows"
+    );
     let deep = format!("(version: 1, name: {}", "(".repeat(100_000));
     assert!(read(deep.as_bytes()).starts_with("room.ron:1: "));
 }
