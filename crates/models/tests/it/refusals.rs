@@ -87,7 +87,7 @@ fn each_refusal_is_one_sentence() {
                 &[f32::NAN, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
                 &[],
             ),
-            "no numbers",
+            "not numbers",
         ),
         (
             triangle(&[], &[1.0e30, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], &[]),

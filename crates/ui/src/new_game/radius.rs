@@ -83,9 +83,9 @@ mod tests {
     fn the_way_round_is_a_great_circle_and_its_time_that_of_a_walk() {
         let texts = Texts::default();
         for (radius_m, words) in [
-            (32.0, "Once round: 201 m, 0.7 minutes at a walk."),
-            (100.0, "Once round: 628 m, 2.3 minutes at a walk."),
-            (256.0, "Once round: 1608 m, 6.0 minutes at a walk."),
+            (32.0, "Around the world: 201 m, 0.7 minutes at a walk."),
+            (100.0, "Around the world: 628 m, 2.3 minutes at a walk."),
+            (256.0, "Around the world: 1608 m, 6.0 minutes at a walk."),
         ] {
             assert_eq!(once_round(&texts, radius_m, 4.5), words);
         }

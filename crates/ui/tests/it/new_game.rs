@@ -98,7 +98,7 @@ fn the_name_on_offer_gives_way_to_what_is_typed_and_to_worlds_that_come_to_be_kn
 fn a_closed_world_has_a_named_size_or_any_other_and_tells_the_way_round() {
     let mut harness = form(vec2(1280.0, 720.0));
     click(&mut harness, "Spherical");
-    harness.get_by_label_contains("Once round: 628 m, 2.3 minutes");
+    harness.get_by_label_contains("Around the world: 628 m, 2.3 minutes");
     let mut sizes = vec![100.0];
     click(&mut harness, "Create");
     for (size, radius_m) in [
@@ -114,7 +114,7 @@ fn a_closed_world_has_a_named_size_or_any_other_and_tells_the_way_round() {
         .get_by_role(egui::Role::Slider)
         .set_value_accesskit(57.0);
     harness.run();
-    harness.get_by_label_contains("Once round: 358 m");
+    harness.get_by_label_contains("Around the world: 358 m");
     click(&mut harness, "Create");
     sizes.push(57.0);
     let round = |radius_m| new_game("World 1", GeometryChoice::Spherical, None, Some(radius_m));

@@ -129,7 +129,7 @@ fn each_setting_is_reset_by_itself_and_only_when_it_was_changed() {
 #[test]
 fn the_scale_of_the_interface_waits_until_the_slider_is_let_go() {
     let mut harness = settings();
-    search(&mut harness, "size of texts");
+    search(&mut harness, "size of text");
     let slider = harness
         .get_by_label("Size of text and buttons: 1.0 ×")
         .rect();

@@ -128,12 +128,12 @@ fn a_command_that_cheats_marks_the_world_for_ever_and_others_do_not() {
         "{said}"
     );
     assert!(
-        said.contains("marked from now on") && !said.contains("Cheats used"),
+        said.contains("is now marked") && !said.contains("Cheats used"),
         "the display is quiet: {said}"
     );
     let said = typing.enter("set time 100");
     assert_eq!(
-        said.matches("marked from now on").count(),
+        said.matches("is now marked").count(),
         1,
         "told once: {said}"
     );
@@ -191,8 +191,8 @@ fn mistakes_and_refusals_are_sentences() {
     let mut typing = Typing::new(&dir);
     for (line, words) in [
         ("jump", "There is no command “jump”."),
-        ("wait 3", "Here time passes by itself"),
-        ("perf 1", "Only scripts measure."),
+        ("wait 3", "Time passes by itself"),
+        ("perf 1", "Only scripts can measure."),
         (
             "set curvature 5",
             "That cannot be done: this space has no curvature dial.",
