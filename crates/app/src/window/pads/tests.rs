@@ -243,7 +243,7 @@ fn coming_and_going_is_told() {
     play.pass(16, &[PadEvent::Connected { name: name() }]);
     assert!(words(&mut play.game).contains("Gamepad connected: Mock pad 3"));
     play.pass(16, &[PadEvent::Disconnected { name: name() }]);
-    assert!(words(&mut play.game).contains("Gamepad gone: Mock pad 3"));
+    assert!(words(&mut play.game).contains("Gamepad disconnected: Mock pad 3"));
 }
 
 /// Everything that the menus write.

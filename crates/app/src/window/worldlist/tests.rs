@@ -166,7 +166,7 @@ fn an_exported_world_is_found_and_comes_back_under_another_name() {
     follow(&mut list, WorldsIntent::Import { file });
     assert_eq!(
         told(&mut list),
-        Some(("“a 2” is imported.".to_owned(), false))
+        Some(("“a 2” was imported.".to_owned(), false))
     );
     assert_eq!(names(&list), ["a", "a 2", "b", "c"]);
     // The next export of it gets a name of its own.
