@@ -32,7 +32,7 @@ pub fn page(report: &Report) -> String {
 fn title(report: &Report) -> &'static str {
     let parts = || report.sections.iter();
     if parts().any(|part| part.id.starts_with(gpu::PREFIX)) {
-        "a graphics card"
+        "graphics laboratory"
     } else if parts().all(|part| docs::TERRAIN.has(part)) {
         "terrain laboratory"
     } else {

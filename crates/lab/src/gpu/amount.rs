@@ -18,7 +18,7 @@ pub struct Amount {
     pub sizes: [Size; 3],
     /// Pictures of few triangles and many pixels.
     pub pixel_sizes: [Size; 4],
-    /// Views that every frame of the triangles' and the pixels' costs draws.
+    /// Most views of a frame of the triangles' and the pixels' costs, a multiple of four.
     pub views: usize,
     /// Most rounds through these frames.
     pub rounds: usize,
@@ -47,7 +47,7 @@ impl Amount {
                 view_distance: 2,
                 sizes: SMALL_SIZES,
                 pixel_sizes: SMALL,
-                views: 2,
+                views: 4,
                 rounds: 2,
                 cost_s: 4.0,
                 frames: 8,

@@ -1,10 +1,10 @@
 //! What a million triangles and a million pixels cost in each space, apart: frames of many triangles and few pixels,
 //! frames of few triangles and many pixels, and the [fit](super::fit) through both.
 //!
-//! *Triangles.* All land in view, hidden or not (quality *exact*), in pictures of 64 by 36 pixels; a narrower field of
-//! view takes less of it in. *Pixels.* The ground at one's feet, a few thousand triangles, in pictures of up to some
-//! million pixels. Every frame draws the same number of views, all but the first of 64 by 36 pixels, so that what views
-//! cost by themselves is the same in all and goes into the fixed part, and so that a frame has millions of triangles.
+//! *Triangles.* All land in view, hidden or not (quality *exact*), in views of 64 by 36 pixels; some frames have more of
+//! the same view than others, and so more of the same triangles. Narrower views would not do: of what they send most is
+//! outside, and costs less. *Pixels.* The ground at one's feet, some thousand triangles (quality *fast*, which divides
+//! none), in pictures of up to some million pixels, with as many further views of 64 by 36 pixels as tell what a view costs.
 
 use antipode_render::{FurtherView, Gpu, Offscreen, ViewTarget};
 use antipode_scene::frame::{Frame, Quality, View};
@@ -19,8 +19,8 @@ use crate::speed::stage::{Drawn, FORMAT, Stage};
 
 /// Pictures of next to no pixels.
 const TINY: Size = (64, 36);
-/// How much narrower than a player's the fields of view are in which triangles are counted, factors on the tangents.
-const NARROWER: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
+/// In how many parts the views are added in which triangles are counted.
+const PARTS: usize = 4;
 /// Elevation from which nothing but the ground nearby is seen, radians.
 const DOWN_RAD: f64 = -1.25;
 /// Frames drawn one after the other before it is another's turn. The first is not timed: what timestamps tell in it is
@@ -56,6 +56,7 @@ struct Rival {
     frame: Frame,
     /// Which of the rig's large stages it is drawn on; the tiny one where none.
     large: Option<usize>,
+    views: usize,
     pixels: usize,
     triangles: usize,
     least_ms: f64,
@@ -81,10 +82,10 @@ pub fn measured(gpu: &Gpu, worlds: &[World], amount: &Amount) -> Result<Vec<Foun
     worlds.iter().map(|world| rig.costs(world)).collect()
 }
 
-/// The frame as it is drawn here: all of the land in view, no fog.
-fn bare(frame: &Frame) -> Frame {
+/// The frame without fog, in that quality.
+fn bare(frame: &Frame, quality: Quality) -> Frame {
     frame.clone().with_view(|view| {
-        view.quality = Quality::Exact;
+        view.quality = quality;
         view.fog_distance_m = View::NO_FOG_M;
     })
 }
@@ -95,24 +96,25 @@ fn pixels((width, height): Size) -> usize {
 
 impl Rig<'_> {
     fn rivals(&self, world: &World) -> Vec<Rival> {
-        let aside = (self.amount.views - 1) * pixels(TINY);
-        let rival = |frame, large, size| Rival {
+        let rival = |frame, large, (views, size)| Rival {
             frame,
             large,
-            pixels: aside + pixels(size),
+            views,
+            pixels: (views - 1) * pixels(TINY) + pixels(size),
             triangles: 0,
             least_ms: f64::INFINITY,
         };
-        let narrow = NARROWER.map(|by| {
-            bare(&world.frame).with_view(|view| {
-                view.projection.sx *= by;
-                view.projection.sy *= by;
-            })
+        let most = self.amount.views;
+        let many_triangles = (1..=PARTS).map(|part| {
+            let views = (most * part / PARTS).max(1);
+            rival(bare(&world.frame, Quality::Exact), None, (views, TINY))
         });
-        let down = || bare(&world.frame).with_view(|view| view.eye.pitch = DOWN_RAD);
+        let down = || {
+            let frame = bare(&world.frame, Quality::Fast);
+            frame.with_view(|view| view.eye.pitch = DOWN_RAD)
+        };
         let sizes = self.large.iter().map(|(size, _)| *size).enumerate();
-        let many_triangles = narrow.into_iter().map(|frame| rival(frame, None, TINY));
-        let many_pixels = sizes.map(|(place, size)| rival(down(), Some(place), size));
+        let many_pixels = sizes.map(|(place, size)| rival(down(), Some(place), (most, size)));
         many_triangles.chain(many_pixels).collect()
     }
 
@@ -172,13 +174,14 @@ impl Rig<'_> {
         if complete {
             stage.complete_next();
         }
-        stage.draw_with(&rival.frame, &vec![further; self.amount.views - 1])
+        stage.draw_with(&rival.frame, &vec![further; rival.views - 1])
     }
 }
 
 impl Rival {
     fn load(&self) -> Load {
         Load {
+            views: self.views,
             triangles_m: self.triangles as f64 * 1e-6,
             pixels_m: self.pixels as f64 * 1e-6,
             ms: self.least_ms,

@@ -1,9 +1,9 @@
 //! What a triangle and a pixel cost, told apart by least squares over frames that have many of one and few of the other.
 //!
-//! Model: a frame of T million triangles and P million pixels takes t = a + b T + c P milliseconds.
-//! Long frames are measured as exactly as short ones in parts of themselves, so the sum of ((a + b T + c P) / t - 1)^2 is
-//! made least. It is ||A x - 1||^2 with the rows (1, T, P) / t of A and x = (a, b, c); its gradient 2 A'(A x - 1) is
-//! zero where A'A x = A'1.
+//! Model: a frame of V views with T million triangles and P million pixels in all takes t = a V + b T + c P milliseconds.
+//! Long frames are measured as exactly as short ones in parts of themselves, so the sum of ((a V + b T + c P) / t - 1)^2
+//! is made least. It is ||A x - 1||^2 with the rows (V, T, P) / t of A and x = (a, b, c); its gradient 2 A'(A x - 1)
+//! is zero where A'A x = A'1.
 //! Standard errors: x = (A'A)^-1 A'1 is linear in the measurements, so independent errors of variance s^2 in each row
 //! make the covariance s^2 (A'A)^-1, and s^2 is the sum of squares over the number of frames less three.
 
@@ -12,6 +12,8 @@ use glam::{DMat3, DVec3};
 /// One kind of frame: what it draws, and how long that takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load {
+    /// Views of the land.
+    pub views: usize,
     /// Triangles, millions.
     pub triangles_m: f64,
     /// Pixels, millions.
@@ -32,8 +34,8 @@ pub struct Cost {
 /// The costs that explain some frames best.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
-    /// Of a frame in which next to nothing is drawn.
-    pub frame: Cost,
+    /// Of a view in which next to nothing is drawn.
+    pub view: Cost,
     /// Of a million triangles.
     pub triangles: Cost,
     /// Of a million pixels.
@@ -50,7 +52,7 @@ const LEAST_APART: f64 = 1e-6;
 
 impl Load {
     fn row(&self) -> DVec3 {
-        DVec3::new(1.0, self.triangles_m, self.pixels_m) / self.ms
+        DVec3::new(self.views as f64, self.triangles_m, self.pixels_m) / self.ms
     }
 }
 
@@ -82,7 +84,7 @@ impl Fit {
             off_ms: (variance * own).sqrt(),
         };
         Some(Self {
-            frame: cost(costs.x, inverse.x_axis.x),
+            view: cost(costs.x, inverse.x_axis.x),
             triangles: cost(costs.y, inverse.y_axis.y),
             pixels: cost(costs.z, inverse.z_axis.z),
             rms: (squares / loads.len() as f64).sqrt(),
@@ -90,9 +92,16 @@ impl Fit {
         })
     }
 
+    /// Whether triangles and pixels each cost more than twice their standard errors.
+    pub fn is_sure(&self) -> bool {
+        let mut costs = [self.triangles, self.pixels].into_iter();
+        costs.all(|cost| cost.ms > 2.0 * cost.off_ms)
+    }
+
     /// What the model says that a frame takes, milliseconds.
     pub fn told_ms(&self, load: &Load) -> f64 {
-        self.frame.ms + self.triangles.ms * load.triangles_m + self.pixels.ms * load.pixels_m
+        let drawn = self.triangles.ms * load.triangles_m + self.pixels.ms * load.pixels_m;
+        self.view.ms * load.views as f64 + drawn
     }
 }
 
@@ -102,44 +111,47 @@ mod tests {
     use super::*;
     use crate::random::Numbers;
 
-    /// Few pixels and many triangles, then the other way round.
-    const DRAWN: [(f64, f64); 8] = [
-        (2.0, 0.02),
-        (1.1, 0.02),
-        (0.4, 0.02),
-        (0.1, 0.02),
-        (0.02, 0.23),
-        (0.02, 0.92),
-        (0.03, 2.07),
-        (0.04, 3.69),
+    /// Views, triangles and pixels: few pixels and many triangles, then the other way round.
+    const DRAWN: [(usize, f64, f64); 8] = [
+        (2, 0.3, 0.005),
+        (4, 0.6, 0.01),
+        (6, 0.9, 0.015),
+        (8, 1.2, 0.02),
+        (8, 0.02, 0.23),
+        (8, 0.02, 0.92),
+        (8, 0.03, 2.07),
+        (8, 0.04, 3.69),
     ];
 
     fn loads(costs: [f64; 3], noise: impl Fn(usize) -> f64) -> Vec<Load> {
-        let [frame, triangles, pixels] = costs;
-        let load = |(i, (triangles_m, pixels_m))| Load {
+        let [view, triangles, pixels] = costs;
+        let load = |(i, (views, triangles_m, pixels_m))| Load {
+            views,
             triangles_m,
             pixels_m,
-            ms: (frame + triangles * triangles_m + pixels * pixels_m) * (1.0 + noise(i)),
+            ms: (view * views as f64 + triangles * triangles_m + pixels * pixels_m)
+                * (1.0 + noise(i)),
         };
         DRAWN.into_iter().enumerate().map(load).collect()
     }
 
     #[test]
     fn known_costs_are_found_again() {
-        for costs in [[0.3, 0.6, 0.25], [20.0, 250.0, 90.0], [0.0, 0.1, 2.0]] {
+        for costs in [[0.02, 0.6, 0.25], [0.4, 250.0, 90.0], [0.0, 0.1, 2.0]] {
             let fit = Fit::of(&loads(costs, |_| 0.0)).unwrap();
-            let found = [fit.frame, fit.triangles, fit.pixels];
+            let found = [fit.view, fit.triangles, fit.pixels];
             for (found, known) in found.iter().zip(costs) {
                 assert!((found.ms - known).abs() < 1e-9 * (1.0 + known), "{fit:?}");
                 assert!(found.off_ms < 1e-6, "{fit:?}");
             }
             assert!(fit.rms < 1e-12 && fit.worst < 1e-12, "{fit:?}");
+            assert!(fit.is_sure());
         }
     }
 
     #[test]
     fn with_noise_the_known_costs_lie_within_what_the_errors_say() {
-        let costs = [0.3, 0.6, 0.25];
+        let costs = [0.02, 0.6, 0.25];
         let mut within = 0;
         let runs = 200;
         for seed in 0..runs {
@@ -147,7 +159,7 @@ mod tests {
             let noise: Vec<f64> = DRAWN.map(|_| numbers.between(-0.05, 0.05)).into();
             let fit = Fit::of(&loads(costs, |i| noise[i])).unwrap();
             assert!(fit.worst <= 0.1 && fit.rms <= fit.worst, "{fit:?}");
-            let found = [fit.frame, fit.triangles, fit.pixels];
+            let found = [fit.view, fit.triangles, fit.pixels];
             let near = |(found, known): (&Cost, f64)| (found.ms - known).abs() < 2.6 * found.off_ms;
             within += usize::from(found.iter().zip(costs).all(near));
         }
@@ -156,8 +168,16 @@ mod tests {
     }
 
     #[test]
+    fn a_cost_that_drowns_in_noise_is_unsure() {
+        let noise = |i: usize| if i % 2 == 0 { 0.4 } else { -0.4 };
+        let fit = Fit::of(&loads([1.0, 0.1, 0.1], noise)).unwrap();
+        assert!(!fit.is_sure(), "{fit:?}");
+    }
+
+    #[test]
     fn what_cannot_be_told_apart_is_not_told() {
         let together = |i: usize| Load {
+            views: 8,
             triangles_m: i as f64,
             pixels_m: 2.0 * i as f64,
             ms: 1.0 + i as f64,

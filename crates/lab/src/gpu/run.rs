@@ -133,10 +133,14 @@ impl Run<'_, '_> {
 
     fn judge_costs(&mut self, found: &Found, amount: &Amount) -> Result<(), LabError> {
         let Found { space, rounds, .. } = found;
-        if found.fit.is_none() {
-            self.lack(format!(
+        match &found.fit {
+            None => self.lack(format!(
                 "Triangles and pixels of the {space} world could not be told apart: its frames were too much alike."
-            ))?;
+            ))?,
+            Some(fit) if !fit.is_sure() => self.warn(format!(
+                "Unsure: what a million triangles or pixels of the {space} world cost is less than twice its standard error."
+            ))?,
+            Some(_) => {}
         }
         if *rounds < amount.rounds {
             self.warn(format!(

@@ -8,7 +8,7 @@ use crate::{Cell, Plot, Scale, Section, Series, Table};
 
 /// What the figures of costs are and where they come from.
 const COSTS: [&str; 3] = [
-    "The fixed scene of seed 7, drawn without fog and shadows. A frame of T million triangles and P million pixels is taken to last a + b T + c P milliseconds; a, b and c are those for which the sum of ((a + b T + c P) / t - 1)^2 over the measured times t is least. The figure after ± is the standard error. Frames of many triangles show all land in view, hidden or not, in pictures of 64 by 36 pixels, through fields of view that get narrower; frames of many pixels show the ground at one's feet. Every frame draws the same number of views, so that what a view costs by itself is a part of a.",
+    "The fixed scene of seed 7, drawn without fog and shadows. A frame of V views with T million triangles and P million pixels in all is taken to last a V + b T + c P milliseconds; a, b and c are those for which the sum of ((a V + b T + c P) / t - 1)^2 over the measured times t is least. The figure after ± is the standard error. Frames of many triangles show all land in view, hidden or not, in more and more views of 64 by 36 pixels; frames of many pixels show the ground at one's feet in one large view, and in further small ones.",
     "A pixel is one of the picture, once shaded, with the samples that the game takes on the adapter. A triangle is one that is sent, whether it is seen or not; most here are smaller than a pixel.",
     "Frames are drawn in turns, to and fro, several in a row of which the first is not timed; a frame's time is the least of its turns' medians.",
 ];
@@ -65,7 +65,7 @@ fn fits(found: &[Found]) -> Table {
         let mut row = vec![Cell::text(it.space)];
         match &it.fit {
             Some(fit) => {
-                row.extend([&fit.triangles, &fit.pixels, &fit.frame].map(cost).concat());
+                row.extend([&fit.triangles, &fit.pixels, &fit.view].map(cost).concat());
                 row.extend([100.0 * fit.rms, 100.0 * fit.worst].map(|it| Cell::figure(it, "%")));
             }
             None => row.extend(vec![Cell::text("not told apart"); 8]),
@@ -79,7 +79,7 @@ fn fits(found: &[Found]) -> Table {
         "±",
         "a million pixels",
         "±",
-        "a frame of neither",
+        "a view of neither",
         "±",
         "strays by (root mean square)",
         "strays by at most",
@@ -96,6 +96,7 @@ fn loads(found: &[Found]) -> Table {
             let off = told.map(|told| Cell::figure(100.0 * (told / load.ms - 1.0), "%"));
             vec![
                 Cell::text(it.space),
+                Cell::count(load.views),
                 Cell::figure(load.triangles_m, "M"),
                 Cell::figure(load.pixels_m, "M"),
                 ms(load.ms),
@@ -106,6 +107,7 @@ fn loads(found: &[Found]) -> Table {
     });
     let columns = [
         "space",
+        "views",
         "triangles",
         "pixels",
         "measured",

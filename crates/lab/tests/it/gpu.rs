@@ -68,13 +68,9 @@ fn a_quick_run_has_every_section_and_says_what_is_missing() {
     assert_eq!(ids, SECTIONS);
     assert!(report.sections.iter().all(all_finite));
     let of = |id: &str| report.sections.iter().find(|it| it.id == id).unwrap();
-    // Three spaces; a million of either takes some time.
+    // Three spaces: triangles, pixels and a view with their errors, how far frames stray, and rounds.
     let costs = figures(of("gpu-cost"));
-    assert_eq!(costs.len(), 3);
-    assert!(
-        costs.iter().all(|row| row[0] > 0.0 && row[2] > 0.0),
-        "{costs:?}"
-    );
+    assert_eq!(costs.iter().map(Vec::len).collect::<Vec<_>>(), [9; 3]);
     // Three sizes each, p50 to p99 in order by both clocks, triangles and frames.
     let frames = figures(of("gpu-frames"));
     assert_eq!(frames.len(), 9);
