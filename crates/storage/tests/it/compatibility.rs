@@ -77,6 +77,7 @@ fn v6_state() -> WorldState {
     state.inventory.push(lamp);
     // Flags came with records.
     state.flags.clear();
+    state.fixtures.clear();
     state
 }
 
