@@ -1,9 +1,10 @@
 //! What a test does where the machine lacks what it needs: it passes and says loudly that it tested nothing, or fails
-//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. How far what two pictures show is apart. And
-//! two spaces that no player gets: flat space in charts without number, and a cone.
+//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. How far what two pictures show is apart. Two
+//! spaces that no player gets: flat space in charts without number, and a cone. And rooms made by chance.
 
 pub mod cone;
 pub mod pictures;
+pub mod rooms;
 pub mod tiled;
 
 use std::ffi::OsStr;
