@@ -11,6 +11,9 @@ use obvhs::bvh2::builder::build_bvh2;
 
 use crate::scene::{SceneHit, SceneQuery};
 
+/// Triangles in a leaf at most.
+const LEAF: u32 = 4;
+
 /// A triangle of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
@@ -35,8 +38,8 @@ impl std::fmt::Debug for Bvh {
 }
 
 impl Bvh {
-    /// Of boxes, each by its least and its greatest corner.
-    pub fn new(boxes: &[(Vec3, Vec3)]) -> Self {
+    /// Of boxes, each by its least and its greatest corner, with at most `most` of them in a leaf.
+    pub fn with_leaves(boxes: &[(Vec3, Vec3)], most: u32) -> Self {
         if boxes.is_empty() {
             return Self::default();
         }
@@ -45,7 +48,7 @@ impl Bvh {
             .map(|(low, high)| Aabb::new(low.to_array().into(), high.to_array().into()))
             .collect();
         let parameters = BvhBuildParams {
-            max_prims_per_leaf: 4,
+            max_prims_per_leaf: most,
             ..BvhBuildParams::fast_build()
         };
         let mut tree = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
@@ -60,6 +63,20 @@ impl Bvh {
             let (low, high) = corners(&node.aabb);
             (low, high, node.prim_count, node.first_index)
         })
+    }
+
+    /// Levels that it has.
+    pub fn depth(&self) -> usize {
+        // Children follow their parents.
+        let mut depths = vec![1; self.tree.nodes.len()];
+        for (number, node) in self.tree.nodes.iter().enumerate() {
+            if node.prim_count == 0 {
+                let first = node.first_index as usize;
+                let below = depths[number] + 1;
+                depths[first..first + 2].fill(below);
+            }
+        }
+        depths.into_iter().max().unwrap_or(0)
     }
 
     /// The numbers of the boxes in the order of the leaves.
@@ -111,7 +128,7 @@ impl Triangles {
             .map(|triangle| bounds(&triangle.corners))
             .collect();
         Self {
-            bvh: Bvh::new(&boxes),
+            bvh: Bvh::with_leaves(&boxes, LEAF),
             triangles,
         }
     }
