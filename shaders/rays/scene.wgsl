@@ -2,7 +2,7 @@
 // Follows space.wgsl.
 
 const NOTHING: u32 = 0xffffffffu;
-// Levels of both hierarchies together; the host refuses meshes whose own is deeper than half of that.
+// Levels of both hierarchies together: each has 40 at most and as many more as halving what is left takes (bvh.rs).
 const WAITING_ROOM: u32 = 96u;
 
 // A box of the hierarchies. Those of instances come first, so that the root of all is node 0.

@@ -11,6 +11,7 @@
 //! `event.rs`, `face.rs` and `trace.rs` in `f32`. There is no input, no output and no GPU here.
 
 mod aberration;
+mod bvh;
 mod error;
 mod event;
 mod eye;
@@ -28,6 +29,7 @@ mod tuning;
 mod walker;
 
 pub use aberration::{Aberration, Exit, Sides, Ways, stretch_of_legacy};
+pub use bvh::{Bvh, BvhNode};
 pub use error::SpaceError;
 pub use event::{crossing_in, crossing_out};
 pub use eye::EyeHeight;
@@ -40,5 +42,5 @@ pub use stack::Stack;
 pub use trace::{
     End, Event, EventKind, Hit, MAX_EVENTS, Place, Trace, What, felt_normal, sun_is_seen, trace,
 };
-pub use triangles::{Bvh, Triangle, Triangles};
+pub use triangles::{Triangle, Triangles};
 pub use walker::{Walker, WalkerShape};

@@ -1,14 +1,10 @@
-//! Solids made of triangles, and the hierarchy of boxes by which a path finds the few that it may meet.
+//! Solids made of triangles, and the few of them that a path may meet.
 //!
-//! The hierarchy is made by obvhs (PLOC with reinsertion: D. Meister and J. Bittner) of boxes in `f32` that are rounded
-//! outwards; triangles are met in `f64` (T. Möller and B. Trumbore, 1997).
+//! The boxes of the hierarchy are `f32`, rounded outwards; triangles are met in `f64` (T. Möller and B. Trumbore, 1997).
 
 use glam::{DVec3, Vec3};
-use obvhs::BvhBuildParams;
-use obvhs::aabb::Aabb;
-use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
 
+use crate::bvh::Bvh;
 use crate::scene::{SceneHit, SceneQuery};
 
 /// Triangles in a leaf at most.
@@ -21,96 +17,6 @@ pub struct Triangle {
     pub corners: [DVec3; 3],
     /// The object that it belongs to.
     pub object: u32,
-}
-
-/// A hierarchy of boxes. Node 0 is the root; children of an inner node follow each other.
-#[derive(Clone, Default)]
-pub struct Bvh {
-    tree: Bvh2,
-}
-
-impl std::fmt::Debug for Bvh {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Bvh")
-            .field("nodes", &self.tree.nodes.len())
-            .finish_non_exhaustive()
-    }
-}
-
-impl Bvh {
-    /// Of boxes, each by its least and its greatest corner, with at most `most` of them in a leaf.
-    pub fn with_leaves(boxes: &[(Vec3, Vec3)], most: u32) -> Self {
-        if boxes.is_empty() {
-            return Self::default();
-        }
-        let boxes: Vec<_> = boxes
-            .iter()
-            .map(|(low, high)| Aabb::new(low.to_array().into(), high.to_array().into()))
-            .collect();
-        let parameters = BvhBuildParams {
-            max_prims_per_leaf: most,
-            ..BvhBuildParams::fast_build()
-        };
-        let mut tree = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
-        tree.reorder_in_stack_traversal_order();
-        Self { tree }
-    }
-
-    /// Nodes: least corner, greatest corner, how many things a leaf holds (0 for an inner node), and where in
-    /// [`Self::order`] they begin, or the number of the first of an inner node's two children.
-    pub fn nodes(&self) -> impl ExactSizeIterator<Item = (Vec3, Vec3, u32, u32)> + '_ {
-        self.tree.nodes.iter().map(|node| {
-            let (low, high) = corners(&node.aabb);
-            (low, high, node.prim_count, node.first_index)
-        })
-    }
-
-    /// Levels that it has.
-    pub fn depth(&self) -> usize {
-        // Children follow their parents.
-        let mut depths = vec![1; self.tree.nodes.len()];
-        for (number, node) in self.tree.nodes.iter().enumerate() {
-            if node.prim_count == 0 {
-                let first = node.first_index as usize;
-                let below = depths[number] + 1;
-                depths[first..first + 2].fill(below);
-            }
-        }
-        depths.into_iter().max().unwrap_or(0)
-    }
-
-    /// The numbers of the boxes in the order of the leaves.
-    pub fn order(&self) -> &[u32] {
-        &self.tree.primitive_indices
-    }
-
-    /// Shows every box of the leaves whose nodes pass `enter`, which is asked of a node's corners.
-    fn visit(&self, mut enter: impl FnMut(DVec3, DVec3) -> bool, mut show: impl FnMut(u32)) {
-        let mut waiting = Vec::with_capacity(64);
-        if !self.tree.nodes.is_empty() {
-            waiting.push(0);
-        }
-        while let Some(number) = waiting.pop() {
-            let node = &self.tree.nodes[number as usize];
-            let (low, high) = corners(&node.aabb);
-            if !enter(low.as_dvec3(), high.as_dvec3()) {
-                continue;
-            }
-            if node.prim_count == 0 {
-                waiting.extend([node.first_index, node.first_index + 1]);
-                continue;
-            }
-            let first = node.first_index as usize;
-            for slot in first..first + node.prim_count as usize {
-                show(self.tree.primitive_indices[slot]);
-            }
-        }
-    }
-}
-
-/// Through arrays, since the library may be built with another version of glam.
-fn corners(aabb: &Aabb) -> (Vec3, Vec3) {
-    (aabb.min.to_array().into(), aabb.max.to_array().into())
 }
 
 /// Solids made of triangles.

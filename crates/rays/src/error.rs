@@ -47,14 +47,6 @@ pub enum RaysError {
         /// How much there may be.
         most: u64,
     },
-    /// A mesh whose hierarchy is deeper than rays can follow.
-    #[error(
-        "The triangles of mesh {mesh} lie so much within each other that rays cannot sort them. Simplify the model."
-    )]
-    TooDeep {
-        /// The mesh.
-        mesh: usize,
-    },
     /// The adapter lacks what rays need.
     #[error(
         "The graphics adapter cannot trace rays: {0} Draw the room in another way, or use another adapter."

@@ -1,13 +1,11 @@
 //! Meshes, and how they lie in the adapter's memory: hierarchy, triangles, and what is drawn on them.
 
-use antipode_deformation::Bvh;
+use antipode_deformation::{Bvh, BvhNode};
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
 use crate::error::RaysError;
 
-/// Levels that the hierarchy of a mesh may have.
-const DEEPEST: usize = 64;
 /// Triangles in a leaf at most.
 const LEAF: u32 = 4;
 
@@ -34,6 +32,17 @@ pub struct Node {
     pub first: u32,
     pub high: Vec3,
     pub count: u32,
+}
+
+impl From<&BvhNode> for Node {
+    fn from(node: &BvhNode) -> Self {
+        Self {
+            low: node.low,
+            first: node.first,
+            high: node.high,
+            count: node.count,
+        }
+    }
 }
 
 /// A mesh ready for the adapter.
@@ -64,19 +73,8 @@ pub fn bake(mesh: &Mesh, number: usize, sorted: bool) -> Result<Baked, RaysError
         })
         .collect();
     let bvh = Bvh::with_leaves(&boxes, LEAF);
-    if bvh.depth() > DEEPEST {
-        return Err(RaysError::TooDeep { mesh: number });
-    }
     let mut baked = Baked {
-        nodes: bvh
-            .nodes()
-            .map(|(low, high, count, first)| Node {
-                low,
-                first,
-                high,
-                count,
-            })
-            .collect(),
+        nodes: bvh.nodes().iter().map(Node::from).collect(),
         ..Baked::default()
     };
     if !sorted {

@@ -67,15 +67,7 @@ pub fn build(
         packed.push(pack(instance, mesh, base));
     }
     let bvh = Bvh::with_leaves(&boxes, 1);
-    let nodes = bvh
-        .nodes()
-        .map(|(low, high, count, first)| Node {
-            low,
-            first,
-            high,
-            count,
-        })
-        .collect();
+    let nodes = bvh.nodes().iter().map(Node::from).collect();
     let ordered = bvh
         .order()
         .iter()
