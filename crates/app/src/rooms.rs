@@ -157,11 +157,12 @@ fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), R
     };
     open.scene.rename(name)?;
     open.kept = Some(RoomSummary {
-        problem: None,
+        slug,
         name: room.name,
+        sentence: room.sentence,
         objects: room.objects.len(),
         shipped: false,
-        slug,
+        problem: None,
     });
     Ok(())
 }
