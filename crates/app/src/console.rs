@@ -11,9 +11,7 @@ use antipode_settings::{Kind, field, fields};
 use antipode_ui::Completion;
 
 use crate::names::key_names;
-use crate::script::{
-    Argument, COMMANDS, CommandInfo, ROOM_ACTS, SETTINGS, Spawned, command_named,
-};
+use crate::script::{Argument, COMMANDS, CommandInfo, ROOM_ACTS, SETTINGS, Spawned, command_named};
 
 /// Longest line that is taken over from a file, in characters.
 const LONGEST_ENTRY: usize = 400;

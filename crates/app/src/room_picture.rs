@@ -72,11 +72,7 @@ impl RoomPictures {
 }
 
 /// The picture of what stands on a board.
-fn write_sign(
-    gpu: &Gpu,
-    overlay: &mut Overlay,
-    board: &SignBoard,
-) -> Result<RgbaImage, Failure> {
+fn write_sign(gpu: &Gpu, overlay: &mut Overlay, board: &SignBoard) -> Result<RgbaImage, Failure> {
     let height = (f64::from(SIGN_PX) / board.aspect).clamp(64.0, 2048.0) as u32;
     let size = (SIGN_PX, height);
     let target = Offscreen::new(gpu, size.0, size.1, wgpu::TextureFormat::Rgba8Unorm);

@@ -13,7 +13,8 @@ pub fn sky(room: &Room) -> Sky {
     let colour = linear(room.sky.colour);
     let pale = colour.lerp(Vec3::splat(colour.max_element()), 0.45);
     let everywhere = room.sky.light as f32 * DAYLIGHT;
-    let grey = colour.lerp(Vec3::splat(colour.element_sum() / 3.0), 0.6) / colour.max_element().max(1e-3);
+    let grey =
+        colour.lerp(Vec3::splat(colour.element_sum() / 3.0), 0.6) / colour.max_element().max(1e-3);
     let (horizon, ground) = match &room.fog {
         Some(fog) => (linear(fog.colour), linear(fog.colour)),
         None => (pale, pale * 0.35),

@@ -12,7 +12,7 @@ use image::RgbaImage;
 use crate::light::{fog_m, lamps, sky, sun};
 use crate::looks::{Pictures, of_model, of_surface};
 use crate::scene::RoomScene;
-use crate::tuning::FOV_Y_RAD;
+use crate::tuning::{FOV_Y_RAD, SIGN_BRIGHTNESS};
 
 /// How far what is written on a board lies before it, metres: boards are 4 cm thick.
 const BEFORE_BOARD_M: f32 = 0.022;
@@ -118,7 +118,7 @@ impl RoomScene {
                 materials: scene.materials.len(),
             });
             scene.materials.push(Material {
-                colour: Vec3::ONE,
+                colour: Vec3::splat(SIGN_BRIGHTNESS),
                 pattern: Pattern::Texture { number, repeats },
                 glow: look.glow,
                 ..Material::default()

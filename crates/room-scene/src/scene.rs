@@ -111,7 +111,9 @@ impl RoomScene {
     pub fn aim(&mut self, yaw_deg: f64, pitch_deg: f64) {
         self.look = Look {
             yaw_rad: yaw_deg.to_radians(),
-            pitch_rad: pitch_deg.to_radians().clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD),
+            pitch_rad: pitch_deg
+                .to_radians()
+                .clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD),
         };
     }
 

@@ -40,6 +40,8 @@ pub const LAMP_FAINT: f32 = 0.003;
 pub const LAMP_RADIUS_M: f32 = 0.15;
 /// Felt metres at which fog is complete in rooms without: beyond anything that stands in them.
 pub const NO_FOG_M: f32 = 200_000.0;
+/// How much more light the writing on signs throws back than paper would, so that it can be read in the shade.
+pub const SIGN_BRIGHTNESS: f32 = 1.7;
 /// Index of refraction of glass.
 pub const GLASS: f32 = 1.5;
 /// Share of light that a mirror throws back.

@@ -63,9 +63,7 @@ fn sides(it: &Aberration) -> deformation::Sides {
 
 fn ways(it: &Aberration) -> deformation::Ways {
     match (it.ways, it.lengths) {
-        (Ways::Forward, Lengths::Felt { axis, .. }) => {
-            deformation::Ways::Along(axis.index() as u8)
-        }
+        (Ways::Forward, Lengths::Felt { axis, .. }) => deformation::Ways::Along(axis.index() as u8),
         _ => deformation::Ways::Both,
     }
 }

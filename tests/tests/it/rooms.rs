@@ -24,7 +24,9 @@ fn every_room_of_the_game_is_entered_and_seen() {
     if adapter.status != Some(0) && may_skip("a software adapter") {
         return;
     }
-    let enter = |id: &&str| format!("room load {id}\nhold KeyW 2\nprobe\nshot {id}.png\n");
+    let enter = |id: &&str| {
+        format!("room load {id}\nhold KeyW 2\nwait 1\naim -90 -10\nprobe\nshot {id}.png\n")
+    };
     let script: String = ROOMS.iter().map(enter).collect();
     let run = run_with(saves.path(), &script, &options);
     for (number_of, id) in ROOMS.iter().enumerate() {
@@ -32,7 +34,10 @@ fn every_room_of_the_game_is_entered_and_seen() {
         assert!(field(probe, "pick.object").is_string(), "{id}: {probe}");
         assert_eq!(field(probe, "player.grounded"), true, "{id}");
         assert!(number(probe, "player.pos.1").abs() < 0.3, "{id}");
-        assert!(number(probe, "player.pos.2") < 5.0, "{id} was not walked in");
+        assert!(
+            number(probe, "player.pos.2") < 5.0,
+            "{id} was not walked in"
+        );
         let seen = picture(&saves.path().join(format!("{id}.png")));
         let colours: HashSet<_> = seen.pixels().map(|it| it.0.map(|it| it / 16)).collect();
         assert!(colours.len() > 20, "{id} is flat: {}", colours.len());

@@ -75,8 +75,8 @@ const fn command(
 /// Every command.
 pub static COMMANDS: [CommandInfo; 33] = {
     use Argument::{
-        Button, ChartId, Free, Geometry, Item, Key, KeyOrButton, Option, RoomAct, RoomKind, Setting,
-        Spawned, Value, World,
+        Button, ChartId, Free, Geometry, Item, Key, KeyOrButton, Option, RoomAct, RoomKind,
+        Setting, Spawned, Value, World,
     };
     [
         command(

@@ -101,3 +101,21 @@ impl Runner {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use antipode_physics::CharacterTuning;
+    use antipode_room_scene::tuning;
+
+    #[test]
+    fn one_is_as_tall_and_as_fast_in_rooms_as_in_worlds() {
+        let worlds = CharacterTuning::default();
+        assert_eq!(tuning::WALK_SPEED_M_S, worlds.walk_speed_m_s);
+        assert_eq!(tuning::SPRINT_FACTOR, worlds.sprint_factor);
+        assert_eq!(tuning::RADIUS_M, worlds.radius_m);
+        let jump = (2.0 * worlds.gravity_m_s2 * worlds.jump_height_m).sqrt();
+        assert!((tuning::JUMP_SPEED_M_S - jump).abs() < 1e-6, "{jump}");
+        assert_eq!(tuning::TERMINAL_SPEED_M_S, worlds.terminal_speed_m_s);
+        assert_eq!(tuning::STEP_S, antipode_scene::tuning::STEP_S);
+    }
+}

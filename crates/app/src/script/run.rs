@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
-use antipode_scene::tuning::STEP_S;
 use antipode_scene::frame::Quality;
+use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, Scene};
 use antipode_settings::{Config, Language, Value};
 use image::RgbaImage;
@@ -79,13 +79,13 @@ impl Runner {
         let mut controls = Controls::default();
         controls.set_config(config);
         Self {
+            rooms: Rooms::new(&common),
             common,
             worlds,
             shooting,
             controls,
             config: config.clone(),
             session: None,
-            rooms: Rooms::new(&common),
             ending,
             studio: None,
             texts: match config.settings.language {

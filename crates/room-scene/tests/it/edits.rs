@@ -43,7 +43,11 @@ fn what_is_added_is_picked_met_and_taken_back() {
 #[test]
 fn space_changes_under_who_stands_in_it() {
     let mut scene = empty();
-    edit(&mut scene, "add aberration name=hall at=0,2,0 half=4,4,4 stretch=2,2,2 sides=soft").unwrap();
+    edit(
+        &mut scene,
+        "add aberration name=hall at=0,2,0 half=4,4,4 stretch=2,2,2 sides=soft",
+    )
+    .unwrap();
     assert_eq!(scene.probe().scale, 0.5);
     let seen = scene.revision();
     edit(&mut scene, "change hall stretch=4,4,4").unwrap();
@@ -58,11 +62,19 @@ fn space_changes_under_who_stands_in_it() {
 #[test]
 fn what_is_refused_leaves_all_as_it_was() {
     let mut scene = empty();
-    edit(&mut scene, "add aberration name=one at=0,1,-20 half=2,2,2 stretch=2,2,2 sides=soft").unwrap();
+    edit(
+        &mut scene,
+        "add aberration name=one at=0,1,-20 half=2,2,2 stretch=2,2,2 sides=soft",
+    )
+    .unwrap();
     let (seen, room) = (scene.revision(), scene.room().clone());
-    let turned = "add aberration name=two at=1,1,-20 turn=30,0,0 half=2,2,2 stretch=2,2,2 sides=soft";
+    let turned =
+        "add aberration name=two at=1,1,-20 turn=30,0,0 half=2,2,2 stretch=2,2,2 sides=soft";
     let said = edit(&mut scene, turned).unwrap_err().to_string();
-    assert!(said.contains("\"one\"") && said.contains("\"two\""), "{said}");
+    assert!(
+        said.contains("\"one\"") && said.contains("\"two\""),
+        "{said}"
+    );
     let words = ["add", "model", "name=m", "file=models/none.glb"];
     let missing = |_: &Room| Err(RoomError::Command("It is not there.".to_owned()));
     assert!(scene.edit(&words, missing).is_err());

@@ -52,7 +52,11 @@ fn surfaces_look_as_the_file_says() {
     let scene = room("long-house");
     let picture = drawn(&scene, &mut Vec::new());
     let floor = &picture.materials[picture.instances[0].materials];
-    assert!((floor.colour.x - 0.323).abs() < 0.01, "#9a is {} of light", floor.colour.x);
+    assert!(
+        (floor.colour.x - 0.323).abs() < 0.01,
+        "#9a is {} of light",
+        floor.colour.x
+    );
     let Pattern::Checker { edge_m, .. } = floor.pattern else {
         panic!("{floor:?}");
     };
