@@ -5,12 +5,13 @@ use std::path::Path;
 
 use antipode_geometry::Geometry;
 use antipode_language::Texts;
+use antipode_rooms::edit::KINDS;
 use antipode_scene::Item;
 use antipode_settings::{Kind, field, fields};
 use antipode_ui::Completion;
 
 use crate::names::key_names;
-use crate::script::{Argument, COMMANDS, CommandInfo, SETTINGS, Spawned, command_named};
+use crate::script::{Argument, COMMANDS, CommandInfo, ROOM_ACTS, SETTINGS, Spawned, command_named};
 
 /// Longest line that is taken over from a file, in characters.
 const LONGEST_ENTRY: usize = 400;
@@ -155,6 +156,8 @@ fn choices(kind: Argument, before: &[String], worlds: &[String]) -> Vec<String> 
         Argument::Item => Item::ALL.iter().map(|item| item.id().to_owned()).collect(),
         Argument::Spawned => Spawned::words().map(str::to_owned).collect(),
         Argument::ChartId => own(&["A", "B"]),
+        Argument::RoomAct => own(&ROOM_ACTS),
+        Argument::RoomKind => own(&KINDS),
         Argument::Free => Vec::new(),
         Argument::Command => next_words(&[], worlds),
     }

@@ -1,5 +1,6 @@
 //! The failures that end the program: each is a sentence and has an exit status.
 
+use antipode_rays::RaysError;
 use antipode_render::RenderError;
 use antipode_rooms::RoomError;
 use antipode_scene::{CloseFailure, SceneError};
@@ -30,6 +31,9 @@ pub enum Failure {
     /// The graphics adapter failed.
     #[error(transparent)]
     Render(#[from] RenderError),
+    /// A room could not be drawn.
+    #[error(transparent)]
+    Rays(#[from] RaysError),
     /// The window system failed.
     #[error(
         "No window could be opened ({0}). Without a display, `antipode tour` and `antipode script FILE` work and make pictures."

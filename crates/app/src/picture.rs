@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
 use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, Shaders};
+use antipode_room_scene::RoomScene;
 use antipode_scene::frame::Frame;
 use antipode_settings::Settings;
 use antipode_ui::HudModel;
@@ -14,6 +15,7 @@ use crate::failure::Failure;
 use crate::mirror::Mirror;
 use crate::options;
 use crate::overlay::Overlay;
+use crate::room_picture::RoomPictures;
 
 /// Format of pictures in memory.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -27,6 +29,8 @@ pub struct Studio {
     offscreen: Offscreen,
     options: Options,
     size: (u32, u32),
+    /// Made for the first picture of a room.
+    rooms: Option<RoomPictures>,
 }
 
 /// The renderer's choice of adapter for the command line's.
@@ -70,6 +74,7 @@ impl Studio {
             offscreen,
             options,
             size: common.size,
+            rooms: None,
         })
     }
 
@@ -144,6 +149,28 @@ impl Studio {
         self.gpu.queue.submit([encoder.finish()]);
         self.drawn_in_full()?;
         Ok(self.offscreen.read(&self.gpu)?)
+    }
+
+    /// Takes a picture of a room, without a display. `look` tells what it looks like from what others do.
+    ///
+    /// # Errors
+    /// When the adapter cannot trace rays, the room is too large for it, or it fails.
+    pub fn shoot_room(
+        &mut self,
+        room: &RoomScene,
+        look: (u64, u64),
+        bounces: u32,
+    ) -> Result<RgbaImage, Failure> {
+        let options = antipode_rays::Options {
+            bounces,
+            samples: self.options.samples,
+        };
+        let pictures = match &mut self.rooms {
+            Some(pictures) => pictures,
+            none => none.insert(RoomPictures::new(&self.gpu, &self.options, self.size)?),
+        };
+        let (overlay, target) = (&mut self.overlay, &self.offscreen);
+        pictures.shoot(&self.gpu, overlay, target, (room, look), &options)
     }
 
     fn record(&mut self, frame: &Frame, encoder: &mut wgpu::CommandEncoder) -> DrawStats {

@@ -141,6 +141,11 @@ impl Worlds {
         self.quality = quality;
     }
 
+    /// The quality that worlds are opened with.
+    pub fn quality(&self) -> Quality {
+        self.quality
+    }
+
     /// Sets how far land is loaded in worlds that are opened from now on, in chunks.
     pub fn set_view_distance(&mut self, chunks: u32) {
         self.view_distance = Some(chunks);

@@ -32,6 +32,7 @@ pub fn failure(texts: &Texts, failure: &Failure, worlds: &[WorldSummary]) -> Str
         | Failure::Stopped(_)
         | Failure::Crashed { .. }
         | Failure::Room(_)
+        | Failure::Rays(_)
         | Failure::Runtime(_) => other(texts, &failure.to_string()),
     }
 }

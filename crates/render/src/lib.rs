@@ -64,3 +64,4 @@ pub use shaders::{Shader, Shaders, TERRAIN};
 pub use shadow::{ShadowQuality, ShadowStats};
 pub use subdivision_thread::Delivery;
 pub use tile::Tile;
+pub use tonemap::{MirrorPlace, Tonemap};

@@ -13,9 +13,9 @@ use crate::bounds::{
 };
 use crate::check_kind::check_kind;
 use crate::error::Fault;
-use crate::placement::{Misplaced, Place, check_places};
-use crate::pose::{parents, poses, rotation};
+use crate::pose::{parents, poses};
 use crate::room::{Object, Room, VERSION, What};
+use crate::space::space;
 
 /// A mark for what is wrong in a room, before it is known which field of which object it is.
 pub(crate) struct Wrong {
@@ -58,11 +58,11 @@ pub fn check(room: &Room) -> Result<(), Fault> {
     }
     check_groups(room)?;
     check_counts(room)?;
-    check_aberrations(room)
+    space(room).map(|_| ())
 }
 
 /// What is wrong with an object, told of the room.
-fn fault(room: &Room, index: usize, it: Wrong) -> Fault {
+pub(crate) fn fault(room: &Room, index: usize, it: Wrong) -> Fault {
     let name = &room.objects[index].name;
     let last = it.field.rsplit('.').next().unwrap_or(&it.field);
     let of = if it.field == "name" {
@@ -311,48 +311,4 @@ fn check_counts(room: &Room) -> Result<(), Fault> {
         }
     }
     Ok(())
-}
-
-/// The boxes of a room's aberrations, each with its place among all objects.
-pub fn aberration_places(room: &Room) -> Vec<(usize, Place)> {
-    let poses = poses(room);
-    let parents = parents(room);
-    room.aberrations()
-        .map(|(index, aberration)| {
-            // Turns are composed as rotations, so that parallel axes stay parallel to the last digits.
-            let mut turn = rotation(room.objects[index].turn);
-            let mut at = parents[index];
-            for _ in 0..MOST_DEEP {
-                let Some(parent) = at else { break };
-                turn = rotation(room.objects[parent].turn) * turn;
-                at = parents[parent];
-            }
-            let place = Place {
-                centre: poses[index].translation,
-                rotation: turn.normalize(),
-                half: aberration.half,
-            };
-            (index, place)
-        })
-        .collect()
-}
-
-fn check_aberrations(room: &Room) -> Result<(), Fault> {
-    let (indices, places): (Vec<_>, Vec<_>) = aberration_places(room).into_iter().unzip();
-    check_places(&places).map_err(|misplaced| {
-        let (index, reason) = match misplaced {
-            Misplaced::Turned(first, second) => {
-                let other = shown(&room.objects[indices[first]].name);
-                let reason = format!(
-                    "puts it partly into the aberration {other}, which is turned another way; let their axes be parallel, or put one wholly into the other"
-                );
-                (indices[second], reason)
-            }
-            Misplaced::TooDeep(last) => {
-                let reason = format!("puts it into {MOST_DEEP} aberrations that lie in one another; {MOST_DEEP} in all is the most");
-                (indices[last], reason)
-            }
-        };
-        fault(room, index, wrong("at", reason))
-    })
 }

@@ -16,6 +16,7 @@ use crate::bounds::MOST_NAME_CHARS;
 use crate::check::{check, shown};
 use crate::error::RoomError;
 use crate::room::{Object, Room, What};
+pub use crate::words::KINDS;
 use crate::words::{Pairs, new_object, set, set_spawn};
 
 /// How many steps can be taken back.

@@ -4,7 +4,7 @@
 //! `models/` and `textures/`. [`read()`] takes the text and refuses, with file, line and field, whatever is not sound;
 //! [`write()`] gives it back, always in one order. [`open`](folder::open) reads a whole folder, [`RoomsDir`] is the
 //! directory of a player's rooms, and [`shipped`] has those that come with the game. [`meshes`](mesh::meshes) makes
-//! triangles of what stands in a room. How rays go through its aberrations is no matter of this crate.
+//! triangles of what stands in a room, and [`space()`] the space of its aberrations, which `antipode-deformation` checks.
 
 pub mod aberration;
 pub mod bounds;
@@ -20,16 +20,16 @@ mod library;
 mod lines;
 pub mod mesh;
 mod model;
-pub mod placement;
 mod pose;
 mod read;
 pub mod room;
 pub mod shipped;
+mod space;
 mod words;
 mod write;
 
 pub use aberration::Aberration;
-pub use check::{aberration_places, check};
+pub use check::check;
 pub use colour::Colour;
 pub use edit::Editor;
 pub use error::{Fault, RoomError};
@@ -39,4 +39,5 @@ pub use model::{ModelPart, RoomModel};
 pub use pose::{direction, poses, rotation};
 pub use read::read;
 pub use room::{Object, Room, What};
+pub use space::{aberrations, space};
 pub use write::write;

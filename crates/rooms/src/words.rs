@@ -44,6 +44,23 @@ impl<'a> Pairs<'a> {
     }
 }
 
+/// Every kind that can be added.
+pub const KINDS: [&str; 13] = [
+    "box",
+    "pyramid",
+    "ramp",
+    "cylinder",
+    "ball",
+    "stairs",
+    "arch",
+    "model",
+    "light",
+    "aberration",
+    "sign",
+    "group",
+    "spawn",
+];
+
 /// What each kind is to be told, besides its name; the kind as yet without it.
 fn kind(word: &str) -> Option<(What, &'static [&'static str])> {
     let size = DVec3::ONE;
@@ -104,8 +121,9 @@ fn kind(word: &str) -> Option<(What, &'static [&'static str])> {
 pub(crate) fn new_object(word: &str, pairs: &Pairs<'_>) -> Taken<Object> {
     let Some((what, needed)) = kind(word) else {
         return refuse(format!(
-            "There is no kind {}; there are box, pyramid, ramp, cylinder, ball, stairs, arch, model, light, aberration, sign, group and spawn.",
-            shown(word)
+            "There is no kind {}; there are {}.",
+            shown(word),
+            KINDS.join(", ")
         ));
     };
     if let Some(missing) = ["name"].iter().chain(needed).find(|it| !pairs.has(it)) {

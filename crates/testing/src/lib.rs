@@ -4,9 +4,11 @@
 //!   test passes and says loudly that it tested nothing. With `ANTIPODE_REQUIRE_GPU` set it fails.
 //! - [`pictures`] measures how far two pictures differ.
 //! - [`tiled`] and [`cone`] are two spaces that no player gets: flat space in endlessly many charts, and a cone.
+//! - [`rooms`] makes rooms of deformed space by chance.
 
 pub mod cone;
 pub mod pictures;
+pub mod rooms;
 pub mod tiled;
 
 use std::ffi::OsStr;

@@ -18,6 +18,7 @@ mod marker;
 mod npc;
 mod pictures;
 mod purity;
+mod rooms;
 mod saves;
 mod scenario;
 mod seam;

@@ -26,6 +26,10 @@ pub enum Argument {
     Spawned,
     /// `A` or `B`.
     ChartId,
+    /// `new`, `load`, `save`, `delete` or `list`.
+    RoomAct,
+    /// What can be put into a room.
+    RoomKind,
     /// A number, a file: nothing that could be guessed.
     Free,
     /// Another command.
@@ -69,10 +73,10 @@ const fn command(
 }
 
 /// Every command.
-pub static COMMANDS: [CommandInfo; 26] = {
+pub static COMMANDS: [CommandInfo; 33] = {
     use Argument::{
-        Button, ChartId, Free, Geometry, Item, Key, KeyOrButton, Option, Setting, Spawned, Value,
-        World,
+        Button, ChartId, Free, Geometry, Item, Key, KeyOrButton, Option, RoomAct, RoomKind,
+        Setting, Spawned, Value, World,
     };
     [
         command(
@@ -109,6 +113,17 @@ pub static COMMANDS: [CommandInfo; 26] = {
         ),
         command("name-flag", "NAME", &[Free]),
         command("perf", "SECONDS", &[Free]),
+        command(
+            "room",
+            "new|load|save|delete|list [name=NAME] [gravity=X,Y,Z]",
+            &[RoomAct, Free],
+        ),
+        command("add", "KIND name=NAME KEY=VALUE ...", &[RoomKind, Free]),
+        command("change", "NAME KEY=VALUE ...", &[Free]),
+        command("remove", "NAME", &[Free]),
+        command("group", "NAME MEMBER ...", &[Free]),
+        command("undo", "[N]", &[Free]),
+        command("redo", "[N]", &[Free]),
     ]
 };
 

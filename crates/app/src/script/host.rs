@@ -1,10 +1,12 @@
 //! Carrying orders out: one way for scripts, which wait for each, and for the console, which never waits.
 
 use antipode_geometry::{Atlas, ChartPoint};
+use antipode_room_scene::RoomScene;
 use antipode_scene::Scene;
 use antipode_settings::Value;
 use glam::{DVec3, Vec3Swizzles};
 
+use super::in_room::obey_in_room;
 use super::parse::{Order, Setting, Spawned};
 use crate::bindings::Input;
 use crate::controls::Controls;
@@ -21,6 +23,9 @@ pub trait Host {
     /// # Errors
     /// When none is open.
     fn scene(&mut self) -> Result<&mut Scene, Failure>;
+
+    /// The open room, if one is.
+    fn room(&mut self) -> Option<&mut RoomScene>;
 
     /// The saved worlds.
     fn worlds(&mut self) -> &mut Worlds;
@@ -61,6 +66,9 @@ pub trait Host {
 /// # Errors
 /// When it asks for what is not there, in words, or something fails on the way.
 pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure> {
+    if let Some(done) = host.room().and_then(|room| obey_in_room(room, order)) {
+        return done;
+    }
     match order {
         Order::Delete(name) => delete(host, name),
         Order::Press(input, true) => {
@@ -115,7 +123,9 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
         | Order::Settle(_)
         | Order::Probe
         | Order::Shot(_)
-        | Order::Perf(_) => host.own(order),
+        | Order::Perf(_)
+        | Order::Room(_)
+        | Order::Edit(_) => host.own(order),
     }?;
     if order.cheats() {
         host.scene()?.mark_cheated();
@@ -143,6 +153,10 @@ fn delete<H: Host + ?Sized>(host: &mut H, name: &str) -> Result<(), Failure> {
 fn set<H: Host + ?Sized>(host: &mut H, setting: Setting) -> Result<(), Failure> {
     if let Setting::Own(id, value) = setting {
         host.set_own(id, value);
+        return Ok(());
+    }
+    if let (Setting::Quality(quality), true) = (setting, host.room().is_some()) {
+        host.worlds().set_quality(quality);
         return Ok(());
     }
     let scene = host.scene()?;

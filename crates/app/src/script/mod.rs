@@ -2,6 +2,7 @@
 
 mod commands;
 mod host;
+mod in_room;
 mod measure;
 mod parse;
 mod run;
@@ -11,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 pub use commands::{Argument, COMMANDS, CommandInfo, SETTINGS, command_named};
 pub use host::{Host, obey};
-pub use parse::{Line, Order, Setting, Spawned, parse, parse_line};
+pub use parse::{Line, Order, ROOM_ACTS, RoomOrder, Setting, Spawned, parse, parse_line};
 pub use run::Runner;
 pub(crate) use run::steps_in;
 pub(crate) use say::probe_text;

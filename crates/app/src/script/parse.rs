@@ -8,6 +8,7 @@ use antipode_scene::{Item, NpcMode};
 use antipode_storage::SavesDir;
 use thiserror::Error;
 
+pub use room::{ROOM_ACTS, RoomOrder};
 pub use setting::Setting;
 
 use super::commands::command_named;
@@ -80,6 +81,10 @@ pub enum Order {
     Spawn(Spawned, [f64; 3], ChartId),
     /// Measure over some seconds.
     Perf(f64),
+    /// Do something with rooms.
+    Room(RoomOrder),
+    /// Change the open room: the words of the command, its name first.
+    Edit(Vec<String>),
 }
 
 /// Something `spawn` can put into the world.
@@ -153,7 +158,9 @@ impl Order {
             | Self::Probe
             | Self::Shot(_)
             | Self::NameFlag(_)
-            | Self::Perf(_) => false,
+            | Self::Perf(_)
+            | Self::Room(_)
+            | Self::Edit(_) => false,
         }
     }
 }
@@ -252,6 +259,11 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
         ("spawn", [what, x, y, z, side @ ..]) if side.len() <= 1 => spawn(what, [x, y, z], side)?,
         ("name-flag", [name]) => Order::NameFlag((*name).to_owned()),
         ("perf", [time]) => Order::Perf(number(time, 1.0 / 60.0, 600.0)?),
+        ("room", [_, ..]) => Order::Room(room::room(&args)?),
+        ("add" | "change", [_, _, ..])
+        | ("remove", [_])
+        | ("group", [_, _, ..])
+        | ("undo" | "redo", [] | [_]) => Order::Edit(words.to_vec()),
         (known, _) if command_named(known).is_some() => {
             return Err(format!(
                 "\"{known}\" has too few, too many or unknown arguments"
@@ -425,6 +437,7 @@ fn place(at: [&str; 3], side: &[&str]) -> Result<([f64; 3], ChartId), String> {
     Ok(([x?, y?, z?], chart))
 }
 
+mod room;
 mod setting;
 #[cfg(test)]
 mod tests;

@@ -1,14 +1,18 @@
 //! Runs a script's orders in simulated time, so that the same script gives the same probes.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
+use antipode_room_scene::RoomScene;
+use antipode_scene::frame::Quality;
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, Scene};
 use antipode_settings::{Config, Language, Value};
+use image::RgbaImage;
 
 use super::host::{Host, obey};
+use super::in_room::steer;
 use super::parse::{Line, Order};
 use super::{Shooting, say};
 use crate::bindings::{Action, Input};
@@ -21,12 +25,16 @@ use crate::hud;
 use crate::navigator::{Navigator, SurveyOrder, WHOLE_MAP};
 use crate::options;
 use crate::picture::Studio;
+use crate::rooms::Rooms;
 use crate::session::{NewWorld, Session, Worlds};
 
 /// Longest time a step may wait for the chunk workers before the script is stopped.
 const PATIENCE: Duration = Duration::from_mins(1);
 /// How long a wait for all chunk work goes on before a look at other things.
 const SETTLE_SLICE: Duration = Duration::from_millis(100);
+
+/// Mirrors and panes in a row that pictures of rooms show where they are exact.
+const MOST_BOUNCES: u32 = 4;
 
 /// A running script.
 #[derive(Debug)]
@@ -38,6 +46,7 @@ pub struct Runner {
     /// The settings that hold; a script changes no file.
     pub(super) config: Config,
     pub(super) session: Option<Session>,
+    pub(super) rooms: Rooms,
     ending: Ending,
     pub(super) studio: Option<Studio>,
     /// English unless a file of settings says otherwise: the same script makes the same pictures everywhere.
@@ -70,6 +79,7 @@ impl Runner {
         let mut controls = Controls::default();
         controls.set_config(config);
         Self {
+            rooms: Rooms::new(&common),
             common,
             worlds,
             shooting,
@@ -114,11 +124,12 @@ impl Runner {
         Ok(())
     }
 
-    /// Commits and closes the open world.
+    /// Commits and closes the open world, or leaves the open room.
     ///
     /// # Errors
     /// When the last commit failed.
     pub fn close(&mut self) -> Result<(), Failure> {
+        self.rooms.close();
         match self.session.take() {
             Some(session) => session
                 .close()
@@ -174,6 +185,10 @@ impl Runner {
     /// One step of the simulation, and all the work it caused.
     fn step_with(&mut self, actions: &Actions) -> Result<(), Failure> {
         self.ending.check()?;
+        if let Some(room) = self.rooms.scene() {
+            room.step(&steer(actions));
+            return Ok(());
+        }
         self.scene()?.step(actions);
         self.await_workers()?;
         self.tell_notices();
@@ -203,7 +218,9 @@ impl Runner {
     }
 
     fn pass(&mut self, time_s: f64) -> Result<(), Failure> {
-        self.scene()?;
+        if self.rooms.scene().is_none() {
+            self.scene()?;
+        }
         for _ in 0..steps_in(time_s) {
             self.step()?;
         }
@@ -211,6 +228,9 @@ impl Runner {
     }
 
     fn settle(&mut self, limit_s: f64) -> Result<(), Failure> {
+        if self.rooms.scene().is_some() {
+            return Ok(());
+        }
         let limit = Duration::from_secs_f64(limit_s);
         let began = Instant::now();
         // In slices, so that a wish to end is not kept waiting.
@@ -229,13 +249,17 @@ impl Runner {
     }
 
     fn probe(&mut self) -> Result<(), Failure> {
-        let probe = self.scene()?.probe();
         let adapter = self
             .studio
             .as_ref()
             .map_or("none", |studio| studio.adapter_name());
+        if let Some(room) = self.rooms.scene() {
+            return say::room_probe(&room.probe(), adapter);
+        }
+        let adapter = adapter.to_owned();
+        let probe = self.scene()?.probe();
         let fps = self.frame_ms.map(|ms| 1000.0 / ms);
-        say::probe(&probe, fps, adapter, self.drawn.as_ref())
+        say::probe(&probe, fps, &adapter, self.drawn.as_ref())
     }
 
     fn shoot(&mut self, file: &str) -> Result<(), Failure> {
@@ -244,6 +268,9 @@ impl Runner {
             Shooting::Into(dir) => dir.join(file),
         };
         self.open_studio()?;
+        if self.rooms.scene().is_some() {
+            return self.shoot_room(&path);
+        }
         let id = self.worlds_opened;
         let (Some(studio), Some(session)) = (self.studio.as_mut(), self.session.as_mut()) else {
             return Err(Failure::Usage(
@@ -284,12 +311,19 @@ impl Runner {
                 model
             })
         })?;
-        picture.save(&path).map_err(|e| {
-            Failure::Runtime(format!(
-                "The picture {} could not be written: {e}",
-                path.display()
-            ))
-        })
+        write_picture(&picture, &path)
+    }
+
+    fn shoot_room(&mut self, path: &Path) -> Result<(), Failure> {
+        let look = self.rooms.look_id();
+        let bounces = match self.worlds.quality() {
+            Quality::Exact => MOST_BOUNCES,
+            _ => 0,
+        };
+        let (Some(studio), Some(room)) = (self.studio.as_mut(), self.rooms.scene()) else {
+            return Ok(());
+        };
+        write_picture(&studio.shoot_room(room, look, bounces)?, path)
     }
 
     pub(super) fn open_studio(&mut self) -> Result<(), Failure> {
@@ -314,6 +348,10 @@ impl Host for Runner {
             .as_mut()
             .map(|session| &mut session.scene)
             .ok_or_else(|| Failure::Usage("no world is open; begin with new or load".to_owned()))
+    }
+
+    fn room(&mut self) -> Option<&mut RoomScene> {
+        self.rooms.scene()
     }
 
     fn worlds(&mut self) -> &mut Worlds {
@@ -377,10 +415,19 @@ impl Host for Runner {
             Order::Probe => self.probe(),
             Order::Shot(file) => self.shoot(file),
             Order::Perf(time_s) => self.perf(*time_s),
+            Order::Room(order) => self.order_room(order),
+            Order::Edit(words) => self.edit_room(words),
             // `quit` ends the loop over the lines; the rest is carried out alike everywhere.
             _ => Ok(()),
         }
     }
+}
+
+fn write_picture(picture: &RgbaImage, path: &Path) -> Result<(), Failure> {
+    picture.save(path).map_err(|e| {
+        let file = path.display();
+        Failure::Runtime(format!("The picture {file} could not be written: {e}"))
+    })
 }
 
 /// Whole steps of a time.

@@ -1,5 +1,7 @@
 //! Prints a script's answers: one JSON object a line on standard output.
 
+use antipode_room_scene::RoomProbe;
+use antipode_rooms::RoomSummary;
 use antipode_scene::Probe;
 use antipode_storage::WorldSummary;
 use serde::Serialize;
@@ -19,6 +21,25 @@ struct FullProbe<'a> {
     picture: Option<&'a Drawn>,
     /// Time of the world that was left out because the machine was too slow; a script leaves none out.
     dropped_s: f64,
+}
+
+/// The same of a room.
+#[derive(Serialize)]
+struct FullRoomProbe<'a> {
+    #[serde(flatten)]
+    scene: &'a RoomProbe,
+    memory_mb: Option<f64>,
+    adapter: &'a str,
+}
+
+/// One room in a list.
+#[derive(Serialize)]
+struct ListedRoom<'a> {
+    name: &'a str,
+    slug: &'a str,
+    shipped: bool,
+    objects: usize,
+    problem: Option<&'a str>,
 }
 
 /// One saved world in a list.
@@ -58,6 +79,30 @@ pub fn probe_text(
         picture,
         dropped_s,
     })
+}
+
+/// Prints the probe of a room.
+pub fn room_probe(scene: &RoomProbe, adapter: &str) -> Result<(), Failure> {
+    line(&FullRoomProbe {
+        scene,
+        memory_mb: antipode_timing::resident_mb(),
+        adapter,
+    })
+}
+
+/// Prints the rooms as one JSON array.
+pub fn rooms(rooms: &[RoomSummary]) -> Result<(), Failure> {
+    let listed: Vec<_> = rooms
+        .iter()
+        .map(|room| ListedRoom {
+            name: &room.name,
+            slug: &room.slug,
+            shipped: room.shipped,
+            objects: room.objects,
+            problem: room.problem.as_deref(),
+        })
+        .collect();
+    line(&listed)
 }
 
 /// Prints the saved worlds as one JSON array.

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use antipode_language::{Texts, Value};
+use antipode_room_scene::RoomScene;
 use antipode_scene::Scene;
 use antipode_storage::{StorageError, WorldSummary};
 use antipode_ui::LineKind::{self, Answer, Problem};
@@ -120,6 +121,10 @@ impl Host for Game {
         }
     }
 
+    fn room(&mut self) -> Option<&mut RoomScene> {
+        None
+    }
+
     fn worlds(&mut self) -> &mut Worlds {
         &mut self.play.worlds
     }
@@ -182,6 +187,11 @@ impl Host for Game {
             Order::Probe => self.probe_here()?,
             Order::Shot(file) => self.shoot_as(file),
             Order::Perf(_) => self.reply(Problem, "console-no-perf", &[]),
+            Order::Room(_) | Order::Edit(_) => {
+                return Err(Failure::Usage(
+                    "rooms can be entered by scripts only, as yet".to_owned(),
+                ));
+            }
             // The rest is carried out alike everywhere.
             _ => {}
         }

@@ -13,4 +13,5 @@ mod library;
 mod mesh;
 mod round_trip;
 mod shipped;
+mod space;
 mod unsound;

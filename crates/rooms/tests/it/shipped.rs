@@ -81,10 +81,10 @@ fn nobody_begins_in_a_solid_or_an_aberration() {
                 room.objects[mesh.object].name
             );
         }
-        let places = antipode_rooms::aberration_places(&room);
+        let places = antipode_rooms::aberrations(&room);
         assert!(!places.is_empty(), "{id} is not strange");
         for (_, place) in places {
-            let within = place.rotation.inverse() * (body - place.centre);
+            let within = place.turn.inverse() * (body - place.centre);
             assert!(within.abs().cmpgt(place.half + 0.4).any(), "{id}");
         }
     }
@@ -140,7 +140,7 @@ fn signs_tell_the_truth() {
             "{felt}"
         );
     }
-    for place in antipode_rooms::aberration_places(&twelve) {
+    for place in antipode_rooms::aberrations(&twelve) {
         let corner = (place.1.centre - DVec3::new(0.0, 1.25, -10.0)).abs() + place.1.half;
         assert!(corner.x <= 2.5 && corner.z <= 2.5);
     }

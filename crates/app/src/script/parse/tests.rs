@@ -148,3 +148,44 @@ fn set_knows_every_setting_of_the_player_and_what_it_takes() {
         assert!(one(wrong).is_err(), "{wrong}");
     }
 }
+
+#[test]
+fn words_of_rooms_are_orders_or_mistakes() {
+    let room = |order| Ok(Order::Room(order));
+    assert_eq!(
+        one("room new name=\"My room\" gravity=0,-1.6,0"),
+        room(RoomOrder::New {
+            name: Some("My room".to_owned()),
+            gravity: Some([0.0, -1.6, 0.0]),
+        })
+    );
+    let house = || "The long house".to_owned();
+    assert_eq!(
+        one("room load \"The long house\""),
+        room(RoomOrder::Load(house()))
+    );
+    assert_eq!(
+        one("room load name=\"The long house\""),
+        room(RoomOrder::Load(house()))
+    );
+    assert_eq!(one("room save"), room(RoomOrder::Save(None)));
+    assert_eq!(one("room list"), room(RoomOrder::List));
+    assert_eq!(one("undo"), Ok(Order::Edit(vec!["undo".to_owned()])));
+    assert!(matches!(
+        one("add box name=a size=1,1,1"),
+        Ok(Order::Edit(words)) if words.len() == 4
+    ));
+    for (mistake, said) in [
+        ("room", "too few"),
+        ("room load", "too few"),
+        ("room paint x", "new, load, save, delete, list"),
+        ("room new gravity=1,2", "three numbers"),
+        ("room new gravity=0,-1e9,0", "out of range"),
+        ("room new name=", "will not do"),
+        ("add box", "too few"),
+        ("remove", "too few"),
+    ] {
+        let told = parse(mistake).err().map_or_else(String::new, |it| it.what);
+        assert!(told.contains(said), "{mistake}: {told}");
+    }
+}

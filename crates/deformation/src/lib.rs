@@ -1,0 +1,46 @@
+//! Deformed space: boxes inside of which space is longer or shorter than it looks from outside, and what goes through them.
+//!
+//! The scene is Euclidean and in metres. An [`Aberration`] is a box in it, with stretches s along its own axes: one metre of
+//! scene along axis i feels like s_i metres inside. With R the box's turn, K = R diag(1/s) R^T takes felt displacements to
+//! those of the scene, so that a traveller of felt direction w, |w| = 1, moves at v = K w. The felt direction does not change
+//! at a face, and v is never normalised: the parameter along a path is then felt length, in metres for rays and, times the
+//! speed, in seconds for bodies. `docs/deformation.md` of the project has the derivation and its limits.
+//!
+//! [`trace`] alone moves anything: rays of light, walkers, cameras, what is thrown, and picks. Which boxes a traveller is in
+//! is kept in a [`Stack`] and never asked of its place again. Everything is `f64`; `shaders/rays/trace.wgsl` mirrors
+//! `event.rs`, `face.rs` and `trace.rs` in `f32`. There is no input, no output and no GPU here.
+
+mod aberration;
+mod bvh;
+mod error;
+mod event;
+mod eye;
+mod face;
+mod gravity;
+mod lamp;
+mod legacy;
+mod overlap;
+mod scene;
+mod space;
+mod stack;
+mod trace;
+mod triangles;
+mod tuning;
+mod walker;
+
+pub use aberration::{Aberration, Exit, Sides, Ways, stretch_of_legacy};
+pub use bvh::{Bvh, BvhNode};
+pub use error::SpaceError;
+pub use event::{crossing_in, crossing_out};
+pub use eye::EyeHeight;
+pub use gravity::{Flyer, felt_gravity};
+pub use lamp::{LampPath, lamp_paths};
+pub use legacy::PictureCorners;
+pub use scene::{SceneHit, SceneQuery, Void};
+pub use space::{MAX_ABERRATIONS, MAX_DEPTH, Placed, Space, Traveller};
+pub use stack::Stack;
+pub use trace::{
+    End, Event, EventKind, Hit, MAX_EVENTS, Place, Trace, What, felt_normal, sun_is_seen, trace,
+};
+pub use triangles::{Triangle, Triangles};
+pub use walker::{Walker, WalkerShape};

@@ -1,0 +1,15 @@
+//! What must hold of deformed space and of what travels through it.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod bodies;
+mod checks;
+mod common;
+mod faces;
+mod hierarchy;
+mod light;
+mod paths;

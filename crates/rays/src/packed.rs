@@ -1,0 +1,185 @@
+//! Aberrations and materials as the shaders have them.
+
+use antipode_deformation::{Exit, MAX_ABERRATIONS, PictureCorners, Placed, Sides, Stack, Ways};
+use bytemuck::{Pod, Zeroable};
+use glam::{DMat3, DVec3, Vec3, Vec4};
+
+use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
+
+/// An aberration, as space.wgsl has it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedAberration {
+    centre: Vec3,
+    sides: u32,
+    axes: [Vec4; 3],
+    squeeze_x: Vec3,
+    walls: u32,
+    squeeze_y: Vec3,
+    first: u32,
+    squeeze_z: Vec3,
+    count: u32,
+    legacy: Vec3,
+    flags: u32,
+    stretch: Vec3,
+    rank: u32,
+    wall_material: u32,
+    room: [u32; 3],
+}
+
+/// What a path needs to know of a scene besides its solids, as trace.wgsl has it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedWays {
+    pub outermost: u32,
+    pub outermost_count: u32,
+    pub has_solids: u32,
+    pub room: u32,
+    pub low: Vec4,
+    pub high: Vec4,
+}
+
+impl PackedWays {
+    /// With the corners of a picture.
+    pub fn with_corners(self, corners: &PictureCorners) -> Self {
+        Self {
+            low: corners.low.as_vec3().extend(0.0),
+            high: corners.high.as_vec3().extend(0.0),
+            ..self
+        }
+    }
+}
+
+/// A material, as frame.wgsl has it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedMaterial {
+    colour: Vec4,
+    checker: Vec4,
+    glow: Vec4,
+    optics: Vec4,
+}
+
+/// Aberrations, lists of neighbours, and where the outermost ones are listed.
+pub fn aberrations(scene: &RayScene) -> (Vec<PackedAberration>, Vec<u32>, PackedWays) {
+    let space = &scene.aberrations;
+    let mut neighbours = Vec::new();
+    let mut packed: Vec<_> = space
+        .placed()
+        .iter()
+        .enumerate()
+        .map(|(number, placed)| {
+            let first = neighbours.len() as u32;
+            neighbours.extend(placed.neighbours.iter().map(|number| u32::from(*number)));
+            let wall = scene
+                .wall_materials
+                .get(number)
+                .copied()
+                .unwrap_or(WALL_DEFAULT);
+            let is_outlined = scene.outlined.get(number).copied().unwrap_or(false);
+            pack(
+                placed,
+                first,
+                wall.min(scene.materials.len().saturating_sub(1)),
+                is_outlined,
+            )
+        })
+        .collect();
+    packed.resize(MAX_ABERRATIONS, PackedAberration::zeroed());
+    let outermost = space.entrances(&Stack::default());
+    let ways = PackedWays {
+        outermost: neighbours.len() as u32,
+        outermost_count: outermost.len() as u32,
+        has_solids: 0,
+        room: 0,
+        low: Vec4::ZERO,
+        high: Vec4::ZERO,
+    };
+    neighbours.extend(outermost.iter().map(|number| u32::from(*number)));
+    // A buffer may not be empty.
+    neighbours.push(0);
+    (packed, neighbours, ways)
+}
+
+fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAberration {
+    let aberration = &placed.aberration;
+    let axis = |i: usize| {
+        placed
+            .axes
+            .col(i)
+            .as_vec3()
+            .extend(aberration.half[i] as f32)
+    };
+    let (sides, exit) = match aberration.sides {
+        Sides::Walls | Sides::Soft => (0, 0),
+        Sides::Snell => (1, 0),
+        Sides::Legacy(exit) => (
+            2,
+            match exit {
+                Exit::Original => 0,
+                Exit::Inverse => 1,
+                Exit::None => 2,
+            },
+        ),
+    };
+    let way = match aberration.ways {
+        Ways::Both => 0,
+        Ways::Along(axis) => u32::from(axis) + 1,
+    };
+    let row = |k: &DMat3, i: usize| k.row(i).as_vec3();
+    PackedAberration {
+        centre: aberration.centre.as_vec3(),
+        sides,
+        axes: [axis(0), axis(1), axis(2)],
+        squeeze_x: row(&placed.squeeze, 0),
+        walls: (0..3).map(|i| u32::from(aberration.is_wall(i)) << i).sum(),
+        squeeze_y: row(&placed.squeeze, 1),
+        first,
+        squeeze_z: row(&placed.squeeze, 2),
+        count: placed.neighbours.len() as u32,
+        legacy: placed.legacy.as_vec3(),
+        flags: exit | (way << 4) | (u32::from(is_outlined) << 8),
+        stretch: aberration.stretch.as_vec3(),
+        rank: placed.rank as u32,
+        wall_material: wall as u32,
+        room: [0; 3],
+    }
+}
+
+/// A stack as the shaders have it: a byte for each box.
+pub fn stack(stack: &Stack) -> [u32; 4] {
+    let mut packed = [0; 4];
+    for (at, number) in stack.as_bytes().iter().enumerate() {
+        packed[at / 4] |= u32::from(*number) << (8 * (at % 4));
+    }
+    packed
+}
+
+/// A material; one that names a picture that there is not is plain.
+pub fn material(material: &Material, textures: usize) -> PackedMaterial {
+    let mut packed = PackedMaterial {
+        colour: material.colour.extend(-1.0),
+        checker: Vec4::ZERO,
+        glow: material.glow.extend(material.mirror.clamp(0.0, 1.0)),
+        optics: Vec4::new(
+            material.glass.map_or(0.0, |index| index.max(1.0)),
+            material.gloss,
+            1.0,
+            0.0,
+        ),
+    };
+    match material.pattern {
+        Pattern::Checker { other, edge_m } => packed.checker = other.extend(edge_m.max(0.0)),
+        Pattern::Texture { number, repeats } if number < textures => {
+            packed.colour.w = number as f32;
+            packed.optics.z = repeats;
+        }
+        _ => {}
+    }
+    packed
+}
+
+/// A direction of the host for the shaders, with a fourth number.
+pub fn vector(v: DVec3, w: f64) -> Vec4 {
+    v.as_vec3().extend(w as f32)
+}

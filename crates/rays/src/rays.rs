@@ -1,0 +1,302 @@
+//! The pass that draws a picture.
+
+use wgpu::{
+    BindGroup, BindGroupLayout, BindingType, Buffer, BufferBindingType, CommandEncoder,
+    ComputePipeline, Device, Queue, ShaderStages,
+};
+
+use crate::error::RaysError;
+use crate::frame::{Frame, corners, frame};
+use crate::loaded::Loaded;
+use crate::picture::{LIGHT_FORMAT, Picture, SEEN_FORMAT};
+use crate::scene::{Eye, RayScene};
+use crate::shaders::{PICTURE, compile};
+
+/// Pixels of a group along each side.
+const GROUP: u32 = 8;
+
+/// How much is made of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Mirrors and panes that light passes in a row, up to 4; with 0 mirrors show only the sky and panes are opaque.
+    pub bounces: u32,
+    /// Samples a pixel, 1 to 4.
+    pub samples: u32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            bounces: 0,
+            samples: 1,
+        }
+    }
+}
+
+/// What draws pictures of scenes.
+#[derive(Debug)]
+pub struct Rays {
+    pipeline: ComputePipeline,
+    scene_layout: BindGroupLayout,
+    picture_layout: BindGroupLayout,
+    frame: Buffer,
+    sampler: wgpu::Sampler,
+}
+
+impl Rays {
+    /// Compiles the shaders.
+    ///
+    /// # Errors
+    /// When the adapter lacks compute shaders, storage buffers or textures that they write into, or refuses them.
+    pub fn new(device: &Device) -> Result<Self, RaysError> {
+        accepted(device, || {
+            let scene_layout = scene_layout(device);
+            let picture_layout = picture_layout(device);
+            let pipeline = pipeline(
+                device,
+                "rays",
+                &PICTURE,
+                "draw",
+                &[&scene_layout, &picture_layout],
+            );
+            Self {
+                pipeline,
+                scene_layout,
+                picture_layout,
+                frame: device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some("frame of rays"),
+                    size: size_of::<Frame>() as u64,
+                    usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                    mapped_at_creation: false,
+                }),
+                sampler: device.create_sampler(&wgpu::SamplerDescriptor {
+                    label: Some("room textures"),
+                    address_mode_u: wgpu::AddressMode::Repeat,
+                    address_mode_v: wgpu::AddressMode::Repeat,
+                    mag_filter: wgpu::FilterMode::Linear,
+                    min_filter: wgpu::FilterMode::Linear,
+                    mipmap_filter: wgpu::MipmapFilterMode::Linear,
+                    ..Default::default()
+                }),
+            }
+        })
+    }
+
+    /// Puts a scene into the adapter's memory.
+    ///
+    /// # Errors
+    /// When the scene is faulty or too large for the adapter.
+    pub fn upload(
+        &self,
+        device: &Device,
+        queue: &Queue,
+        scene: &RayScene,
+    ) -> Result<Loaded, RaysError> {
+        Loaded::new(device, queue, scene, true)
+    }
+
+    /// The same without a hierarchy in the meshes: a ray asks every triangle of a mesh whose box it meets, as that of the
+    /// thesis does. To be measured beside.
+    ///
+    /// # Errors
+    /// As [`Self::upload`].
+    pub fn upload_unsorted(
+        &self,
+        device: &Device,
+        queue: &Queue,
+        scene: &RayScene,
+    ) -> Result<Loaded, RaysError> {
+        Loaded::new(device, queue, scene, false)
+    }
+
+    /// Records the pass. Of `scene`, light, sky, fog and the look of outlines are those of this moment; the rest is as it was
+    /// loaded and moved since. One picture a submission, since all share a uniform.
+    pub fn draw(
+        &self,
+        (device, queue): (&Device, &Queue),
+        encoder: &mut CommandEncoder,
+        (scene, loaded): (&RayScene, &Loaded),
+        (eye, picture): (&Eye, &Picture),
+        options: &Options,
+    ) {
+        let options = Options {
+            bounces: options.bounces.min(4),
+            ..*options
+        };
+        let uniform = frame(scene, eye, picture.size, &options);
+        queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
+        let ways = loaded.host_ways.with_corners(&corners(eye, picture.size));
+        queue.write_buffer(&loaded.ways, 0, bytemuck::bytes_of(&ways));
+        let groups = [
+            scene_group(device, &self.scene_layout, loaded),
+            self.picture_group(device, loaded, picture),
+        ];
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+            label: Some("rays"),
+            timestamp_writes: None,
+        });
+        pass.set_pipeline(&self.pipeline);
+        for (number, group) in groups.iter().enumerate() {
+            pass.set_bind_group(number as u32, group, &[]);
+        }
+        let (width, height) = picture.size;
+        pass.dispatch_workgroups(width.div_ceil(GROUP), height.div_ceil(GROUP), 1);
+    }
+
+    fn picture_group(&self, device: &Device, loaded: &Loaded, picture: &Picture) -> BindGroup {
+        use wgpu::BindingResource::{Sampler, TextureView};
+        let resources = [
+            self.frame.as_entire_binding(),
+            loaded.materials.as_entire_binding(),
+            loaded.attributes.as_entire_binding(),
+            TextureView(&loaded.textures),
+            Sampler(&self.sampler),
+            TextureView(&picture.light),
+            TextureView(&picture.seen),
+        ];
+        group(device, "picture of rays", &self.picture_layout, resources)
+    }
+}
+
+/// Makes something on a device, or says in the device's words why it will not.
+pub fn accepted<T>(device: &Device, make: impl FnOnce() -> T) -> Result<T, RaysError> {
+    use wgpu::ErrorFilter::{Internal, OutOfMemory, Validation};
+    let scopes = [Internal, OutOfMemory, Validation].map(|filter| device.push_error_scope(filter));
+    let made = make();
+    let [internal, memory, validation] = scopes;
+    let refused = [validation, memory, internal]
+        .into_iter()
+        .filter_map(|scope| pollster::block_on(scope.pop()))
+        .collect::<Vec<_>>();
+    match refused.first() {
+        Some(error) => Err(RaysError::Adapter(error.to_string())),
+        None => Ok(made),
+    }
+}
+
+/// A compute pipeline of one entry.
+pub fn pipeline(
+    device: &Device,
+    label: &str,
+    files: &[&str],
+    entry: &str,
+    layouts: &[&BindGroupLayout],
+) -> ComputePipeline {
+    let module = compile(device, label, files);
+    let groups: Vec<_> = layouts.iter().map(|layout| Some(*layout)).collect();
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(label),
+        bind_group_layouts: &groups,
+        immediate_size: 0,
+    });
+    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(label),
+        layout: Some(&layout),
+        module: &module,
+        entry_point: Some(entry),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    })
+}
+
+/// A layout of things that a compute shader is bound to, in their order.
+pub fn layout(device: &Device, label: &str, kinds: &[BindingType]) -> BindGroupLayout {
+    let entries: Vec<_> = kinds
+        .iter()
+        .enumerate()
+        .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
+            binding: binding as u32,
+            visibility: ShaderStages::COMPUTE,
+            ty: *ty,
+            count: None,
+        })
+        .collect();
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some(label),
+        entries: &entries,
+    })
+}
+
+/// Binds resources in their order.
+pub fn group<const N: usize>(
+    device: &Device,
+    label: &str,
+    layout: &BindGroupLayout,
+    resources: [wgpu::BindingResource<'_>; N],
+) -> BindGroup {
+    let mut binding = 0;
+    let entries = resources.map(|resource| {
+        let entry = wgpu::BindGroupEntry { binding, resource };
+        binding += 1;
+        entry
+    });
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(label),
+        layout,
+        entries: &entries,
+    })
+}
+
+/// A binding of a buffer.
+pub fn buffer(ty: BufferBindingType) -> BindingType {
+    BindingType::Buffer {
+        ty,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    }
+}
+
+/// Storage that is only read.
+pub const READ: BufferBindingType = BufferBindingType::Storage { read_only: true };
+
+/// What every pass knows of a scene.
+pub fn scene_layout(device: &Device) -> BindGroupLayout {
+    let uniform = buffer(BufferBindingType::Uniform);
+    let read = buffer(READ);
+    layout(
+        device,
+        "scene of rays",
+        &[uniform, read, read, read, read, uniform],
+    )
+}
+
+/// Binds a scene.
+pub fn scene_group(device: &Device, layout: &BindGroupLayout, loaded: &Loaded) -> BindGroup {
+    let buffers = [
+        &loaded.space,
+        &loaded.neighbours,
+        &loaded.nodes,
+        &loaded.triangles,
+        &loaded.instances,
+        &loaded.ways,
+    ];
+    group(
+        device,
+        "scene of rays",
+        layout,
+        buffers.map(Buffer::as_entire_binding),
+    )
+}
+
+fn picture_layout(device: &Device) -> BindGroupLayout {
+    let written = |format| BindingType::StorageTexture {
+        access: wgpu::StorageTextureAccess::WriteOnly,
+        format,
+        view_dimension: wgpu::TextureViewDimension::D2,
+    };
+    let pictures = BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+        view_dimension: wgpu::TextureViewDimension::D2Array,
+        multisampled: false,
+    };
+    let kinds = [
+        buffer(BufferBindingType::Uniform),
+        buffer(READ),
+        buffer(READ),
+        pictures,
+        BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        written(LIGHT_FORMAT),
+        written(SEEN_FORMAT),
+    ];
+    layout(device, "picture of rays", &kinds)
+}

@@ -1,0 +1,128 @@
+//! Rays on the adapter go where those of `antipode-deformation` go.
+
+use antipode_deformation::{End, Place, Sides, Space, Trace, Traveller, Triangles, What, trace};
+use antipode_rays::{Answer, Outcome, ProbeRay, Prober, Rays};
+use antipode_testing::rooms;
+use fastrand::Rng;
+
+use crate::common::{Gpu, scene_of};
+
+/// Rounds to single numbers, which is what the adapter is given.
+fn rounded(space: &Space, rng: &mut Rng) -> ProbeRay {
+    let point = rooms::point(rng).as_vec3().as_dvec3();
+    let w = rooms::direction(rng);
+    ProbeRay {
+        start: Place::at(space, point),
+        w,
+        longest: 60.0,
+    }
+}
+
+fn outcome(path: &Trace) -> Outcome {
+    match path.end {
+        End::Spent => Outcome::Spent,
+        End::TooManyEvents => Outcome::TooManyEvents,
+        End::Hit(hit) => match hit.what {
+            What::Object(object, _) => Outcome::Object(object, 0),
+            What::Wall(number, axis) => Outcome::Wall(number as u32, axis as u32),
+        },
+    }
+}
+
+fn is_same(answer: &Answer, path: &Trace) -> bool {
+    match (answer.outcome, outcome(path)) {
+        (Outcome::Object(one, _), Outcome::Object(other, _)) => one == other,
+        (one, other) => one == other,
+    }
+}
+
+#[derive(Debug, Default)]
+struct Tally {
+    rays: usize,
+    other_object: usize,
+    few: usize,
+    few_off: usize,
+    many: usize,
+    many_off: usize,
+    most_events: usize,
+}
+
+fn compare(
+    gpu: &Gpu,
+    seed: u64,
+    depth: usize,
+    most: f64,
+    sides: impl Fn(&mut Rng) -> Sides + Copy,
+    tally: &mut Tally,
+) {
+    let mut rng = Rng::with_seed(seed);
+    let space = Space::new(rooms::aberrations(&mut rng, depth, most, sides)).unwrap();
+    let mut triangles = rooms::solids(&mut rng, 40);
+    for triangle in &mut triangles {
+        triangle.corners = triangle.corners.map(|corner| corner.as_vec3().as_dvec3());
+    }
+    let mut scene = scene_of(&triangles);
+    scene.aberrations = space.clone();
+    let solids = Triangles::new(triangles);
+    let rays: Vec<_> = (0..10_000).map(|_| rounded(&space, &mut rng)).collect();
+    let loaded = Rays::new(&gpu.device)
+        .unwrap()
+        .upload(&gpu.device, &gpu.queue, &scene)
+        .unwrap();
+    let answers = Prober::new(&gpu.device)
+        .unwrap()
+        .trace(&gpu.device, &gpu.queue, &loaded, &rays)
+        .unwrap();
+    for (ray, answer) in rays.iter().zip(&answers) {
+        let path = trace(
+            &space,
+            &ray.start,
+            ray.w,
+            ray.longest,
+            &solids,
+            &Traveller::Body,
+        );
+        tally.rays += 1;
+        tally.most_events = tally.most_events.max(path.events.len());
+        if !is_same(answer, &path) {
+            tally.other_object += 1;
+            continue;
+        }
+        let off = (f64::from(answer.length) - path.length).abs() > 1e-4 * path.length.max(1.0);
+        if path.events.len() <= 8 {
+            tally.few += 1;
+            tally.few_off += usize::from(off);
+        } else {
+            tally.many += 1;
+            tally.many_off += usize::from(off);
+        }
+    }
+}
+
+#[test]
+fn the_adapter_s_rays_end_where_the_reference_s_do() {
+    let Some(gpu) = Gpu::new() else { return };
+    let mut tally = Tally::default();
+    for round in 0..10 {
+        let sides = move |rng: &mut Rng| match round {
+            0..7 => Sides::Soft,
+            7 => Sides::Snell,
+            _ => [Sides::Soft, Sides::Walls][rng.usize(..2)],
+        };
+        compare(
+            &gpu,
+            100 + round,
+            2 + (round as usize) % 5,
+            3.0,
+            sides,
+            &mut tally,
+        );
+        println!("{round} {tally:?}");
+    }
+    println!("{tally:?}");
+    assert_eq!(tally.rays, 100_000);
+    assert!(tally.other_object <= 10, "{tally:?}");
+    assert!(tally.few_off * 10_000 <= tally.few, "{tally:?}");
+    assert!(tally.many_off * 100 <= tally.many, "{tally:?}");
+    assert!(tally.many > 1000 && tally.most_events > 20, "{tally:?}");
+}

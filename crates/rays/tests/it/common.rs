@@ -1,0 +1,83 @@
+//! What tests share: an adapter, and scenes.
+
+use std::sync::Arc;
+
+use antipode_deformation::Triangle;
+use antipode_rays::{Instance, Material, Mesh, RayScene};
+use glam::{Affine3A, Vec3};
+
+/// An open adapter.
+pub struct Gpu {
+    pub device: wgpu::Device,
+    pub queue: wgpu::Queue,
+}
+
+impl Gpu {
+    /// An adapter, or none and a loud word.
+    pub fn new() -> Option<Self> {
+        antipode_testing::needed("a graphics adapter", open())
+    }
+}
+
+fn open() -> Result<Gpu, String> {
+    let instance =
+        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let wanted = wgpu::RequestAdapterOptions::default();
+    let adapter =
+        pollster::block_on(instance.request_adapter(&wanted)).map_err(|e| e.to_string())?;
+    let descriptor = wgpu::DeviceDescriptor::default();
+    let (device, queue) =
+        pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| e.to_string())?;
+    Ok(Gpu { device, queue })
+}
+
+/// A mesh of triangles, all of one material.
+pub fn mesh(triangles: &[Triangle]) -> Mesh {
+    let corners = triangles.iter().flat_map(|triangle| triangle.corners);
+    Mesh {
+        positions: corners.map(|corner| corner.as_vec3()).collect(),
+        triangles: (0..triangles.len() as u32)
+            .map(|n| [3 * n, 3 * n + 1, 3 * n + 2])
+            .collect(),
+        ..Mesh::default()
+    }
+}
+
+/// A mesh that stands where its own coordinates say.
+pub fn standing(mesh: usize, object: u32, materials: usize) -> Instance {
+    Instance {
+        mesh,
+        pose: Affine3A::IDENTITY,
+        object,
+        materials,
+    }
+}
+
+/// A scene with an instance for each object of a list of triangles.
+pub fn scene_of(triangles: &[Triangle]) -> RayScene {
+    let most = triangles
+        .iter()
+        .map(|triangle| triangle.object)
+        .max()
+        .unwrap_or(0);
+    let mut scene = RayScene {
+        materials: vec![Material {
+            colour: Vec3::splat(0.6),
+            ..Material::default()
+        }],
+        fog_m: 200.0,
+        ..RayScene::default()
+    };
+    for object in 0..=most {
+        let own: Vec<_> = triangles
+            .iter()
+            .filter(|t| t.object == object)
+            .copied()
+            .collect();
+        scene
+            .instances
+            .push(standing(scene.meshes.len(), object, 0));
+        scene.meshes.push(Arc::new(mesh(&own)));
+    }
+    scene
+}

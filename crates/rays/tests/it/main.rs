@@ -1,0 +1,11 @@
+//! What must hold of pictures of deformed rooms, and of their rays.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod agreement;
+mod common;
+mod shaders;

@@ -1,0 +1,77 @@
+//! What is under the crosshair, found by the path that light and walkers take.
+
+use antipode_deformation::{End, Event, EventKind, Traveller, What, trace};
+use serde::Serialize;
+
+use crate::scene::RoomScene;
+use crate::tuning::PICK_M;
+
+/// What the crosshair is on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Pick {
+    /// The object; null for the sky.
+    pub object: Option<String>,
+    /// How far off it feels, metres.
+    pub felt: Option<f64>,
+    /// How long the way there is in the scene, metres.
+    pub scene: Option<f64>,
+    /// Faces on the way, in their order.
+    pub events: Vec<PickEvent>,
+}
+
+/// A face on the way.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PickEvent {
+    /// `entered`, `left` or `reflected`.
+    pub kind: &'static str,
+    /// The aberration.
+    pub name: String,
+}
+
+impl RoomScene {
+    /// What the crosshair is on.
+    pub fn pick(&self) -> Pick {
+        let eye = self.walker.eye_place(&self.space, self.up());
+        let path = trace(
+            &self.space,
+            &eye,
+            self.look.front(),
+            PICK_M,
+            &self.solids,
+            &Traveller::Body,
+        );
+        let hit = match path.end {
+            End::Hit(hit) => Some(match hit.what {
+                What::Object(object, _) => object as usize,
+                What::Wall(number, _) => self.boxes[number],
+            }),
+            End::Spent | End::TooManyEvents => None,
+        };
+        let corners = path.events.iter().map(|event| event.point);
+        let mut from = eye.point;
+        let scene = corners.chain([path.place.point]).fold(0.0, |sum, to| {
+            let piece = from.distance(to);
+            from = to;
+            sum + piece
+        });
+        Pick {
+            object: hit.map(|index| self.room().objects[index].name.clone()),
+            felt: hit.map(|_| path.length),
+            scene: hit.map(|_| scene),
+            events: path.events.iter().map(|it| self.told(it)).collect(),
+        }
+    }
+
+    fn told(&self, event: &Event) -> PickEvent {
+        PickEvent {
+            kind: match event.kind {
+                EventKind::Entered => "entered",
+                EventKind::Left => "left",
+                EventKind::Reflected => "reflected",
+            },
+            name: self.room().objects[self.boxes[event.aberration]]
+                .name
+                .clone(),
+        }
+    }
+}

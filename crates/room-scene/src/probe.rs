@@ -1,0 +1,106 @@
+//! The state of an open room, for scripts.
+
+use antipode_deformation::Traveller;
+use antipode_rooms::poses;
+use serde::Serialize;
+
+use crate::pick::Pick;
+use crate::scene::RoomScene;
+
+/// The state of an open room. Places are metres of the scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RoomProbe {
+    /// Simulated time since the room was opened, seconds.
+    pub t: f64,
+    /// The room's name.
+    pub room: String,
+    /// What is in it.
+    pub objects: Vec<ObjectProbe>,
+    /// What is under the crosshair.
+    pub pick: Pick,
+    /// Speed as it is felt, metres per second.
+    pub felt_speed: f64,
+    /// How large the player is in the scene, to what it is outside: the cube root of what a felt cubic metre takes up there.
+    pub scale: f64,
+    /// The player.
+    pub player: PlayerProbe,
+    /// The camera.
+    pub camera: CameraProbe,
+}
+
+/// Something in a room.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ObjectProbe {
+    /// Its name.
+    pub name: String,
+    /// What it is: `box`, `aberration` and so on.
+    pub kind: &'static str,
+    /// Where it is.
+    pub pos: [f64; 3],
+}
+
+/// The player in a room.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlayerProbe {
+    /// Feet.
+    pub pos: [f64; 3],
+    /// Velocity in the scene, metres per second.
+    pub vel: [f64; 3],
+    /// Heading, degrees.
+    pub yaw: f64,
+    /// Elevation of the view, degrees.
+    pub pitch: f64,
+    /// Whether the feet stand on ground.
+    pub grounded: bool,
+}
+
+/// The camera in a room.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CameraProbe {
+    /// Eye.
+    pub pos: [f64; 3],
+    /// `first`.
+    pub mode: &'static str,
+}
+
+impl RoomScene {
+    /// The state of the room.
+    pub fn probe(&self) -> RoomProbe {
+        let body = &self.walker.body;
+        let k = self
+            .space
+            .squeeze(&body.place.stack, body.velocity, &Traveller::Body);
+        let aim = self.look.degrees();
+        let room = self.room();
+        let objects = room.objects.iter().zip(poses(room));
+        RoomProbe {
+            t: self.time_s,
+            room: room.name.clone(),
+            objects: objects
+                .map(|(object, pose)| ObjectProbe {
+                    name: object.name.clone(),
+                    kind: object.what.kind(),
+                    pos: pose.translation.to_array(),
+                })
+                .collect(),
+            pick: self.pick(),
+            felt_speed: body.velocity.length(),
+            scale: k.determinant().abs().cbrt(),
+            player: PlayerProbe {
+                pos: self.feet().to_array(),
+                vel: (k * body.velocity).to_array(),
+                yaw: aim.x,
+                pitch: aim.y,
+                grounded: self.walker.ground.is_some(),
+            },
+            camera: CameraProbe {
+                pos: self
+                    .walker
+                    .eye_place(&self.space, self.up())
+                    .point
+                    .to_array(),
+                mode: "first",
+            },
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! An open room: what is worked out of it, and who is in it.
+
+use antipode_deformation::{Space, Triangles, Walker};
+use antipode_rooms::bounds::FARTHEST_M;
+use antipode_rooms::mesh::SolidMesh;
+use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space};
+use glam::DVec3;
+use thiserror::Error;
+
+use crate::solids::{standing, triangles};
+use crate::tuning::{PITCH_LIMIT_RAD, SHAPE};
+use crate::walk::Look;
+
+/// A place that is not in any room.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[error("({}, {}, {}) is farther than {FARTHEST_M} m from the room's origin", .0.x, .0.y, .0.z)]
+pub struct NoSuchPlace(pub DVec3);
+
+/// An open room.
+#[derive(Clone, Debug)]
+pub struct RoomScene {
+    editor: Editor,
+    pub(crate) assets: Assets,
+    pub(crate) space: Space,
+    /// The object of each aberration of the space.
+    pub(crate) boxes: Vec<usize>,
+    pub(crate) meshes: Vec<SolidMesh>,
+    pub(crate) solids: Triangles,
+    pub(crate) walker: Walker,
+    pub(crate) look: Look,
+    pub(crate) time_s: f64,
+    revision: u64,
+}
+
+impl RoomScene {
+    /// Opens a room; one stands where it says that one begins.
+    ///
+    /// # Errors
+    /// [`RoomError::Unsound`] if its aberrations lie as they may not; rooms that were read do not.
+    pub fn open(loaded: Loaded) -> Result<Self, RoomError> {
+        let mut scene = Self {
+            editor: Editor::new(loaded.room),
+            assets: loaded.assets,
+            space: Space::default(),
+            boxes: Vec::new(),
+            meshes: Vec::new(),
+            solids: Triangles::default(),
+            walker: Walker::new(antipode_deformation::Place::default(), SHAPE),
+            look: Look::default(),
+            time_s: 0.0,
+            revision: 0,
+        };
+        scene.work_out()?;
+        scene.begin_anew();
+        Ok(scene)
+    }
+
+    /// The room as it is now.
+    pub fn room(&self) -> &Room {
+        self.editor.room()
+    }
+
+    /// Counts changes of what the room looks like.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Changes the room by the words of a command, as [`Editor::apply`] takes them. `read` gives the files of a room that
+    /// names other ones than before. Who walks stays, unless what is strange there has changed: then they begin to feel it.
+    ///
+    /// # Errors
+    /// What is wrong with the command, with the room that it would leave or with a file that it names. The room is as it was.
+    pub fn edit(
+        &mut self,
+        words: &[&str],
+        read: impl FnOnce(&Room) -> Result<Assets, RoomError>,
+    ) -> Result<(), RoomError> {
+        let mut changed = self.clone();
+        changed.editor.apply(words)?;
+        changed.assets = read(changed.room())?;
+        changed.work_out()?;
+        *self = changed;
+        Ok(())
+    }
+
+    /// Gives the room another name.
+    ///
+    /// # Errors
+    /// If no room can be called so.
+    pub fn rename(&mut self, name: &str) -> Result<(), RoomError> {
+        let room = Room {
+            name: name.trim().to_owned(),
+            ..self.room().clone()
+        };
+        self.editor.step(room)
+    }
+
+    fn work_out(&mut self) -> Result<(), RoomError> {
+        let room = self.editor.room();
+        self.space = space(room).map_err(RoomError::Unsound)?;
+        self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
+        self.meshes = standing(room, &self.assets);
+        self.solids = triangles(&self.meshes);
+        let place = &mut self.walker.body.place;
+        place.stack = self.space.stack_at(place.point);
+        self.revision += 1;
+        Ok(())
+    }
+
+    /// Looks there, degrees; pitch is held short of the vertical.
+    pub fn aim(&mut self, yaw_deg: f64, pitch_deg: f64) {
+        self.look = Look {
+            yaw_rad: yaw_deg.to_radians(),
+            pitch_rad: pitch_deg
+                .to_radians()
+                .clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD),
+        };
+    }
+
+    /// Puts the feet of who walks there, at rest.
+    ///
+    /// # Errors
+    /// If it is farther off than anything in a room.
+    pub fn teleport(&mut self, feet: DVec3) -> Result<(), NoSuchPlace> {
+        if !(feet.abs().max_element() <= FARTHEST_M) {
+            return Err(NoSuchPlace(feet));
+        }
+        self.stand_at(feet);
+        Ok(())
+    }
+}

@@ -1,0 +1,54 @@
+//! Figures of play and of light in rooms, with their units. Who walks is as tall and as fast as in worlds.
+
+use std::f64::consts::PI;
+
+use antipode_deformation::WalkerShape;
+
+/// Length of a step, seconds.
+pub const STEP_S: f64 = 1.0 / 60.0;
+/// Felt speed of who walks, metres per second.
+pub const WALK_SPEED_M_S: f64 = 4.5;
+/// How many times as fast a sprint is.
+pub const SPRINT_FACTOR: f64 = 1.7;
+/// How soon who walks is as fast as wished: on the ground, in the air, and in the air without a wish; m/s^2.
+pub const ACCELERATIONS_M_S2: (f64, f64, f64) = (50.0, 12.0, 4.0);
+/// Felt speed with which a jump begins, metres per second: v^2 = 2 g h for 1.2 m under 9.81 m/s^2.
+pub const JUMP_SPEED_M_S: f64 = 4.852_215;
+/// Nobody falls faster, metres per second.
+pub const TERMINAL_SPEED_M_S: f64 = 60.0;
+/// Felt height of the eye above the feet, metres.
+pub const EYE_M: f64 = 1.62;
+/// Felt radius of who walks, metres.
+pub const RADIUS_M: f64 = 0.35;
+/// The greatest pitch of the view, radians.
+pub const PITCH_LIMIT_RAD: f64 = 89.0 * PI / 180.0;
+/// Angle between the top and the bottom of a picture, radians.
+pub const FOV_Y_RAD: f64 = 75.0 * PI / 180.0;
+/// Who is farther from the origin than this, along an axis, has fallen out of the room and begins anew; metres.
+pub const LOST_M: f64 = 1100.0;
+/// How far the crosshair picks, felt metres.
+pub const PICK_M: f64 = 100_000.0;
+
+/// What light of brightness 1 is to the tone map: the noon sun.
+pub const DAYLIGHT: f32 = 1.3;
+/// The share of a lamp's power that its light has at no distance. Lamps are soft near by: c / (1 + 0.24 d^2), which is
+/// power / d^2 from a few metres on for c = 0.24 power.
+pub const LAMP_SHARE: f32 = 0.24;
+/// The share of noon light at which a lamp has faded away.
+pub const LAMP_FAINT: f32 = 0.003;
+/// How large a lamp is, metres: what is nearer throws no shadow.
+pub const LAMP_RADIUS_M: f32 = 0.15;
+/// Felt metres at which fog is complete in rooms without: beyond anything that stands in them.
+pub const NO_FOG_M: f32 = 200_000.0;
+/// How much more light the writing on signs throws back than paper would, so that it can be read in the shade.
+pub const SIGN_BRIGHTNESS: f32 = 1.7;
+/// Index of refraction of glass.
+pub const GLASS: f32 = 1.5;
+/// Share of light that a mirror throws back.
+pub const MIRROR: f32 = 0.92;
+
+/// What who walks is like to solids.
+pub const SHAPE: WalkerShape = WalkerShape {
+    radius_m: RADIUS_M,
+    eye_m: EYE_M - RADIUS_M,
+};

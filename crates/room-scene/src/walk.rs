@@ -1,0 +1,157 @@
+//! Who walks in a room: what is asked of them in a step, and what comes of it.
+
+use antipode_deformation::{Place, Traveller, Walker, felt_gravity, trace};
+use antipode_rooms::direction;
+use glam::{DVec2, DVec3};
+
+use crate::scene::RoomScene;
+use crate::tuning::{
+    ACCELERATIONS_M_S2, JUMP_SPEED_M_S, LOST_M, PITCH_LIMIT_RAD, RADIUS_M, SHAPE, SPRINT_FACTOR,
+    STEP_S, TERMINAL_SPEED_M_S, WALK_SPEED_M_S,
+};
+
+/// What is asked of who walks, for one step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Steer {
+    /// Forward minus backward, -1 to 1.
+    pub forward: f64,
+    /// Right minus left, -1 to 1.
+    pub strafe: f64,
+    /// Sprint held.
+    pub sprint: bool,
+    /// Jump held.
+    pub jump: bool,
+    /// Turn to the right, radians.
+    pub look_yaw_rad: f64,
+    /// Turn upwards, radians.
+    pub look_pitch_rad: f64,
+}
+
+/// Where one looks, radians: 0 is along +x, yaw goes towards +z and pitch upwards.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Look {
+    /// About the upright.
+    pub yaw_rad: f64,
+    /// Above the level.
+    pub pitch_rad: f64,
+}
+
+impl Look {
+    /// Of degrees.
+    pub fn of_degrees(aim_deg: DVec2) -> Self {
+        let mut look = Self::default();
+        look.turn(aim_deg.x.to_radians(), aim_deg.y.to_radians());
+        look
+    }
+
+    /// Turns to the right and upwards.
+    pub fn turn(&mut self, right_rad: f64, up_rad: f64) {
+        self.yaw_rad = (self.yaw_rad + right_rad).rem_euclid(std::f64::consts::TAU);
+        self.pitch_rad = (self.pitch_rad + up_rad).clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD);
+    }
+
+    /// In degrees, yaw from -180 to 180.
+    pub fn degrees(&self) -> DVec2 {
+        let yaw = (self.yaw_rad.to_degrees() + 180.0).rem_euclid(360.0) - 180.0;
+        DVec2::new(yaw, self.pitch_rad.to_degrees())
+    }
+
+    /// The felt direction, of length 1.
+    pub fn front(&self) -> DVec3 {
+        direction(self.degrees())
+    }
+
+    /// What is ahead and to the right along the ground, each of length 1; `up` is across the ground.
+    fn level(&self, up: DVec3) -> (DVec3, DVec3) {
+        let ahead = direction(DVec2::new(self.degrees().x, 0.0));
+        let ahead = ahead
+            .reject_from_normalized(up)
+            .normalize_or(up.any_orthonormal_vector());
+        (ahead, ahead.cross(up))
+    }
+}
+
+impl RoomScene {
+    /// One step of [`STEP_S`].
+    pub fn step(&mut self, steer: &Steer) {
+        self.time_s += STEP_S;
+        self.look.turn(steer.look_yaw_rad, steer.look_pitch_rad);
+        let gravity = self.room().gravity;
+        let body = self.walker.body;
+        let k = self
+            .space
+            .squeeze(&body.place.stack, body.velocity, &Traveller::Body);
+        let up = -felt_gravity(k, gravity).normalize_or(DVec3::NEG_Y);
+        let wish = self.wish(steer, up);
+        if steer.jump && self.walker.ground.is_some() {
+            let falls = self.walker.body.velocity.dot(up);
+            self.walker.body.velocity += up * (JUMP_SPEED_M_S - falls);
+        }
+        self.walker
+            .step(&self.space, &self.solids, wish, gravity, STEP_S);
+        let velocity = &mut self.walker.body.velocity;
+        *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
+        if !(self.walker.body.place.point.abs().max_element() <= LOST_M) {
+            self.begin_anew();
+        }
+    }
+
+    /// The felt velocity along the ground that the step brings, on the way to what is asked.
+    fn wish(&self, steer: &Steer, up: DVec3) -> DVec3 {
+        let (ahead, right) = self.look.level(up);
+        let pace = if steer.sprint { SPRINT_FACTOR } else { 1.0 };
+        let asked = (ahead * steer.forward + right * steer.strafe).clamp_length_max(1.0);
+        let asked = asked * (WALK_SPEED_M_S * pace);
+        let has = self.walker.body.velocity.reject_from_normalized(up);
+        let (ground, air, idle) = ACCELERATIONS_M_S2;
+        let rate = match (self.walker.ground, asked == DVec3::ZERO) {
+            (Some(_), _) => ground,
+            (None, false) => air,
+            (None, true) => idle,
+        };
+        has + (asked - has).clamp_length_max(rate * STEP_S)
+    }
+
+    /// Puts who walks back to where one begins.
+    pub(crate) fn begin_anew(&mut self) {
+        let spawn = self.room().spawn;
+        self.look = Look::of_degrees(spawn.look);
+        self.stand_at(spawn.at);
+    }
+
+    /// Puts the feet of who walks there, at rest.
+    pub(crate) fn stand_at(&mut self, feet: DVec3) {
+        let up = self.up();
+        let start = Place::at(&self.space, feet);
+        let rises = trace(
+            &self.space,
+            &start,
+            up,
+            RADIUS_M,
+            &antipode_deformation::Void,
+            &Traveller::Body,
+        );
+        self.walker = Walker::new(rises.place, SHAPE);
+    }
+
+    /// Where the feet are, metres of the scene.
+    pub fn feet(&self) -> DVec3 {
+        let down = -self.up();
+        let middle = &self.walker.body.place;
+        trace(
+            &self.space,
+            middle,
+            down,
+            RADIUS_M,
+            &antipode_deformation::Void,
+            &Traveller::Body,
+        )
+        .place
+        .point
+    }
+
+    /// Against gravity; the upright where nothing falls. Of length 1.
+    pub fn up(&self) -> DVec3 {
+        -self.room().gravity.normalize_or(DVec3::NEG_Y)
+    }
+}

@@ -1,0 +1,30 @@
+//! Tests of rooms that run.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod edits;
+mod picture;
+mod walking;
+
+use antipode_room_scene::{RoomScene, Steer};
+use antipode_rooms::shipped;
+
+/// A room of the game.
+fn room(id: &str) -> RoomScene {
+    let loaded = shipped::find(id).unwrap().loaded().unwrap();
+    RoomScene::open(loaded).unwrap()
+}
+
+/// Forward, and nothing else.
+const AHEAD: Steer = Steer {
+    forward: 1.0,
+    strafe: 0.0,
+    sprint: false,
+    jump: false,
+    look_yaw_rad: 0.0,
+    look_pitch_rad: 0.0,
+};

@@ -1,0 +1,280 @@
+// The picture: light, what is seen at each pixel, and how far off. Follows frame.wgsl, shading.wgsl and lamps.wgsl.
+
+// Light below this share is not looked for.
+const FAINT: f32 = 0.004;
+
+// A surface as it looks where it is hit.
+struct Surface {
+    colour: vec3<f32>,
+    n: vec3<f32>,           // felt, against the ray
+    flat: vec3<f32>,        // normal in the scene, against the ray
+    material: u32,
+}
+
+fn octahedral(packed: u32) -> vec3<f32> {
+    let p = unpack2x16snorm(packed);
+    var n = vec3<f32>(p, 1.0 - abs(p.x) - abs(p.y));
+    let under = max(-n.z, 0.0);
+    n = vec3<f32>(n.xy - signs(vec3<f32>(p, 0.0)).xy * under, n.z);
+    return normalize(n);
+}
+
+// The coordinates along a surface that looks along the greatest part of n.
+fn along_surface(p: vec3<f32>, n: vec3<f32>) -> vec2<f32> {
+    let a = abs(n);
+    if a.x > a.y && a.x > a.z {
+        return p.yz;
+    }
+    return select(p.xy, p.xz, a.y > a.z);
+}
+
+// Colour of a material at a place of the thing's own metres, or of its texture; a pixel covers `width` metres there.
+fn colour_of(number: u32, p: vec3<f32>, n: vec3<f32>, uv: vec2<f32>, width: vec3<f32>, uv_width: f32) -> vec3<f32> {
+    var colour = materials[number].colour.rgb;
+    let edge = materials[number].checker.w;
+    if edge > 0.0 {
+        // Surfaces lie on the borders of squares: a little inside one is sure to be in one.
+        let share = checker_share(along_surface(p - 0.01 * edge * n, n) / edge, along_surface(width, n) / edge);
+        colour = mix(colour, materials[number].checker.rgb, share);
+    }
+    let layer = materials[number].colour.w;
+    if layer >= 0.0 {
+        let scale = materials[number].optics.z;
+        let texels = f32(textureDimensions(textures).x) * scale * uv_width;
+        colour *= textureSampleLevel(textures, texture_sampler, uv * scale, i32(layer), log2(max(texels, 1.0))).rgb;
+    }
+    return colour;
+}
+
+// How many metres of the scene a felt cone of a pixel is wide at its end, along each axis of the scene.
+fn cone_in_scene(k: mat3x3<f32>, felt: f32) -> vec3<f32> {
+    let rows = transpose(k);
+    return felt * vec3<f32>(length(rows[0]), length(rows[1]), length(rows[2]));
+}
+
+fn object_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
+    let found = (*ended).found;
+    let path = (*ended).path;
+    let instance = found.instance;
+    let v = path.k * path.w;
+    let to_mesh = transpose(mat3x3<f32>(instances[instance].row_x.xyz, instances[instance].row_y.xyz, instances[instance].row_z.xyz));
+    let ab = triangles[3u * found.triangle + 1u].xyz;
+    let ac = triangles[3u * found.triangle + 2u].xyz;
+    var flat = normalize(normalize(cross(ab, ac)) * to_mesh);
+    let turned = dot(flat, v) > 0.0;
+    flat = select(flat, -flat, turned);
+    let packed = attributes[3u * found.triangle];
+    let share = vec3<f32>(1.0 - found.along.x - found.along.y, found.along);
+    let own = share.x * octahedral(packed.x) + share.y * octahedral(packed.y) + share.z * octahedral(packed.z);
+    var smooth_n = normalize(own * to_mesh);
+    smooth_n = select(smooth_n, -smooth_n, turned);
+    var n = normalize(smooth_n * path.k);
+    // What is seen does not look away.
+    let facing = dot(n, path.w);
+    n = normalize(n - max(facing + 0.01, 0.0) * path.w);
+    let first = bitcast<vec4<f32>>(attributes[3u * found.triangle + 1u]);
+    let last = bitcast<vec4<f32>>(attributes[3u * found.triangle + 2u]);
+    let uv = share.x * first.xy + share.y * first.zw + share.z * last.xy;
+    let uv_for_metre = last.z;
+    let at = vec3<f32>(dot(instances[instance].row_x, vec4<f32>(path.x, 1.0)), dot(instances[instance].row_y, vec4<f32>(path.x, 1.0)), dot(instances[instance].row_z, vec4<f32>(path.x, 1.0)));
+    let scale = instances[instance].scale.xyz;
+    let flat_felt = abs(dot(normalize(flat * path.k), path.w));
+    let width = cone_in_scene(path.k, felt_width) / max(flat_felt, 0.04);
+    let in_mesh = abs_matrix(to_mesh) * width * scale;
+    let material = instances[instance].materials + packed.w;
+    let mesh_n = select(1.0, -1.0, turned) * cross(ab, ac);
+    let colour = colour_of(material, at * scale, normalize(mesh_n), uv, in_mesh, uv_for_metre * greatest(in_mesh / scale));
+    return Surface(colour, n, flat, material);
+}
+
+fn abs_matrix(m: mat3x3<f32>) -> mat3x3<f32> {
+    return mat3x3<f32>(abs(m[0]), abs(m[1]), abs(m[2]));
+}
+
+// The wall of a box: its pattern is in felt metres, so that one can count how long it is.
+fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
+    let path = (*ended).path;
+    let number = (*ended).wall;
+    let v = path.k * path.w;
+    var flat = axis_of(number, (*ended).axis);
+    flat = select(flat, -flat, dot(flat, v) > 0.0);
+    let local = local_vector(number, path.x - space.boxes[number].centre);
+    let is_inside = stack_has(path.stack, path.depth, number);
+    let s = select(vec3<f32>(1.0), space.boxes[number].stretch, is_inside);
+    let n = normalize(flat * path.k);
+    let local_n = local_vector(number, flat);
+    let width = felt_width / max(abs(dot(n, path.w)), 0.04);
+    let material = space.boxes[number].wall_material;
+    let at = (local + half_of(number)) * s;
+    let colour = colour_of(material, at, local_n, along_surface(at, local_n), vec3<f32>(width), width);
+    return Surface(colour, n, flat, material);
+}
+
+// Light of the sun and of lamps that falls on a surface, and what of it shines.
+fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) -> vec3<f32> {
+    var sum = vec3<f32>(0.0);
+    let gloss = materials[surface.material].optics.y;
+    for (var light = 0u; light <= frame.counts.y; light++) {
+        let is_sun = light == 0u;
+        var tries = u32(frame.sun_colour.w);
+        if !is_sun {
+            tries = lamp_tries(at, light - 1u);
+        }
+        for (var attempt = 0u; attempt < tries; attempt++) {
+            var aim = Aim(frame.sun.xyz, frame.front.w);
+            var radius = 0.0;
+            var strength = frame.sun_colour.rgb;
+            if !is_sun {
+                aim = lamp_aim(at, light - 1u, attempt);
+                radius = frame.lamps[light - 1u].place.w;
+                strength = frame.lamps[light - 1u].colour.rgb * lamp_through(max(aim.length, 0.0), frame.lamps[light - 1u].colour.w);
+            }
+            let cosine = dot(surface.n, aim.w);
+            var share = select(lamp_diffuse(cosine), max(cosine, 0.0), is_sun);
+            if aim.length < 0.0 || cosine <= 0.0 || greatest(strength) * share < FAINT * 0.1 {
+                continue;
+            }
+            let longest = max(aim.length - radius, 0.0);
+            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false), longest, true, 0.0);
+            if ended.end != END_SPENT {
+                continue;
+            }
+            if !is_sun {
+                // Where it met other boxes it has gone elsewhere.
+                let left = frame.lamps[light - 1u].place.xyz - ended.path.x;
+                let expected = radius * length(ended.path.k * aim.w);
+                if abs(length(left) - expected) > 0.002 * (1.0 + aim.length) {
+                    continue;
+                }
+            }
+            share += gloss * shine(surface.n, aim.w, to_eye);
+            sum += strength * share;
+        }
+    }
+    return sum;
+}
+
+fn sky_at(w: vec3<f32>, with_sun: bool) -> vec3<f32> {
+    var light = sky_light(w, frame.zenith.xyz, frame.top.rgb, frame.horizon.rgb, frame.ground.rgb);
+    if with_sun && frame.sun_colour.w > 0.0 {
+        let toward = dot(w, frame.sun.xyz);
+        light += frame.sun_colour.rgb * (4.0 * smoothstep(frame.sun.w - 0.0004, frame.sun.w + 0.0004, toward));
+    }
+    return light;
+}
+
+// How far a place is lifted off a surface, scene metres.
+fn lift_of(x: vec3<f32>) -> f32 {
+    return 2.0e-4 + 4.0e-6 * greatest(abs(x));
+}
+
+// The direction behind a pane: refracted by W. Snell's law, or mirrored where nothing gets through.
+fn through_pane(w: vec3<f32>, n: vec3<f32>, ratio: f32) -> vec3<f32> {
+    let cosine = -dot(w, n);
+    let left = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    if left < 0.0 {
+        return reflect(w, n);
+    }
+    return normalize(ratio * w + (ratio * cosine - sqrt(left)) * n);
+}
+
+struct Seen {
+    light: vec3<f32>,
+    what: u32,      // 0 for nothing; 1 + the object; 0x80000000 + the aberration of a wall
+    length: f32,
+}
+
+fn see(direction: vec3<f32>) -> Seen {
+    var seen = Seen(vec3<f32>(0.0), 0u, frame.front.w);
+    var left = vec3<f32>(1.0);
+    var far = 0.0;
+    var in_glass = false;
+    var path = path_from(frame.eye.xyz, direction, frame.stack, frame.counts.x, true);
+    for (var bounce = 0u; bounce <= frame.size.z; bounce++) {
+        var ended = trace(path, frame.front.w - far, false, select(0.0, frame.eye.w, bounce == 0u));
+        path = ended.path;
+        far += ended.length;
+        if bounce == 0u && ended.outline >= 0.0 {
+            let strength = frame.outline.w * (1.0 - fog_share(ended.outline, frame.zenith.w));
+            seen.light += strength * frame.outline.rgb;
+            left *= 1.0 - strength;
+        }
+        if ended.end == END_SPENT || ended.end == END_TOO_MANY {
+            seen.light += left * sky_at(path.w, ended.end == END_SPENT);
+            break;
+        }
+        var surface: Surface;
+        var what = 0x80000000u + ended.wall;
+        if ended.end == END_OBJECT {
+            surface = object_surface(&ended, frame.eye.w * far);
+            what = 1u + instances[ended.found.instance].object;
+        } else {
+            surface = wall_surface(&ended, frame.eye.w * far);
+        }
+        if bounce == 0u {
+            seen.what = what;
+            seen.length = ended.length;
+        }
+        let fog = fog_share(far, frame.zenith.w);
+        let glow = materials[surface.material].glow;
+        let index = materials[surface.material].optics.x;
+        let goes_on = bounce < frame.size.z;
+        // Without bounces a mirror shows the sky and a pane is nearly opaque.
+        let mirrored = select(0.6 * glow.w, glow.w, goes_on);
+        let is_pane = index > 0.0 && goes_on;
+        seen.light += left * fog * sky_at(path.w, false);
+        left *= 1.0 - fog;
+        if !is_pane && mirrored < 1.0 {
+            var at = path;
+            at.x += lift_of(path.x) * surface.flat;
+            let diffuse = direct_light(&at, surface, -path.w) + ambient_light(surface.n, frame.zenith.xyz, frame.ambient_sky.rgb, frame.ambient_ground.rgb);
+            seen.light += left * (1.0 - mirrored) * (surface.colour * diffuse + glow.rgb);
+        }
+        if is_pane {
+            left *= surface.colour;
+            let ratio = select(1.0 / index, index, in_glass);
+            let w = through_pane(path.w, surface.n, ratio);
+            let is_through = dot(w, surface.n) < 0.0;
+            in_glass = in_glass != is_through;
+            path.x += select(1.0, -1.0, is_through) * lift_of(path.x) * surface.flat;
+            path.w = w;
+        } else if mirrored > 0.0 {
+            left *= mirrored * mix(vec3<f32>(1.0), surface.colour, 0.3);
+            path.w = reflect(path.w, surface.n);
+            path.x += lift_of(path.x) * surface.flat;
+            if !goes_on {
+                seen.light += left * sky_at(path.w, false);
+                break;
+            }
+        } else {
+            break;
+        }
+        if greatest(left) < FAINT {
+            break;
+        }
+        path.k = squeeze_of(path.stack, path.depth, path.w, true);
+    }
+    return seen;
+}
+
+@compute @workgroup_size(8, 8)
+fn draw(@builtin(global_invocation_id) id: vec3<u32>) {
+    if any(id.xy >= frame.size.xy) {
+        return;
+    }
+    var light = vec3<f32>(0.0);
+    var first: Seen;
+    for (var sample = 0u; sample < frame.size.w; sample++) {
+        // Of one sample the middle; of several a turned square's corners.
+        let angle = 0.4636 + 1.5707963 * f32(sample);
+        let offset = select(vec2<f32>(0.0), 0.3953 * vec2<f32>(cos(angle), sin(angle)), frame.size.w > 1u);
+        let place = 2.0 * (vec2<f32>(id.xy) + 0.5 + offset) / vec2<f32>(frame.size.xy) - 1.0;
+        let seen = see(normalize(frame.front.xyz + place.x * frame.right.xyz - place.y * frame.up.xyz));
+        light += seen.light;
+        if sample == 0u {
+            first = seen;
+        }
+    }
+    textureStore(light_out, id.xy, vec4<f32>(light / f32(frame.size.w), 1.0));
+    textureStore(seen_out, id.xy, vec4<u32>(first.what, bitcast<u32>(first.length), 0u, 0u));
+}
