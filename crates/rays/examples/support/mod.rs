@@ -1,4 +1,5 @@
 //! What the examples share: an adapter, simple solids, and pictures as files.
+#![allow(dead_code, reason = "each example takes what it needs")]
 
 use antipode_rays::{Eye, Instance, Mesh, Options, Picture, RayScene, Rays, RaysError};
 use glam::{Affine3A, Vec2, Vec3};

@@ -1,21 +1,26 @@
 //! What tests share: an adapter, and scenes.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, OnceLock};
 
 use antipode_deformation::Triangle;
-use antipode_rays::{Instance, Material, Mesh, RayScene};
+use antipode_rays::{Instance, Material, Mesh, RayScene, Rays};
 use glam::{Affine3A, Vec3};
 
-/// An open adapter.
+/// An open adapter with compiled shaders.
 pub struct Gpu {
     pub device: wgpu::Device,
     pub queue: wgpu::Queue,
+    pub rays: Rays,
+    /// Whoever draws holds it: pictures share a uniform.
+    pub drawing: Mutex<()>,
 }
 
 impl Gpu {
-    /// An adapter, or none and a loud word.
-    pub fn new() -> Option<Self> {
-        antipode_testing::needed("a graphics adapter", open())
+    /// The adapter of all tests, since software takes seconds to compile the shaders; or none and a loud word.
+    pub fn shared() -> Option<&'static Self> {
+        static SHARED: OnceLock<Result<Gpu, String>> = OnceLock::new();
+        let opened = SHARED.get_or_init(open);
+        antipode_testing::needed("a graphics adapter", opened.as_ref())
     }
 }
 
@@ -28,7 +33,14 @@ fn open() -> Result<Gpu, String> {
     let descriptor = wgpu::DeviceDescriptor::default();
     let (device, queue) =
         pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| e.to_string())?;
-    Ok(Gpu { device, queue })
+    let rays = Rays::new(&device).map_err(|e| e.to_string())?;
+    let drawing = Mutex::new(());
+    Ok(Gpu {
+        device,
+        queue,
+        rays,
+        drawing,
+    })
 }
 
 /// A mesh of triangles, all of one material.
