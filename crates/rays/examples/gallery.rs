@@ -1,4 +1,5 @@
-//! Pictures of deformed rooms, to be looked at: `cargo run --release -p antipode-rays --example gallery -- FOLDER`.
+//! Pictures of deformed rooms, to be looked at:
+//! `cargo run --release -p antipode-rays --example gallery -- FOLDER [NAME..]`. Without names all are drawn.
 
 mod support;
 
@@ -15,7 +16,7 @@ use support::{Gpu, ball, cube, placed};
 
 type Fault = Box<dyn std::error::Error>;
 
-const SIZE: (u32, u32) = (640, 360);
+const SIZE: (u32, u32) = (480, 270);
 const CUBE: usize = 0;
 const BALL: usize = 1;
 const FLOOR: usize = 1;
@@ -34,7 +35,11 @@ fn main() -> Result<(), Fault> {
         bounces: 4,
         samples: 4,
     };
+    let names: Vec<_> = std::env::args().skip(2).collect();
     for (name, scene, eye) in pictures()? {
+        if !names.is_empty() && !names.iter().any(|wanted| wanted == name) {
+            continue;
+        }
         let picture = gpu.draw(&rays, &scene, &eye, SIZE, &whole)?;
         save(&gpu, &picture, &format!("{folder}/{name}.png"))?;
     }

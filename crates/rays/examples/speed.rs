@@ -122,7 +122,7 @@ fn time(
     size: (u32, u32),
     rounds: u32,
 ) -> Result<(f64, f64), Fault> {
-    let at = DVec3::new(0.0, 9.0, 14.0);
+    let at = DVec3::new(0.0, 14.0, 10.0);
     let eye = Eye::looking(Place::at(&scene.aberrations, at), -at, DVec3::Y, 0.8);
     let picture = Picture::new(&gpu.device, size);
     let mut least = (f64::INFINITY, f64::INFINITY);
