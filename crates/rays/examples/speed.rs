@@ -128,13 +128,15 @@ fn time(
     let mut least = (f64::INFINITY, f64::INFINITY);
     for _ in 0..=rounds {
         let (begun, worked) = (Instant::now(), work_s());
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         rays.draw(
             (&gpu.device, &gpu.queue),
             &mut encoder,
             (scene, loaded),
             (&eye, &picture),
-            &Options::default(),
+            Options::default(),
         );
         gpu.queue.submit([encoder.finish()]);
         gpu.device.poll(wgpu::PollType::wait_indefinitely())?;

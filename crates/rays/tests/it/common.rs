@@ -47,7 +47,7 @@ fn open() -> Result<Gpu, String> {
 pub fn mesh(triangles: &[Triangle]) -> Mesh {
     let corners = triangles.iter().flat_map(|triangle| triangle.corners);
     Mesh {
-        positions: corners.map(|corner| corner.as_vec3()).collect(),
+        positions: corners.map(glam::DVec3::as_vec3).collect(),
         triangles: (0..triangles.len() as u32)
             .map(|n| [3 * n, 3 * n + 1, 3 * n + 2])
             .collect(),

@@ -16,7 +16,7 @@ const SIZE: (u32, u32) = (64, 36);
 
 type Light = Vec<[f32; 3]>;
 
-fn draw(gpu: &Gpu, scene: &RayScene, eye: &Eye, options: &Options) -> (Light, Vec<Pixel>) {
+fn draw(gpu: &Gpu, scene: &RayScene, eye: &Eye, options: Options) -> (Light, Vec<Pixel>) {
     let rays = &gpu.rays;
     let _held = gpu.drawing.lock().unwrap_or_else(PoisonError::into_inner);
     let loaded = rays.upload(&gpu.device, &gpu.queue, scene).unwrap();
@@ -39,7 +39,7 @@ fn draw(gpu: &Gpu, scene: &RayScene, eye: &Eye, options: &Options) -> (Light, Ve
 }
 
 fn shown(gpu: &Gpu, scene: &RayScene, eye: &Eye) -> (Light, Vec<Pixel>) {
-    draw(gpu, scene, eye, &Options::default())
+    draw(gpu, scene, eye, Options::default())
 }
 
 fn looking(scene: &RayScene, from: DVec3, to: DVec3) -> Eye {
@@ -171,7 +171,7 @@ fn shadows_fall_and_instances_move() {
             &mut encoder,
             (&scene, &loaded),
             (&eye, &picture),
-            &Options::default(),
+            Options::default(),
         );
         gpu.queue.submit([encoder.finish()]);
         middle(&picture.read_light(&gpu.device, &gpu.queue).unwrap())[1]
@@ -252,7 +252,7 @@ fn mirrors_show_what_stands_before_them() {
                 gpu,
                 &scene,
                 &eye,
-                &Options {
+                Options {
                     bounces,
                     samples: 1,
                 },
@@ -303,7 +303,7 @@ fn panes_are_looked_through() {
             gpu,
             &scene,
             &eye,
-            &Options {
+            Options {
                 bounces: 4,
                 samples: 1,
             },
