@@ -3,57 +3,11 @@
 use std::sync::{Arc, PoisonError};
 
 use antipode_deformation::{Aberration, Place, Sides, Space, Ways};
-use antipode_rays::{
-    Eye, Instance, Lamp, Material, Options, Pattern, Picture, Pixel, RayScene, Seen, Sun,
-    TextureImage,
-};
+use antipode_rays::{Instance, Lamp, Options, Picture, RayScene, Seen, Sun};
 use antipode_testing::rooms;
-use glam::{Affine3A, DQuat, DVec3, Vec2, Vec3};
+use glam::{Affine3A, DQuat, DVec3, Vec3};
 
-use crate::common::{Gpu, mesh, scene_of, standing};
-
-const SIZE: (u32, u32) = (64, 36);
-
-type Light = Vec<[f32; 3]>;
-
-fn draw(gpu: &Gpu, scene: &RayScene, eye: &Eye, options: Options) -> (Light, Vec<Pixel>) {
-    let rays = &gpu.rays;
-    let _held = gpu.drawing.lock().unwrap_or_else(PoisonError::into_inner);
-    let loaded = rays.upload(&gpu.device, &gpu.queue, scene).unwrap();
-    let picture = Picture::new(&gpu.device, SIZE);
-    let mut encoder = gpu
-        .device
-        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    rays.draw(
-        (&gpu.device, &gpu.queue),
-        &mut encoder,
-        (scene, &loaded),
-        (eye, &picture),
-        options,
-    );
-    gpu.queue.submit([encoder.finish()]);
-    (
-        picture.read_light(&gpu.device, &gpu.queue).unwrap(),
-        picture.read_seen(&gpu.device, &gpu.queue).unwrap(),
-    )
-}
-
-fn shown(gpu: &Gpu, scene: &RayScene, eye: &Eye) -> (Light, Vec<Pixel>) {
-    draw(gpu, scene, eye, Options::default())
-}
-
-fn looking(scene: &RayScene, from: DVec3, to: DVec3) -> Eye {
-    Eye::looking(
-        Place::at(&scene.aberrations, from),
-        to - from,
-        DVec3::Y,
-        1.0,
-    )
-}
-
-fn middle<T: Copy>(pixels: &[T]) -> T {
-    pixels[(SIZE.1 / 2 * SIZE.0 + SIZE.0 / 2) as usize]
-}
+use crate::common::{Gpu, Light, SIZE, looking, mesh, middle, scene_of, shown, standing};
 
 fn boxed(stretch: DVec3, sides: Sides) -> Aberration {
     Aberration {
@@ -215,105 +169,6 @@ fn a_lamp_behind_a_door_lights_what_is_before_it() {
 }
 
 #[test]
-fn mirrors_show_what_stands_before_them() {
-    let Some(gpu) = Gpu::shared() else {
-        return;
-    };
-    let mut solids = rooms::cuboid(
-        DVec3::new(0.0, 0.0, -5.0),
-        DQuat::IDENTITY,
-        DVec3::new(9.0, 9.0, 0.1),
-        0,
-    );
-    solids.extend(rooms::cuboid(
-        DVec3::new(0.0, 0.0, 6.0),
-        DQuat::IDENTITY,
-        DVec3::new(9.0, 9.0, 0.1),
-        1,
-    ));
-    let mut scene = scene_of(&solids);
-    scene.materials = vec![
-        Material {
-            colour: Vec3::ONE,
-            mirror: 1.0,
-            ..Material::default()
-        },
-        Material {
-            colour: Vec3::ZERO,
-            glow: Vec3::new(0.9, 0.0, 0.0),
-            ..Material::default()
-        },
-    ];
-    scene.instances[1].materials = 1;
-    let eye = looking(&scene, DVec3::ZERO, DVec3::NEG_Z);
-    let with = |bounces| {
-        middle(
-            &draw(
-                gpu,
-                &scene,
-                &eye,
-                Options {
-                    bounces,
-                    samples: 1,
-                },
-            )
-            .0,
-        )
-    };
-    let [red, green, _] = with(1);
-    assert!(red > 0.8 && green < 0.05, "{red} {green}");
-    let [_, green, blue] = with(0);
-    assert!(green > 0.1 && blue > 0.1, "the sky");
-}
-
-#[test]
-fn panes_are_looked_through() {
-    let Some(gpu) = Gpu::shared() else {
-        return;
-    };
-    let mut solids = rooms::cuboid(
-        DVec3::new(0.0, 0.0, -5.0),
-        DQuat::IDENTITY,
-        DVec3::new(9.0, 9.0, 0.5),
-        0,
-    );
-    solids.extend(rooms::cuboid(
-        DVec3::new(0.0, 0.0, -9.0),
-        DQuat::IDENTITY,
-        DVec3::new(9.0, 9.0, 0.1),
-        1,
-    ));
-    let mut scene = scene_of(&solids);
-    scene.materials = vec![
-        Material {
-            colour: Vec3::ONE,
-            glass: Some(1.5),
-            ..Material::default()
-        },
-        Material {
-            colour: Vec3::ZERO,
-            glow: Vec3::new(0.9, 0.0, 0.0),
-            ..Material::default()
-        },
-    ];
-    scene.instances[1].materials = 1;
-    let eye = looking(&scene, DVec3::ZERO, DVec3::NEG_Z);
-    let [red, green, _] = middle(
-        &draw(
-            gpu,
-            &scene,
-            &eye,
-            Options {
-                bounces: 4,
-                samples: 1,
-            },
-        )
-        .0,
-    );
-    assert!(red > 0.8 && green < 0.05, "{red} {green}");
-}
-
-#[test]
 fn outlines_are_drawn_where_they_are_switched_on_and_nothing_hides_them() {
     let Some(gpu) = Gpu::shared() else {
         return;
@@ -351,63 +206,6 @@ fn outlines_are_drawn_where_they_are_switched_on_and_nothing_hides_them() {
         shown(gpu, &with, &eye).0
     };
     assert_eq!(count(&hidden(true), &hidden(false)), 0);
-}
-
-#[test]
-fn textures_and_checkers_lie_on_surfaces() {
-    let Some(gpu) = Gpu::shared() else {
-        return;
-    };
-    let mut scene = scene_of(&rooms::cuboid(
-        DVec3::new(0.0, 0.0, -5.0),
-        DQuat::IDENTITY,
-        DVec3::new(4.0, 4.0, 0.1),
-        0,
-    ));
-    let mut flat = mesh(&rooms::cuboid(
-        DVec3::new(0.0, 0.0, -5.0),
-        DQuat::IDENTITY,
-        DVec3::new(4.0, 4.0, 0.1),
-        0,
-    ));
-    flat.uvs = flat
-        .positions
-        .iter()
-        .map(|p| Vec2::new(0.125 * (p.x + 4.0), 0.125 * (p.y + 4.0)))
-        .collect();
-    scene.meshes[0] = Arc::new(flat);
-    let halves = image::RgbaImage::from_fn(64, 64, |x, _| {
-        image::Rgba([255 * u8::from(x >= 32), 255 * u8::from(x < 32), 0, 255])
-    });
-    scene.textures = vec![Arc::new(TextureImage { image: halves })];
-    let side = |scene: &RayScene, x: f64| {
-        middle(
-            &shown(
-                gpu,
-                scene,
-                &looking(scene, DVec3::new(x, 0.3, 0.0), DVec3::new(x, 0.3, -5.0)),
-            )
-            .0,
-        )
-    };
-    scene.materials[0].pattern = Pattern::Texture {
-        number: 0,
-        repeats: 1.0,
-    };
-    let (left, right) = (side(&scene, -2.0), side(&scene, 2.0));
-    assert!(
-        left[1] > 4.0 * left[0] && right[0] > 4.0 * right[1],
-        "{left:?} {right:?}"
-    );
-    scene.materials[0].pattern = Pattern::Checker {
-        other: Vec3::splat(0.05),
-        edge_m: 1.0,
-    };
-    let (one, next) = (side(&scene, 0.5), side(&scene, 1.5));
-    assert!(
-        (one[1] / next[1]).max(next[1] / one[1]) > 4.0,
-        "{one:?} {next:?}"
-    );
 }
 
 #[test]
