@@ -134,7 +134,12 @@ fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) ->
             if aim.length < 0.0 || cosine <= 0.0 || greatest(strength) * share < FAINT * 0.1 {
                 continue;
             }
-            let longest = max(aim.length - radius, 0.0);
+            var longest = aim.length;
+            if !is_sun {
+                // The lamp is as large as it is in the scene, whatever it feels like.
+                let k = squeeze_of(frame.lamps[light - 1u].stack, frame.lamps[light - 1u].depth, aim.w, false);
+                longest = max(longest - radius / length(k * aim.w), 0.0);
+            }
             let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false), longest, true, 0.0);
             if ended.end != END_SPENT {
                 continue;
@@ -142,8 +147,7 @@ fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) ->
             if !is_sun {
                 // Where it met other boxes it has gone elsewhere.
                 let left = frame.lamps[light - 1u].place.xyz - ended.path.x;
-                let expected = radius * length(ended.path.k * aim.w);
-                if abs(length(left) - expected) > 0.002 * (1.0 + aim.length) {
+                if length(left) > radius + 0.002 * (1.0 + aim.length) {
                     continue;
                 }
             }

@@ -61,7 +61,7 @@ impl RoomPictures {
                 &mut encoder,
                 (scene, loaded),
                 (&room.eye(), &self.picture),
-                options,
+                *options,
             );
         }
         let light = self.tonemap.bind(&gpu.device, &self.picture.light);

@@ -1,4 +1,5 @@
-//! Pictures of deformed rooms, to be looked at: `cargo run --release -p antipode-rays --example gallery -- FOLDER`.
+//! Pictures of deformed rooms, to be looked at:
+//! `cargo run --release -p antipode-rays --example gallery -- FOLDER [NAME..]`. Without names all are drawn.
 
 mod support;
 
@@ -15,7 +16,7 @@ use support::{Gpu, ball, cube, placed};
 
 type Fault = Box<dyn std::error::Error>;
 
-const SIZE: (u32, u32) = (640, 360);
+const SIZE: (u32, u32) = (480, 270);
 const CUBE: usize = 0;
 const BALL: usize = 1;
 const FLOOR: usize = 1;
@@ -34,8 +35,12 @@ fn main() -> Result<(), Fault> {
         bounces: 4,
         samples: 4,
     };
+    let names: Vec<_> = std::env::args().skip(2).collect();
     for (name, scene, eye) in pictures()? {
-        let picture = gpu.draw(&rays, &scene, &eye, SIZE, &whole)?;
+        if !names.is_empty() && !names.iter().any(|wanted| wanted == name) {
+            continue;
+        }
+        let picture = gpu.draw(&rays, &scene, &eye, SIZE, whole)?;
         save(&gpu, &picture, &format!("{folder}/{name}.png"))?;
     }
     Ok(())
@@ -45,7 +50,7 @@ fn main() -> Result<(), Fault> {
 fn save(gpu: &Gpu, picture: &Picture, path: &str) -> Result<(), Fault> {
     let curve = |light: f32| {
         let s = light.max(0.0).sqrt();
-        let shown = s * (5.072_28 * s - 0.091_362_8) / (s * (5.101_751_7 * s - 0.506_305_8) + 1.0);
+        let shown = s * (5.072_28 * s - 0.091_362_8) / (s * (5.101_752 * s - 0.506_305_8) + 1.0);
         (shown.clamp(0.0, 1.0) * 255.0).round() as u8
     };
     let bytes = picture.read_light(&gpu.device, &gpu.queue)?;
@@ -144,7 +149,7 @@ fn pictures() -> Result<Vec<(&'static str, RayScene, Eye)>, Fault> {
         tunnels(false)?,
         tunnels(true)?,
         nested()?,
-        mirrors()?,
+        mirrors(),
         lamps()?,
     ];
     for (name, sides) in [
@@ -264,7 +269,7 @@ fn nested() -> Result<(&'static str, RayScene, Eye), Fault> {
     Ok(("nested", scene, view))
 }
 
-fn mirrors() -> Result<(&'static str, RayScene, Eye), Fault> {
+fn mirrors() -> (&'static str, RayScene, Eye) {
     let mut scene = ground();
     for x in [-5.0, 5.0] {
         scene.instances.push(placed(
@@ -304,7 +309,7 @@ fn mirrors() -> Result<(&'static str, RayScene, Eye), Fault> {
         DVec3::new(0.0, 1.2, -2.0),
         1.0,
     );
-    Ok(("mirrors", scene, view))
+    ("mirrors", scene, view)
 }
 
 /// Night, and a lamp in a box that shines out of its door.

@@ -122,19 +122,21 @@ fn time(
     size: (u32, u32),
     rounds: u32,
 ) -> Result<(f64, f64), Fault> {
-    let at = DVec3::new(0.0, 9.0, 14.0);
+    let at = DVec3::new(0.0, 14.0, 10.0);
     let eye = Eye::looking(Place::at(&scene.aberrations, at), -at, DVec3::Y, 0.8);
     let picture = Picture::new(&gpu.device, size);
     let mut least = (f64::INFINITY, f64::INFINITY);
     for _ in 0..=rounds {
         let (begun, worked) = (Instant::now(), work_s());
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         rays.draw(
             (&gpu.device, &gpu.queue),
             &mut encoder,
             (scene, loaded),
             (&eye, &picture),
-            &Options::default(),
+            Options::default(),
         );
         gpu.queue.submit([encoder.finish()]);
         gpu.device.poll(wgpu::PollType::wait_indefinitely())?;

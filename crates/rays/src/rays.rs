@@ -117,13 +117,13 @@ impl Rays {
         encoder: &mut CommandEncoder,
         (scene, loaded): (&RayScene, &Loaded),
         (eye, picture): (&Eye, &Picture),
-        options: &Options,
+        options: Options,
     ) {
         let options = Options {
             bounces: options.bounces.min(4),
-            ..*options
+            ..options
         };
-        let uniform = frame(scene, eye, picture.size, &options);
+        let uniform = frame(scene, eye, picture.size, options);
         queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
         let ways = loaded.host_ways.with_corners(&corners(eye, picture.size));
         queue.write_buffer(&loaded.ways, 0, bytemuck::bytes_of(&ways));

@@ -1,4 +1,5 @@
 //! What the examples share: an adapter, simple solids, and pictures as files.
+#![allow(dead_code, reason = "each example takes what it needs")]
 
 use antipode_rays::{Eye, Instance, Mesh, Options, Picture, RayScene, Rays, RaysError};
 use glam::{Affine3A, Vec2, Vec3};
@@ -21,7 +22,8 @@ impl Gpu {
     pub fn open() -> Result<Self, Box<dyn std::error::Error>> {
         let instance =
             wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let adapter = pollster::block_on(instance.request_adapter(&Default::default()))?;
+        let adapter =
+            pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))?;
         let descriptor = wgpu::DeviceDescriptor::default();
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))?;
         let name = adapter.get_info().name;
@@ -42,11 +44,13 @@ impl Gpu {
         scene: &RayScene,
         eye: &Eye,
         size: (u32, u32),
-        options: &Options,
+        options: Options,
     ) -> Result<Picture, RaysError> {
         let loaded = rays.upload(&self.device, &self.queue, scene)?;
         let picture = Picture::new(&self.device, size);
-        let mut encoder = self.device.create_command_encoder(&Default::default());
+        let mut encoder = self
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let gpu = (&self.device, &self.queue);
         rays.draw(
             gpu,

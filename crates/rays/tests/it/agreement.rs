@@ -1,7 +1,7 @@
 //! Rays on the adapter go where those of `antipode-deformation` go.
 
 use antipode_deformation::{End, Place, Sides, Space, Trace, Traveller, Triangles, What, trace};
-use antipode_rays::{Answer, Outcome, ProbeRay, Prober, Rays};
+use antipode_rays::{Answer, Outcome, ProbeRay, Prober};
 use antipode_testing::rooms;
 use fastrand::Rng;
 
@@ -65,10 +65,7 @@ fn compare(
     scene.aberrations = space.clone();
     let solids = Triangles::new(triangles);
     let rays: Vec<_> = (0..10_000).map(|_| rounded(&space, &mut rng)).collect();
-    let loaded = Rays::new(&gpu.device)
-        .unwrap()
-        .upload(&gpu.device, &gpu.queue, &scene)
-        .unwrap();
+    let loaded = gpu.rays.upload(&gpu.device, &gpu.queue, &scene).unwrap();
     let answers = Prober::new(&gpu.device)
         .unwrap()
         .trace(&gpu.device, &gpu.queue, &loaded, &rays)
@@ -101,7 +98,7 @@ fn compare(
 
 #[test]
 fn the_adapter_s_rays_end_where_the_reference_s_do() {
-    let Some(gpu) = Gpu::new() else { return };
+    let Some(gpu) = Gpu::shared() else { return };
     let mut tally = Tally::default();
     for round in 0..10 {
         let sides = move |rng: &mut Rng| match round {
@@ -110,16 +107,14 @@ fn the_adapter_s_rays_end_where_the_reference_s_do() {
             _ => [Sides::Soft, Sides::Walls][rng.usize(..2)],
         };
         compare(
-            &gpu,
+            gpu,
             100 + round,
             2 + (round as usize) % 5,
             3.0,
             sides,
             &mut tally,
         );
-        println!("{round} {tally:?}");
     }
-    println!("{tally:?}");
     assert_eq!(tally.rays, 100_000);
     assert!(tally.other_object <= 10, "{tally:?}");
     assert!(tally.few_off * 10_000 <= tally.few, "{tally:?}");

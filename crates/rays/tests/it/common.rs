@@ -1,21 +1,26 @@
 //! What tests share: an adapter, and scenes.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use antipode_deformation::Triangle;
-use antipode_rays::{Instance, Material, Mesh, RayScene};
-use glam::{Affine3A, Vec3};
+use antipode_deformation::{Place, Triangle};
+use antipode_rays::{Eye, Instance, Material, Mesh, Options, Picture, Pixel, RayScene, Rays};
+use glam::{Affine3A, DVec3, Vec3};
 
-/// An open adapter.
+/// An open adapter with compiled shaders.
 pub struct Gpu {
     pub device: wgpu::Device,
     pub queue: wgpu::Queue,
+    pub rays: Rays,
+    /// Whoever draws holds it: pictures share a uniform.
+    pub drawing: Mutex<()>,
 }
 
 impl Gpu {
-    /// An adapter, or none and a loud word.
-    pub fn new() -> Option<Self> {
-        antipode_testing::needed("a graphics adapter", open())
+    /// The adapter of all tests, since software takes seconds to compile the shaders; or none and a loud word.
+    pub fn shared() -> Option<&'static Self> {
+        static SHARED: OnceLock<Result<Gpu, String>> = OnceLock::new();
+        let opened = SHARED.get_or_init(open);
+        antipode_testing::needed("a graphics adapter", opened.as_ref())
     }
 }
 
@@ -28,14 +33,21 @@ fn open() -> Result<Gpu, String> {
     let descriptor = wgpu::DeviceDescriptor::default();
     let (device, queue) =
         pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| e.to_string())?;
-    Ok(Gpu { device, queue })
+    let rays = Rays::new(&device).map_err(|e| e.to_string())?;
+    let drawing = Mutex::new(());
+    Ok(Gpu {
+        device,
+        queue,
+        rays,
+        drawing,
+    })
 }
 
 /// A mesh of triangles, all of one material.
 pub fn mesh(triangles: &[Triangle]) -> Mesh {
     let corners = triangles.iter().flat_map(|triangle| triangle.corners);
     Mesh {
-        positions: corners.map(|corner| corner.as_vec3()).collect(),
+        positions: corners.map(DVec3::as_vec3).collect(),
         triangles: (0..triangles.len() as u32)
             .map(|n| [3 * n, 3 * n + 1, 3 * n + 2])
             .collect(),
@@ -80,4 +92,47 @@ pub fn scene_of(triangles: &[Triangle]) -> RayScene {
         scene.meshes.push(Arc::new(mesh(&own)));
     }
     scene
+}
+
+pub const SIZE: (u32, u32) = (64, 36);
+
+pub type Light = Vec<[f32; 3]>;
+
+pub fn draw(gpu: &Gpu, scene: &RayScene, eye: &Eye, options: Options) -> (Light, Vec<Pixel>) {
+    let rays = &gpu.rays;
+    let _held = gpu.drawing.lock().unwrap_or_else(PoisonError::into_inner);
+    let loaded = rays.upload(&gpu.device, &gpu.queue, scene).unwrap();
+    let picture = Picture::new(&gpu.device, SIZE);
+    let mut encoder = gpu
+        .device
+        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    rays.draw(
+        (&gpu.device, &gpu.queue),
+        &mut encoder,
+        (scene, &loaded),
+        (eye, &picture),
+        options,
+    );
+    gpu.queue.submit([encoder.finish()]);
+    (
+        picture.read_light(&gpu.device, &gpu.queue).unwrap(),
+        picture.read_seen(&gpu.device, &gpu.queue).unwrap(),
+    )
+}
+
+pub fn shown(gpu: &Gpu, scene: &RayScene, eye: &Eye) -> (Light, Vec<Pixel>) {
+    draw(gpu, scene, eye, Options::default())
+}
+
+pub fn looking(scene: &RayScene, from: DVec3, to: DVec3) -> Eye {
+    Eye::looking(
+        Place::at(&scene.aberrations, from),
+        to - from,
+        DVec3::Y,
+        1.0,
+    )
+}
+
+pub fn middle<T: Copy>(pixels: &[T]) -> T {
+    pixels[(SIZE.1 / 2 * SIZE.0 + SIZE.0 / 2) as usize]
 }

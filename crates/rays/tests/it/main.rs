@@ -8,4 +8,6 @@
 
 mod agreement;
 mod common;
+mod pictures;
 mod shaders;
+mod surfaces;
