@@ -1,6 +1,6 @@
 //! Fixtures: things that a hand puts down on the ground and takes up again. A fixture stays where it is, falls when the
 //! ground below it disappears, and comes up when the player builds over it. All kinds are one component; what a kind does
-//! besides is its [`Behaviour`].
+//! besides is its `Behaviour`.
 
 use antipode_geometry::{ChartPoint, Eye};
 use antipode_items::{Item, Stands};
