@@ -113,6 +113,7 @@ fn one_walks_runs_and_jumps_as_in_worlds() {
 fn in_every_room_of_the_game_one_stands_and_sees_something() {
     for shipped in shipped::ROOMS {
         let mut scene = room(shipped.id);
+        scene.aim(-90.0, -10.0);
         assert!(scene.pick().object.is_some(), "{}", shipped.id);
         for _ in 0..120 {
             scene.step(&AHEAD);
