@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn a_cost_that_drowns_in_noise_is_unsure() {
-        let noise = |i: usize| if i % 2 == 0 { 0.4 } else { -0.4 };
+        let noise = |i: usize| if i.is_multiple_of(2) { 0.4 } else { -0.4 };
         let fit = Fit::of(&loads([1.0, 0.1, 0.1], noise)).unwrap();
         assert!(!fit.is_sure(), "{fit:?}");
     }
