@@ -1,5 +1,7 @@
 """Contact sheets of all models and clips, for people to look at."""
 
+import math
+
 import things
 from astronaut import TEAL, WHITE, astronaut
 from moves import clips, posed, skinned
@@ -42,8 +44,10 @@ def car():
 
 def held(icons):
     picture = Picture(*SIZE)
+    columns = math.ceil(len(icons) / 2)
+    wide = SIZE[0] // columns
     for cell, (make, middle, span, heading, height) in enumerate(icons.values()):
-        place = (213 * (cell % 3), 180 * (cell // 3), 213, 180)
+        place = (wide * (cell % columns), 180 * (cell // columns), wide, 180)
         picture.model(picture.camera(middle, heading, height, span * 1.12, place), make())
     return picture
 

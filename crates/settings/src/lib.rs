@@ -1,7 +1,7 @@
 //! The player's settings and key bindings, and the file that keeps them.
 //!
 //! [`fields`] lists every setting with its kind and range, and [`actions`] lists everything that a key can do. The
-//! menus, the command line and the file follow from these two tables. Their texts have keys (`setting-…`,
+//! menus, `set` of scripts and console, and the file follow from these two tables. Their texts have keys (`setting-…`,
 //! `action-…`), so only the notices for the log are in English.
 //!
 //! This crate knows no window and no adapter. [`Config`] is plain data; [`open`] reads it, and a [`Keeper`] writes it
