@@ -91,7 +91,8 @@ impl RoomScene {
             .step(&self.space, &self.solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
-        if !(self.walker.body.place.point.abs().max_element() <= LOST_M) {
+        let away = self.walker.body.place.point.abs();
+        if !away.cmple(DVec3::splat(LOST_M)).all() {
             self.begin_anew();
         }
     }

@@ -260,9 +260,8 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
         ("name-flag", [name]) => Order::NameFlag((*name).to_owned()),
         ("perf", [time]) => Order::Perf(number(time, 1.0 / 60.0, 600.0)?),
         ("room", [_, ..]) => Order::Room(room::room(&args)?),
-        ("add" | "change", [_, _, ..])
+        ("add" | "change" | "group", [_, _, ..])
         | ("remove", [_])
-        | ("group", [_, _, ..])
         | ("undo" | "redo", [] | [_]) => Order::Edit(words.to_vec()),
         (known, _) if command_named(known).is_some() => {
             return Err(format!(
