@@ -139,9 +139,11 @@ fn who_is_in_a_large_box_is_small_in_the_scene() {
     let at = antipode_rooms::poses(scene.room())[index].translation;
     scene.teleport(DVec3::new(at.x, 0.05, at.z)).unwrap();
     let probe = scene.probe();
-    let twice = probe.scale.recip().log2().round();
-    assert!(twice >= 1.0, "{}", probe.scale);
-    assert!((probe.scale - 0.5_f64.powf(twice)).abs() < 1e-9);
+    assert!(
+        (probe.scale - 0.0625).abs() < 1e-9,
+        "four deep: {}",
+        probe.scale
+    );
     let eye = probe.camera.pos[1] - probe.player.pos[1];
     assert!(eye < 1.0, "{eye}");
 }
