@@ -122,7 +122,7 @@ impl RoomScene {
     /// # Errors
     /// If it is farther off than anything in a room.
     pub fn teleport(&mut self, feet: DVec3) -> Result<(), NoSuchPlace> {
-        if !feet.is_finite() || feet.abs().max_element() > FARTHEST_M {
+        if !feet.abs().cmple(DVec3::splat(FARTHEST_M)).all() {
             return Err(NoSuchPlace(feet));
         }
         self.stand_at(feet);

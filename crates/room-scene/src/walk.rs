@@ -91,8 +91,8 @@ impl RoomScene {
             .step(&self.space, &self.solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
-        let point = self.walker.body.place.point;
-        if !point.is_finite() || point.abs().max_element() > LOST_M {
+        let away = self.walker.body.place.point.abs();
+        if !away.cmple(DVec3::splat(LOST_M)).all() {
             self.begin_anew();
         }
     }
