@@ -5,6 +5,7 @@ mod host;
 mod in_room;
 mod measure;
 mod parse;
+mod room_orders;
 mod run;
 mod say;
 
