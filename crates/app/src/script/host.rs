@@ -98,13 +98,7 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
             let left = host.scene()?.inventory_mut().give(*item, *count);
             possible(left == 0, "there is no room for all of them")
         }
-        Order::NameFlag(name) => {
-            let scene = host.scene()?;
-            let flags = scene.flag_ways().into_iter();
-            let nearest = flags.min_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
-            let is_named = nearest.is_some_and(|flag| scene.name_flag(flag.id, name));
-            possible(is_named, "there is no flag")
-        }
+        Order::NameFlag(name) => name_nearest_flag(host, name),
         Order::Teleport(place, chart) => {
             teleport(host, ChartPoint::new(*chart, DVec3::from_array(*place)))
         }
@@ -131,6 +125,14 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
         host.scene()?.mark_cheated();
     }
     Ok(())
+}
+
+fn name_nearest_flag<H: Host + ?Sized>(host: &mut H, name: &str) -> Result<(), Failure> {
+    let scene = host.scene()?;
+    let flags = scene.flag_ways().into_iter();
+    let nearest = flags.min_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
+    let is_named = nearest.is_some_and(|flag| scene.name_flag(flag.id, name));
+    possible(is_named, "there is no flag")
 }
 
 fn tap<H: Host + ?Sized>(host: &mut H, input: Input) -> Result<(), Failure> {
