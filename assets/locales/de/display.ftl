@@ -61,3 +61,9 @@ picture-bend = Biegung { $sign }{ $value }
 quality-fast = schnell
 quality-balanced = ausgewogen
 quality-exact = genau
+
+# In rooms: how far off what is under the crosshair is, and how large one is.
+room-ahead = { $felt } m
+room-ahead-bent = { $felt } m zu Fuß, { $scene } m von außen
+room-smaller = Du bist hier { $times }-mal kleiner als draußen
+room-larger = Du bist hier { $times }-mal größer als draußen

@@ -4,9 +4,11 @@
 menu-resume = Weiterspielen
 menu-save = Speichern
 menu-save-and-quit = Speichern und zum Menü
+menu-leave-room = Den Raum verlassen
 menu-new-game = Neues Spiel
 menu-load = Laden
 menu-delete = Löschen
+menu-rooms = Räume
 menu-controls = Steuerung
 menu-quit = Beenden
 version = Version { $version }
@@ -58,6 +60,7 @@ unsaved-leave = Ohne Speichern gehen
 # Worauf der Spieler wartet.
 busy-opening = Öffnen
 busy-opening-about = Die Welt wird von der Platte gelesen.
+busy-opening-room = Der Raum wird von der Platte gelesen und sein Bild vorbereitet.
 busy-land = Das Land entsteht
 busy-saving = Speichern
 busy-saving-about = Deine Welt wird auf die Platte geschrieben.

@@ -90,6 +90,7 @@ name-too-long = { $chars ->
 }
 name-unprintable = Der Name enthält ein Zeichen, das nicht gezeigt werden kann ({ $code }).
 name-taken = Es gibt schon eine Welt namens „{ $name }“.
+room-name-taken = Es gibt schon einen Raum namens „{ $name }“.
 
 no-adapter = Auf diesem Rechner wurde keine Grafikkarte gefunden, die das Spiel nutzen kann ({ $found }). Installiere ihren Treiber oder starte das Spiel mit --adapter software.
 adapter-lost = Die Grafikkarte ist verloren gegangen. Deine Welt ist sicher; starte das Spiel neu.

@@ -65,3 +65,31 @@ worlds-work-died = Dabei ist etwas fehlgeschlagen; Näheres steht im Protokoll.
 worlds-folder-failed = Der Ordner { $dir } konnte nicht geöffnet werden: { $reason }. Er lässt sich von Hand öffnen.
 worlds-folder-no-program = es fand sich kein Programm, das Ordner zeigt
 worlds-folder-refused = das System fand nichts, das ihn zeigt
+
+# Rooms of deformed space, where they are told in other words than worlds.
+rooms-none = Es gibt noch keine Räume.
+rooms-new = Neuer Raum
+rooms-load-named = „{ $name }“ betreten
+rooms-running = Hier bist du gerade
+rooms-running-no-change = Du bist gerade in diesem Raum. Erst verlassen, dann ändern.
+rooms-shipped = Dieser Raum gehört zum Spiel. Kopiere ihn, um ihn zu ändern.
+rooms-objects = { $count ->
+    [one] { $count } Gegenstand
+   *[other] { $count } Gegenstände
+}
+rooms-load = Betreten
+rooms-export-hint = Der ganze Raum kommt in diese eine Datei, zum Aufheben oder Weitergeben. Nichts wird überschrieben.
+rooms-import-title = Einen Raum importieren
+rooms-import-hint = Die Datei eines exportierten Raums. Man kann sie auch auf das Fenster ziehen.
+rooms-found = Exportierte Räume in { $dir }:
+rooms-found-none = In { $dir } sind keine exportierten Räume.
+rooms-work-delete = Ein Raum wird gelöscht
+rooms-work-rename = Ein Raum wird umbenannt
+rooms-work-duplicate = Ein Raum wird kopiert
+rooms-work-export = Ein Raum wird exportiert
+rooms-work-import = Ein Raum wird importiert
+rooms-renamed = Der Raum heißt jetzt „{ $name }“.
+rooms-duplicated = „{ $name }“ ist eine Kopie des Raums.
+rooms-exported = Der Raum steht in { $file }.
+rooms-imported = „{ $name }“ ist importiert.
+rooms-list-died = Die Liste der Räume konnte nicht gelesen werden; Näheres steht im Protokoll.

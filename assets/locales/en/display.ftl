@@ -68,3 +68,9 @@ picture-bend = bend { $sign }{ $value }
 quality-fast = fast
 quality-balanced = balanced
 quality-exact = exact
+
+# In rooms: how far off what is under the crosshair is, and how large one is.
+room-ahead = { $felt } m
+room-ahead-bent = { $felt } m on foot, { $scene } m from outside
+room-smaller = You are { $times } times smaller here than outside
+room-larger = You are { $times } times larger here than outside

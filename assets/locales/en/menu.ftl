@@ -4,9 +4,11 @@
 menu-resume = Resume
 menu-save = Save
 menu-save-and-quit = Save and quit to menu
+menu-leave-room = Leave the room
 menu-new-game = New Game
 menu-load = Load
 menu-delete = Delete
+menu-rooms = Rooms
 menu-controls = Controls
 menu-quit = Quit
 version = Version { $version }
@@ -58,6 +60,7 @@ unsaved-leave = Leave without saving
 # What the player waits for.
 busy-opening = Opening
 busy-opening-about = The game reads the world from disk.
+busy-opening-room = The game reads the room from disk and makes its picture ready.
 busy-land = Making the land
 busy-saving = Saving
 busy-saving-about = The game writes your world to disk.

@@ -95,6 +95,7 @@ name-too-long = { $chars ->
 }
 name-unprintable = The name contains a character that cannot be shown ({ $code }).
 name-taken = A world called “{ $name }” exists already.
+room-name-taken = There is a room called “{ $name }” already.
 
 # The graphics adapter.
 no-adapter = No graphics card that the game can use was found on this machine ({ $found }). Install its driver, or start the game with --adapter software.

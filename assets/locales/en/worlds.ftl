@@ -65,3 +65,31 @@ worlds-work-died = Something failed. The log has the details.
 worlds-folder-failed = The folder { $dir } could not be opened: { $reason }. You can open it by hand.
 worlds-folder-no-program = no program for showing folders was found
 worlds-folder-refused = the system has no program to show it
+
+# Rooms of deformed space, where they are told in other words than worlds.
+rooms-none = There are no rooms yet.
+rooms-new = New room
+rooms-load-named = Enter “{ $name }”
+rooms-running = You are in it now
+rooms-running-no-change = You are in this room. Leave it first, then change it.
+rooms-shipped = This room comes with the game. Copy it to change it.
+rooms-objects = { $count ->
+    [one] { $count } object
+   *[other] { $count } objects
+}
+rooms-load = Enter
+rooms-export-hint = The whole room goes into this one file, to keep or to give away. Nothing is overwritten.
+rooms-import-title = Import a room
+rooms-import-hint = The file of an exported room. You can also drop it on the window.
+rooms-found = Exported rooms in { $dir }:
+rooms-found-none = There are no exported rooms in { $dir }.
+rooms-work-delete = Deleting a room
+rooms-work-rename = Renaming a room
+rooms-work-duplicate = Copying a room
+rooms-work-export = Exporting a room
+rooms-work-import = Importing a room
+rooms-renamed = The room is called “{ $name }” now.
+rooms-duplicated = “{ $name }” is a copy of the room.
+rooms-exported = The room was exported to { $file }.
+rooms-imported = “{ $name }” was imported.
+rooms-list-died = The list of rooms could not be read. The log has the details.

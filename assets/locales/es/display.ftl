@@ -61,3 +61,9 @@ picture-bend = flexión { $sign }{ $value }
 quality-fast = rápida
 quality-balanced = equilibrada
 quality-exact = exacta
+
+# In rooms: how far off what is under the crosshair is, and how large one is.
+room-ahead = { $felt } m
+room-ahead-bent = { $felt } m a pie, { $scene } m desde fuera
+room-smaller = Aquí eres { $times } veces más pequeño que fuera
+room-larger = Aquí eres { $times } veces más grande que fuera

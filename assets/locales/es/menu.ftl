@@ -4,9 +4,11 @@
 menu-resume = Continuar
 menu-save = Guardar
 menu-save-and-quit = Guardar y salir al menú
+menu-leave-room = Salir de la sala
 menu-new-game = Partida nueva
 menu-load = Cargar
 menu-delete = Borrar
+menu-rooms = Salas
 menu-controls = Controles
 menu-quit = Salir del juego
 version = Versión { $version }
@@ -58,6 +60,7 @@ unsaved-leave = Salir sin guardar
 # Lo que el jugador espera.
 busy-opening = Abriendo
 busy-opening-about = El mundo se lee del disco.
+busy-opening-room = La sala se lee del disco y se prepara su imagen.
 busy-land = Creando la tierra
 busy-saving = Guardando
 busy-saving-about = Tu mundo se escribe en el disco.

@@ -90,6 +90,7 @@ name-too-long = { $chars ->
 }
 name-unprintable = El nombre contiene un carácter que no se puede mostrar ({ $code }).
 name-taken = Ya hay un mundo llamado «{ $name }».
+room-name-taken = Ya hay una sala llamada «{ $name }».
 
 no-adapter = No se encontró en este equipo ninguna tarjeta gráfica que el juego pueda usar ({ $found }). Instala su controlador o inicia el juego con --adapter software.
 adapter-lost = Se perdió la tarjeta gráfica. Tu mundo está a salvo; inicia el juego de nuevo.

@@ -65,3 +65,31 @@ worlds-work-died = Algo falló al hacerlo; el registro dice el resto.
 worlds-folder-failed = No se pudo abrir la carpeta { $dir }: { $reason }. Puedes abrirla a mano.
 worlds-folder-no-program = no se encontró ningún programa que muestre carpetas
 worlds-folder-refused = el sistema no encontró con qué mostrarla
+
+# Rooms of deformed space, where they are told in other words than worlds.
+rooms-none = Todavía no hay salas.
+rooms-new = Sala nueva
+rooms-load-named = Entrar en «{ $name }»
+rooms-running = Estás en ella
+rooms-running-no-change = Estás en esta sala. Primero sal de ella, después cámbiala.
+rooms-shipped = Esta sala viene con el juego. Cópiala para cambiarla.
+rooms-objects = { $count ->
+    [one] { $count } objeto
+   *[other] { $count } objetos
+}
+rooms-load = Entrar
+rooms-export-hint = La sala entera va a este único archivo, para guardarla o regalarla. No se sobrescribe nada.
+rooms-import-title = Importar una sala
+rooms-import-hint = El archivo de una sala exportada. También se puede soltar sobre la ventana.
+rooms-found = Salas exportadas en { $dir }:
+rooms-found-none = No hay salas exportadas en { $dir }.
+rooms-work-delete = Eliminando una sala
+rooms-work-rename = Renombrando una sala
+rooms-work-duplicate = Copiando una sala
+rooms-work-export = Exportando una sala
+rooms-work-import = Importando una sala
+rooms-renamed = La sala se llama ahora «{ $name }».
+rooms-duplicated = «{ $name }» es una copia de la sala.
+rooms-exported = La sala está escrita en { $file }.
+rooms-imported = «{ $name }» está importada.
+rooms-list-died = No se pudo leer la lista de salas; el registro dice el resto.

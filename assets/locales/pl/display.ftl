@@ -67,3 +67,9 @@ picture-bend = zgięcie { $sign }{ $value }
 quality-fast = szybko
 quality-balanced = wyważenie
 quality-exact = dokładnie
+
+# In rooms: how far off what is under the crosshair is, and how large one is.
+room-ahead = { $felt } m
+room-ahead-bent = { $felt } m pieszo, { $scene } m z zewnątrz
+room-smaller = Jesteś tu { $times } razy mniejszy niż na zewnątrz
+room-larger = Jesteś tu { $times } razy większy niż na zewnątrz

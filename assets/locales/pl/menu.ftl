@@ -4,9 +4,11 @@
 menu-resume = Wróć do gry
 menu-save = Zapisz
 menu-save-and-quit = Zapisz i wyjdź do menu
+menu-leave-room = Wyjdź z pokoju
 menu-new-game = Nowa gra
 menu-load = Wczytaj
 menu-delete = Usuń
+menu-rooms = Pokoje
 menu-controls = Sterowanie
 menu-quit = Wyjdź z gry
 version = Wersja { $version }
@@ -58,6 +60,7 @@ unsaved-leave = Wyjdź bez zapisu
 # Na co gracz czeka.
 busy-opening = Otwieranie
 busy-opening-about = Świat jest wczytywany z dysku.
+busy-opening-room = Pokój jest wczytywany z dysku, a jego obraz przygotowywany.
 busy-land = Tworzenie lądu
 busy-saving = Zapisywanie
 busy-saving-about = Twój świat jest zapisywany na dysku.

@@ -97,6 +97,7 @@ name-too-long = { $chars ->
 }
 name-unprintable = Nazwa zawiera znak, którego nie można pokazać ({ $code }).
 name-taken = Jest już świat o nazwie „{ $name }”.
+room-name-taken = Jest już pokój o nazwie „{ $name }”.
 
 # Karta graficzna.
 no-adapter = Na tym komputerze nie znaleziono karty graficznej, której gra może użyć ({ $found }). Zainstaluj jej sterownik albo uruchom grę z --adapter software.

@@ -66,3 +66,32 @@ worlds-work-died = Coś się przy tym nie powiodło; reszta jest w dzienniku.
 worlds-folder-failed = Nie udało się otworzyć folderu { $dir }: { $reason }. Można go otworzyć ręcznie.
 worlds-folder-no-program = nie znaleziono programu, który pokazuje foldery
 worlds-folder-refused = system nie znalazł niczego, co by go pokazało
+
+# Rooms of deformed space, where they are told in other words than worlds.
+rooms-none = Nie ma jeszcze żadnych pokojów.
+rooms-new = Nowy pokój
+rooms-load-named = Wejdź do „{ $name }”
+rooms-running = Jesteś w nim teraz
+rooms-running-no-change = Jesteś teraz w tym pokoju. Najpierw z niego wyjdź, potem go zmień.
+rooms-shipped = Ten pokój należy do gry. Skopiuj go, aby go zmienić.
+rooms-objects = { $count ->
+    [one] { $count } przedmiot
+    [few] { $count } przedmioty
+   *[other] { $count } przedmiotów
+}
+rooms-load = Wejdź
+rooms-export-hint = Cały pokój trafia do tego jednego pliku, na pamiątkę lub dla innych. Niczego się nie nadpisuje.
+rooms-import-title = Import pokoju
+rooms-import-hint = Plik wyeksportowanego pokoju. Można go też upuścić na okno gry.
+rooms-found = Wyeksportowane pokoje w { $dir }:
+rooms-found-none = W { $dir } nie ma wyeksportowanych pokojów.
+rooms-work-delete = Usuwanie pokoju
+rooms-work-rename = Zmiana nazwy pokoju
+rooms-work-duplicate = Kopiowanie pokoju
+rooms-work-export = Eksportowanie pokoju
+rooms-work-import = Importowanie pokoju
+rooms-renamed = Pokój nazywa się teraz „{ $name }”.
+rooms-duplicated = „{ $name }” jest kopią pokoju.
+rooms-exported = Pokój zapisano w { $file }.
+rooms-imported = Zaimportowano „{ $name }”.
+rooms-list-died = Nie można było odczytać listy pokojów; reszta jest w dzienniku.

@@ -61,3 +61,9 @@ picture-bend = 弯曲 { $sign }{ $value }
 quality-fast = 快速
 quality-balanced = 均衡
 quality-exact = 精确
+
+# In rooms: how far off what is under the crosshair is, and how large one is.
+room-ahead = { $felt } 米
+room-ahead-bent = 走过去 { $felt } 米，从外面看 { $scene } 米
+room-smaller = 你在这里比在外面小 { $times } 倍
+room-larger = 你在这里比在外面大 { $times } 倍

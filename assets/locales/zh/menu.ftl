@@ -4,9 +4,11 @@
 menu-resume = 继续游戏
 menu-save = 保存
 menu-save-and-quit = 保存并返回菜单
+menu-leave-room = 离开房间
 menu-new-game = 新游戏
 menu-load = 载入
 menu-delete = 删除
+menu-rooms = 房间
 menu-controls = 操作
 menu-quit = 退出游戏
 version = 版本 { $version }
@@ -58,6 +60,7 @@ unsaved-leave = 不保存就离开
 # 玩家正在等待的事。
 busy-opening = 正在打开
 busy-opening-about = 正在从磁盘读取世界。
+busy-opening-room = 正在从磁盘读取房间并准备画面。
 busy-land = 正在生成大地
 busy-saving = 正在保存
 busy-saving-about = 正在把你的世界写入磁盘。

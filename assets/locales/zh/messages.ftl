@@ -81,6 +81,7 @@ name-blank = 名称至少要有一个可见的字符。
 name-too-long = 名称有 { $chars } 个字符；最多 { $most } 个。
 name-unprintable = 名称中有无法显示的字符（{ $code }）。
 name-taken = 已经有一个叫“{ $name }”的世界。
+room-name-taken = 已经有一个名为“{ $name }”的房间。
 
 no-adapter = 这台电脑上没有找到游戏可用的显卡（{ $found }）。请安装显卡驱动，或用 --adapter software 启动游戏。
 adapter-lost = 显卡连接已丢失。你的世界是安全的；请重新启动游戏。

@@ -64,3 +64,30 @@ worlds-work-died = 操作时出错；详情见日志。
 worlds-folder-failed = 无法打开文件夹 { $dir }：{ $reason }。可以手动打开。
 worlds-folder-no-program = 找不到显示文件夹的程序
 worlds-folder-refused = 系统找不到可以显示它的程序
+
+# Rooms of deformed space, where they are told in other words than worlds.
+rooms-none = 还没有房间。
+rooms-new = 新房间
+rooms-load-named = 进入“{ $name }”
+rooms-running = 你正在其中
+rooms-running-no-change = 你正在这个房间里。请先离开，然后再更改。
+rooms-shipped = 这个房间是游戏自带的。复制它才能更改。
+rooms-objects = { $count ->
+   *[other] { $count } 个物体
+}
+rooms-load = 进入
+rooms-export-hint = 整个房间写入这一个文件，可以保存或送人。不会覆盖任何文件。
+rooms-import-title = 导入房间
+rooms-import-hint = 导出的房间文件。也可以把它拖到窗口上。
+rooms-found = { $dir } 中导出的房间：
+rooms-found-none = { $dir } 中没有导出的房间。
+rooms-work-delete = 正在删除房间
+rooms-work-rename = 正在重命名房间
+rooms-work-duplicate = 正在复制房间
+rooms-work-export = 正在导出房间
+rooms-work-import = 正在导入房间
+rooms-renamed = 房间现在名为“{ $name }”。
+rooms-duplicated = “{ $name }”是该房间的副本。
+rooms-exported = 房间已写入 { $file }。
+rooms-imported = 已导入“{ $name }”。
+rooms-list-died = 无法读取房间列表；详情见日志。

@@ -44,11 +44,14 @@ pub struct Cli {
     /// Begin straight in a saved world.
     #[arg(long, value_name = "NAME", conflicts_with = "geometry")]
     pub load: Option<String>,
+    /// Begin straight in a room.
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["geometry", "load"])]
+    pub room: Option<String>,
     /// The report of a crash to tell of first; the game starts itself so after one.
-    #[arg(long, hide = true, value_name = "REPORT", conflicts_with_all = ["geometry", "load"])]
+    #[arg(long, hide = true, value_name = "REPORT", conflicts_with_all = ["geometry", "load", "room"])]
     pub after_crash: Option<PathBuf>,
     /// Why the graphics of the game before failed; the game starts itself so when they do.
-    #[arg(long, hide = true, value_name = "WHY", conflicts_with_all = ["geometry", "load", "after_crash"])]
+    #[arg(long, hide = true, value_name = "WHY", conflicts_with_all = ["geometry", "load", "room", "after_crash"])]
     pub after_graphics: Option<Trouble>,
     /// Break on purpose, to see what becomes of it.
     #[arg(long, hide = true, value_enum)]
@@ -145,16 +148,17 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
                 (Some(report), _) => Some(window::After::Crash(report)),
                 (None, trouble) => trouble.map(window::After::Graphics),
             };
-            let start = match (after, cli.geometry, cli.load) {
+            let start = match (after, cli.geometry, cli.load, cli.room) {
                 (Some(after), ..) => window::Start::After(after),
-                (None, Some(geometry), _) => window::Start::New {
+                (None, Some(geometry), ..) => window::Start::New {
                     geometry,
                     seed: cli.seed,
                     name: cli.name,
                     radius_m: cli.radius,
                 },
-                (None, None, Some(name)) => window::Start::Load { name },
-                (None, None, None) => window::Start::Menu,
+                (None, None, Some(name), _) => window::Start::Load { name },
+                (None, None, None, Some(name)) => window::Start::Room { name },
+                (None, None, None, None) => window::Start::Menu,
             };
             let play = AssertUnwindSafe(|| window::run(start, &cli.common, cli.inject));
             crash::guard(log_file::folder().as_deref(), again, play)

@@ -66,6 +66,7 @@ pub fn model(
         struck: false,
         hidden_foes: Vec::new(),
         wounds: wounds(scene, seen),
+        room: None,
         speech: speech(texts, scene, seen),
     }
 }

@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::mirror::Mirror;
 use crate::options;
 use crate::overlay::Overlay;
-use crate::room_picture::RoomPictures;
+use crate::room_picture::{RoomPictures, RoomView};
 
 /// Format of pictures in memory.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -151,26 +151,29 @@ impl Studio {
         Ok(self.offscreen.read(&self.gpu)?)
     }
 
-    /// Takes a picture of a room, without a display. `look` tells what it looks like from what others do.
+    /// Takes a picture of a room, without a display.
     ///
     /// # Errors
     /// When the adapter cannot trace rays, the room is too large for it, or it fails.
     pub fn shoot_room(
         &mut self,
         room: &RoomScene,
-        look: (u64, u64),
+        id: (u64, u64),
         bounces: u32,
     ) -> Result<RgbaImage, Failure> {
-        let options = antipode_rays::Options {
-            bounces,
-            samples: self.options.samples,
+        let view = RoomView {
+            id,
+            eye: room.eye(),
+            options: antipode_rays::Options {
+                bounces,
+                samples: self.options.samples,
+            },
         };
         let pictures = match &mut self.rooms {
             Some(pictures) => pictures,
             none => none.insert(RoomPictures::new(&self.gpu, &self.options, self.size)?),
         };
-        let (overlay, target) = (&mut self.overlay, &self.offscreen);
-        pictures.shoot(&self.gpu, overlay, target, (room, look), &options)
+        pictures.shoot(&self.gpu, &self.offscreen, room, &view)
     }
 
     fn record(&mut self, frame: &Frame, encoder: &mut wgpu::CommandEncoder) -> DrawStats {

@@ -1,6 +1,6 @@
 //! Pictures of rooms: rays into the light of a picture, the tone map of worlds after it, and the writing on signs.
 
-use antipode_rays::{Loaded, Picture, RayScene, Rays};
+use antipode_rays::{Eye, Loaded, Picture, RayScene, Rays};
 use antipode_render::{Gpu, Offscreen, Options, Shaders, Tonemap};
 use antipode_room_scene::{RoomScene, SignBoard};
 use antipode_rooms::Colour;
@@ -10,62 +10,133 @@ use image::RgbaImage;
 use crate::failure::Failure;
 use crate::overlay::Overlay;
 
+/// The format of the writing on signs.
+const SIGN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Pixels across the writing of a sign.
 const SIGN_PX: u32 = 1024;
 
-/// What draws rooms.
+/// What draws rooms; it may be asked from any thread.
 #[derive(Debug)]
-pub struct RoomPictures {
+pub struct RoomPainter {
     rays: Rays,
     tonemap: Tonemap,
+}
+
+/// What pictures of a room are drawn of.
+#[derive(Debug)]
+pub struct Drawable {
+    scene: RayScene,
+    loaded: Loaded,
+}
+
+impl RoomPainter {
+    /// Compiles what pictures are drawn with, for targets of the format that the options name.
+    ///
+    /// # Errors
+    /// When the adapter cannot trace rays or refuses a shader.
+    pub fn new(gpu: &Gpu, options: &Options) -> Result<Self, Failure> {
+        Ok(Self {
+            rays: Rays::new(&gpu.device)?,
+            tonemap: Tonemap::accepted(&gpu.device, Shaders::default(), options)?,
+        })
+    }
+
+    /// Makes what a room is drawn of, and waits for the writing on its signs.
+    ///
+    /// # Errors
+    /// When the room is too large for the adapter, or that fails.
+    pub fn drawable(&self, gpu: &Gpu, room: &RoomScene) -> Result<Drawable, Failure> {
+        let mut overlay = Overlay::new(gpu, SIGN_FORMAT);
+        let scene = room.ray_scene(|board| write_sign(gpu, &mut overlay, board))?;
+        let loaded = self.rays.upload(&gpu.device, &gpu.queue, &scene)?;
+        Ok(Drawable { scene, loaded })
+    }
+
+    /// Records a picture, and shows it in a target of any size.
+    pub fn draw(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        (drawable, picture): (&mut Drawable, &Picture),
+        view: &RoomView,
+        target: &wgpu::TextureView,
+    ) {
+        self.rays.draw(
+            (&gpu.device, &gpu.queue),
+            encoder,
+            (&drawable.scene, &drawable.loaded),
+            (&view.eye, picture),
+            view.options,
+        );
+        self.show(gpu, encoder, picture, target);
+    }
+
+    /// Shows a picture again.
+    pub fn show(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        picture: &Picture,
+        target: &wgpu::TextureView,
+    ) {
+        let light = self.tonemap.bind(&gpu.device, &picture.light);
+        self.tonemap.draw(encoder, &light, target, None);
+    }
+}
+
+/// What a picture of a room is of.
+#[derive(Clone, Debug)]
+pub struct RoomView {
+    /// Tells the room, as it is now, from others.
+    pub id: (u64, u64),
+    /// From where.
+    pub eye: Eye,
+    /// How it is made.
+    pub options: antipode_rays::Options,
+}
+
+/// Pictures of rooms in memory, one after another.
+#[derive(Debug)]
+pub struct RoomPictures {
+    painter: RoomPainter,
     picture: Picture,
     /// What was drawn last, with what tells it from others.
-    loaded: Option<((u64, u64), RayScene, Loaded)>,
+    drawable: Option<((u64, u64), Drawable)>,
 }
 
 impl RoomPictures {
     /// For pictures of this size.
     ///
     /// # Errors
-    /// When the adapter cannot trace rays or refuses a shader.
+    /// As [`RoomPainter::new`].
     pub fn new(gpu: &Gpu, options: &Options, size: (u32, u32)) -> Result<Self, Failure> {
         Ok(Self {
-            rays: Rays::new(&gpu.device)?,
-            tonemap: Tonemap::accepted(&gpu.device, Shaders::default(), options)?,
+            painter: RoomPainter::new(gpu, options)?,
             picture: Picture::new(&gpu.device, size),
-            loaded: None,
+            drawable: None,
         })
     }
 
-    /// Draws a room as who walks in it sees it, and waits for it. `look` tells what the room looks like from what others do.
+    /// Draws a room as the view says, and waits for it.
     ///
     /// # Errors
     /// When the room is too large for the adapter, or that fails.
     pub fn shoot(
         &mut self,
         gpu: &Gpu,
-        overlay: &mut Overlay,
         target: &Offscreen,
-        (room, look): (&RoomScene, (u64, u64)),
-        options: &antipode_rays::Options,
+        room: &RoomScene,
+        view: &RoomView,
     ) -> Result<RgbaImage, Failure> {
-        if self.loaded.as_ref().is_none_or(|(id, ..)| *id != look) {
-            let scene = room.ray_scene(|board| write_sign(gpu, overlay, board))?;
-            let loaded = self.rays.upload(&gpu.device, &gpu.queue, &scene)?;
-            self.loaded = Some((look, scene, loaded));
+        if self.drawable.as_ref().is_none_or(|(id, _)| *id != view.id) {
+            self.drawable = Some((view.id, self.painter.drawable(gpu, room)?));
         }
         let mut encoder = gpu.encoder();
-        if let Some((_, scene, loaded)) = &self.loaded {
-            self.rays.draw(
-                (&gpu.device, &gpu.queue),
-                &mut encoder,
-                (scene, loaded),
-                (&room.eye(), &self.picture),
-                *options,
-            );
+        if let Some((_, drawable)) = &mut self.drawable {
+            let picture = (drawable, &self.picture);
+            self.painter
+                .draw(gpu, &mut encoder, picture, view, target.view());
         }
-        let light = self.tonemap.bind(&gpu.device, &self.picture.light);
-        self.tonemap.draw(&mut encoder, &light, target.view(), None);
         gpu.queue.submit([encoder.finish()]);
         Ok(target.read(gpu)?)
     }
@@ -75,7 +146,7 @@ impl RoomPictures {
 fn write_sign(gpu: &Gpu, overlay: &mut Overlay, board: &SignBoard) -> Result<RgbaImage, Failure> {
     let height = (f64::from(SIGN_PX) / board.aspect).clamp(64.0, 2048.0) as u32;
     let size = (SIGN_PX, height);
-    let target = Offscreen::new(gpu, size.0, size.1, wgpu::TextureFormat::Rgba8Unorm);
+    let target = Offscreen::new(gpu, size.0, size.1, SIGN_FORMAT);
     let output = written(overlay.context(), board, size);
     let mut encoder = gpu.encoder();
     overlay.paint(gpu, &mut encoder, &[target.view()], size, output);

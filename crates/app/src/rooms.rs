@@ -20,12 +20,53 @@ pub struct Rooms {
     opened: u64,
 }
 
-/// The open room.
+/// An open room.
 #[derive(Debug)]
-struct OpenRoom {
-    scene: RoomScene,
+pub struct OpenRoom {
+    /// What happens in it.
+    pub scene: RoomScene,
     /// Where it is kept; none for a room that is not.
-    kept: Option<RoomSummary>,
+    pub kept: Option<RoomSummary>,
+}
+
+impl OpenRoom {
+    /// Makes a room and enters it; one without a name is not kept.
+    ///
+    /// # Errors
+    /// When the name is taken, or the disk refuses.
+    pub fn make(
+        dir: &RoomsDir,
+        name: Option<&str>,
+        gravity: Option<DVec3>,
+    ) -> Result<Self, RoomError> {
+        let mut room = Room::new(name.unwrap_or(NAMELESS));
+        room.gravity = gravity.unwrap_or(room.gravity);
+        let Some(name) = name else {
+            let loaded = Loaded {
+                room,
+                assets: Assets::default(),
+                files: Vec::new(),
+                bytes: 0,
+            };
+            return Self::of(loaded, None);
+        };
+        dir.make(&room)?;
+        Self::enter(dir, dir.find(name)?)
+    }
+
+    /// Enters a room that is kept.
+    ///
+    /// # Errors
+    /// When it is not there any more, or not sound.
+    pub fn enter(dir: &RoomsDir, kept: RoomSummary) -> Result<Self, RoomError> {
+        let loaded = dir.open(&kept)?;
+        Self::of(loaded, Some(kept))
+    }
+
+    fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Result<Self, RoomError> {
+        let scene = RoomScene::open(loaded)?;
+        Ok(Self { scene, kept })
+    }
 }
 
 impl Rooms {
@@ -67,19 +108,9 @@ impl Rooms {
     /// # Errors
     /// When the name is taken, or the disk refuses.
     pub fn make(&mut self, name: Option<&str>, gravity: Option<DVec3>) -> Result<(), RoomError> {
-        let mut room = Room::new(name.unwrap_or(NAMELESS));
-        room.gravity = gravity.unwrap_or(room.gravity);
-        let Some(name) = name else {
-            let loaded = Loaded {
-                room,
-                assets: Assets::default(),
-                files: Vec::new(),
-                bytes: 0,
-            };
-            return self.enter(loaded, None);
-        };
-        self.dir.make(&room)?;
-        self.load(name)
+        let made = OpenRoom::make(&self.dir, name, gravity)?;
+        self.take(made);
+        Ok(())
     }
 
     /// Enters a room.
@@ -88,15 +119,14 @@ impl Rooms {
     /// When there is none of that name, or it is not sound.
     pub fn load(&mut self, name: &str) -> Result<(), RoomError> {
         let found = self.dir.find(name)?;
-        let loaded = self.dir.open(&found)?;
-        self.enter(loaded, Some(found))
+        let entered = OpenRoom::enter(&self.dir, found)?;
+        self.take(entered);
+        Ok(())
     }
 
-    fn enter(&mut self, loaded: Loaded, kept: Option<RoomSummary>) -> Result<(), RoomError> {
-        let scene = RoomScene::open(loaded)?;
-        self.open = Some(OpenRoom { scene, kept });
+    fn take(&mut self, room: OpenRoom) {
+        self.open = Some(room);
         self.opened += 1;
-        Ok(())
     }
 
     /// Keeps the open room as it is now; under another name as another room, which is the open one then. None where no room

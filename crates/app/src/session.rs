@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use antipode_geometry::{Geometry, HyperbolicMap};
+use antipode_rooms::{RoomsDir, rooms_dir};
 use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
 use antipode_scene::{Between, NpcMode, Scene, WorldSetup};
@@ -114,10 +115,11 @@ fn write_picture(store: &WorldStore, picture: &RgbaImage) {
     }
 }
 
-/// The place where worlds are kept, and the view distance and quality that new sessions get.
+/// The places where worlds and rooms are kept, and the view distance and quality that new sessions get.
 #[derive(Clone, Debug)]
 pub struct Worlds {
     saves: SavesDir,
+    rooms: RoomsDir,
     view_distance: Option<u32>,
     quality: Quality,
     /// The map that new hyperbolic worlds begin with.
@@ -129,6 +131,7 @@ impl Worlds {
     pub fn new(common: &Common) -> Self {
         let path: PathBuf = saves_dir(common.saves_dir.as_deref());
         Self {
+            rooms: RoomsDir::new(rooms_dir(&path)),
             saves: SavesDir::new(path),
             view_distance: common.view_distance,
             quality: common.quality.unwrap_or_default(),
@@ -159,6 +162,11 @@ impl Worlds {
     /// The directory of worlds.
     pub fn saves(&self) -> &SavesDir {
         &self.saves
+    }
+
+    /// The directory of rooms, which goes with that of worlds.
+    pub fn rooms(&self) -> RoomsDir {
+        self.rooms.clone()
     }
 
     /// Every world, newest first.

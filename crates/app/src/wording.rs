@@ -6,7 +6,7 @@ use std::path::Path;
 use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_language::{Texts, Value};
 use antipode_render::RenderError;
-use antipode_rooms::RoomError;
+use antipode_rooms::{RoomError, RoomSummary};
 use antipode_scene::{Hint, Item, Line, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
@@ -14,6 +14,7 @@ use antipode_streaming::{Cause, StreamingError};
 use antipode_ui::{legible, legible_name};
 
 use crate::failure::Failure;
+use crate::rooms::OpenRoom;
 use crate::trouble::Trouble;
 
 /// What can end an action, as sentences; `worlds` are those that are known, to tell by its folder one whose name cannot
@@ -97,6 +98,45 @@ pub fn name(texts: &Texts, error: &NameError, worlds: &[WorldSummary]) -> String
             "name-taken",
             &[("name", world_name(existing, worlds).into())],
         ),
+    }
+}
+
+/// What a room is called where it is shown, and what is strange in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RoomWords {
+    /// Its name.
+    pub name: String,
+    /// One sentence; may be empty.
+    pub sentence: String,
+}
+
+/// The words for a room in a list; of those that come with the game in the player's language.
+pub fn room(texts: &Texts, room: &RoomSummary) -> RoomWords {
+    let own = |what: &str, otherwise: &str| {
+        let key = format!("room-{}-{what}", room.slug);
+        if room.shipped && texts.has(&key) {
+            texts.say(&key)
+        } else {
+            otherwise.to_owned()
+        }
+    };
+    RoomWords {
+        name: legible_name(&own("name", &room.name), &room.slug).into_owned(),
+        sentence: own("sentence", &room.sentence),
+    }
+}
+
+/// The words for an open room, which comes from there if it is kept.
+pub fn open_room(texts: &Texts, open: &OpenRoom) -> RoomWords {
+    match &open.kept {
+        Some(kept) if kept.shipped => room(texts, kept),
+        _ => {
+            let it = open.scene.room();
+            RoomWords {
+                name: legible_name(&it.name, "").into_owned(),
+                sentence: it.sentence.clone(),
+            }
+        }
     }
 }
 

@@ -67,8 +67,8 @@ struct Watch {
     error: Option<String>,
 }
 
-/// An open adapter.
-#[derive(Debug)]
+/// An open adapter. Clones are the same one, for other threads.
+#[derive(Clone, Debug)]
 pub struct Gpu {
     /// The entry point that the adapter came from.
     pub instance: Instance,

@@ -2,6 +2,7 @@
 
 use antipode_deformation::Traveller;
 use antipode_rooms::poses;
+use glam::DMat3;
 use serde::Serialize;
 
 use crate::pick::Pick;
@@ -64,12 +65,21 @@ pub struct CameraProbe {
 }
 
 impl RoomScene {
+    /// How large the player is in the scene, to what it is outside: the cube root of what a felt cubic metre takes up there.
+    pub fn scale(&self) -> f64 {
+        self.squeeze_here().determinant().abs().cbrt()
+    }
+
+    /// What a felt vector is in the scene where the player is.
+    pub(crate) fn squeeze_here(&self) -> DMat3 {
+        let body = &self.walker.body;
+        self.space
+            .squeeze(&body.place.stack, body.velocity, &Traveller::Body)
+    }
+
     /// The state of the room.
     pub fn probe(&self) -> RoomProbe {
         let body = &self.walker.body;
-        let k = self
-            .space
-            .squeeze(&body.place.stack, body.velocity, &Traveller::Body);
         let aim = self.look.degrees();
         let room = self.room();
         let objects = room.objects.iter().zip(poses(room));
@@ -85,10 +95,10 @@ impl RoomScene {
                 .collect(),
             pick: self.pick(),
             felt_speed: body.velocity.length(),
-            scale: k.determinant().abs().cbrt(),
+            scale: self.scale(),
             player: PlayerProbe {
                 pos: self.feet().to_array(),
-                vel: (k * body.velocity).to_array(),
+                vel: (self.squeeze_here() * body.velocity).to_array(),
                 yaw: aim.x,
                 pitch: aim.y,
                 grounded: self.walker.ground.is_some(),

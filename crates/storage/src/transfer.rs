@@ -15,7 +15,7 @@ use crate::schema::WorldMeta;
 use crate::scratch::Scratch;
 use crate::turn::Turn;
 use crate::world::WorldStore;
-use crate::{ARCHIVE_EXTENSION, archive, maintenance};
+use crate::{archive, maintenance};
 
 /// How many exported worlds of one directory are told of.
 const MOST_ARCHIVES: usize = 200;
@@ -31,7 +31,7 @@ pub struct ArchiveFile {
 
 /// The exported worlds in `dir`, newest first, at most 200; none if it cannot be read.
 /// Nothing is opened, so nothing is said of whether they are whole.
-pub fn archives_in(dir: &Path) -> Vec<ArchiveFile> {
+pub fn archives_in(dir: &Path, extension: &str) -> Vec<ArchiveFile> {
     let entries = fs::read_dir(dir).into_iter().flatten().flatten();
     let mut found: Vec<(SystemTime, ArchiveFile)> = entries
         .filter_map(|entry| {
@@ -39,7 +39,7 @@ pub fn archives_in(dir: &Path) -> Vec<ArchiveFile> {
             let data = fs::metadata(&path).ok().filter(fs::Metadata::is_file)?;
             let is_archive = path
                 .extension()
-                .is_some_and(|extension| extension.eq_ignore_ascii_case(ARCHIVE_EXTENSION));
+                .is_some_and(|its| its.eq_ignore_ascii_case(extension));
             let file = ArchiveFile {
                 path,
                 size_bytes: data.len(),

@@ -65,12 +65,18 @@ fn title(ui: &mut Ui, pass: &Pass<'_>) {
 fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen) {
     let running = pass.model.running_world.is_some();
     let texts = pass.model.texts;
+    let leave = if pass.model.in_room {
+        "menu-leave-room"
+    } else {
+        "menu-save-and-quit"
+    };
     let in_world = [
         (texts.say("menu-resume"), Intent::Resume),
         (texts.say("menu-save"), Intent::Save),
-        (texts.say("menu-save-and-quit"), Intent::SaveAndQuitToMenu),
+        (texts.say(leave), Intent::SaveAndQuitToMenu),
     ];
-    for (label, intent) in in_world.into_iter().filter(|_| running) {
+    let is_there = |intent: &Intent| running && !(pass.model.in_room && *intent == Intent::Save);
+    for (label, intent) in in_world.into_iter().filter(|(_, intent)| is_there(intent)) {
         let response = entry(ui, &label, false);
         stops.add(&response);
         offer(pass, current, &response);
@@ -90,13 +96,18 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen
         (texts.say("menu-new-game"), Screen::NewGame),
         (texts.say("menu-load"), Screen::Load),
         (texts.say("menu-delete"), Screen::Delete),
+        (texts.say("menu-rooms"), Screen::Rooms),
         (texts.say("menu-settings"), Screen::Settings),
         (texts.say("menu-controls"), Screen::Controls),
         (texts.say("menu-about"), Screen::About),
     ];
-    let shown = screens
-        .into_iter()
-        .filter(|(_, screen)| !running || *screen != Screen::About);
+    // A pause menu has room for so many.
+    let is_shown = |screen: &Screen| match screen {
+        Screen::About => !running,
+        Screen::Rooms => !running || pass.model.in_room,
+        _ => true,
+    };
+    let shown: Vec<_> = screens.into_iter().filter(|(_, it)| is_shown(it)).collect();
     for (label, screen) in shown {
         let response = entry(ui, &label, *current == screen);
         stops.add(&response);
@@ -119,7 +130,7 @@ fn entry(ui: &mut Ui, label: &str, chosen: bool) -> Response {
 
 /// Whether hints for newcomers are shown in the world behind the menu.
 fn may_skip_hints(pass: &Pass<'_>) -> bool {
-    pass.model.running_world.is_some() && pass.model.config.settings.hints
+    pass.model.running_world.is_some() && !pass.model.in_room && pass.model.config.settings.hints
 }
 
 /// With another screen beside the column, the focus belongs there.

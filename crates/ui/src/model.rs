@@ -42,7 +42,7 @@ impl GeometryChoice {
     }
 }
 
-/// One world in the Load and Delete lists, already put into words.
+/// One world in the Load and Delete lists, or one room in theirs, already put into words.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WorldRow {
     /// The directory name, which intents carry back.
@@ -51,7 +51,11 @@ pub struct WorldRow {
     pub name: String,
     /// The same as it is written, to be changed.
     pub full_name: String,
-    /// Its space, e.g. "Spherical".
+    /// What is strange in it, of a room, in one sentence.
+    pub sentence: String,
+    /// Whether it comes with the game, and can be copied only.
+    pub shipped: bool,
+    /// Its space, e.g. "Spherical"; of a world.
     pub geometry: String,
     /// Time played, e.g. "12 min".
     pub played: String,
@@ -69,7 +73,7 @@ pub struct WorldRow {
     pub picture: Option<egui::TextureId>,
     /// Its directory.
     pub path: String,
-    /// How many chunks were changed by hand; `None` until it is known.
+    /// How many chunks were changed by hand, `None` until it is known; of a room, how many objects it has.
     pub edits: Option<usize>,
     /// The file that an export is proposed to go to.
     pub export_to: String,
@@ -88,13 +92,17 @@ pub struct Backdrop {
 pub struct MenuModel<'a> {
     /// The words of the player's language.
     pub texts: &'a Texts,
-    /// Name of the world behind the menu: it stays visible, dimmed. `None`
+    /// Whether what is behind the menu is a room, of which nothing is saved.
+    pub in_room: bool,
+    /// Name of the world or room behind the menu: it stays visible, dimmed. `None`
     /// (also while one is being loaded) puts our own backdrop there.
     pub running_world: Option<&'a str>,
     /// What stands behind the menus in its place.
     pub backdrop: Backdrop,
     /// All worlds, newest first.
     pub worlds: &'a [WorldRow],
+    /// All rooms, the player's own first.
+    pub rooms: &'a [WorldRow],
     /// The settings and key bindings that hold.
     pub config: &'a Config,
     /// Whether a new world may bear this name; the error is a sentence.
@@ -103,8 +111,12 @@ pub struct MenuModel<'a> {
     pub walk_m_s: f64,
     /// Whether the world of that directory may bear this name from now on; the error is a sentence.
     pub check_rename: &'a dyn Fn(&str, &str) -> Result<(), String>,
+    /// The same of rooms.
+    pub check_room_rename: &'a dyn Fn(&str, &str) -> Result<(), String>,
     /// What is known of worlds in files.
     pub world_files: &'a WorldFiles,
+    /// The same of rooms.
+    pub room_files: &'a WorldFiles,
     /// Something to know about the graphics device, e.g. that it is software.
     pub adapter_notice: Option<&'a str>,
     /// Why nothing can be heard, if so.
@@ -128,6 +140,8 @@ pub enum Screen {
     Load,
     /// The list of worlds to delete.
     Delete,
+    /// The list of rooms.
+    Rooms,
     /// The settings.
     Settings,
     /// The key bindings.
@@ -164,7 +178,7 @@ pub enum Intent {
     Resume,
     /// Save and stay in the menu.
     Save,
-    /// Save, close the world, come back to the main menu.
+    /// Save, close the world or leave the room, come back to the main menu.
     SaveAndQuitToMenu,
     /// Make a world and enter it.
     NewGame {
@@ -189,6 +203,20 @@ pub enum Intent {
     },
     /// Something else about saved worlds.
     Worlds(WorldsIntent),
+    /// Make a room and enter it.
+    NewRoom,
+    /// Enter a room.
+    EnterRoom {
+        /// [`WorldRow::slug`].
+        slug: String,
+    },
+    /// Remove a room for good; the player has confirmed it.
+    DeleteRoom {
+        /// [`WorldRow::slug`].
+        slug: String,
+    },
+    /// Something else about rooms.
+    Rooms(WorldsIntent),
     /// Give a setting a value that it takes; it is given also if it has it already.
     Set {
         /// The setting's id.

@@ -13,7 +13,7 @@ use crate::settings::SettingsScreen;
 use crate::theme::SCRIM;
 use crate::toasts::{Room, Toasts};
 use crate::trail::Trail;
-use crate::worlds::WorldScreens;
+use crate::worlds::{Kind, WorldScreens};
 use crate::{about, backdrop, column, dialog, trail};
 
 /// What the main menu is called on the way to other screens.
@@ -151,6 +151,7 @@ impl Shell {
             | Screen::NewGame
             | Screen::Load
             | Screen::Delete
+            | Screen::Rooms
             | Screen::Settings
             | Screen::Controls
             | Screen::About => {
@@ -286,6 +287,7 @@ impl Shell {
                 Screen::NewGame
                     | Screen::Load
                     | Screen::Delete
+                    | Screen::Rooms
                     | Screen::Settings
                     | Screen::Controls
                     | Screen::About
@@ -315,7 +317,7 @@ impl Shell {
             column::show(ui, pass, &self.screen);
         }
         let turned = match &self.screen {
-            Screen::Load => self.worlds.load(ui, pass),
+            Screen::Load | Screen::Rooms => self.worlds.load(ui, pass),
             Screen::Delete => self.worlds.delete(ui, pass),
             Screen::Controls => self.controls.show(ui, pass),
             Screen::NewGame => {
@@ -366,7 +368,7 @@ impl Shell {
         if screen == Screen::Hidden {
             self.trail = Trail::new(Id::unique(MAIN));
         }
-        self.worlds.reset();
+        self.worlds.reset(Kind::of(&screen));
         self.settings = SettingsScreen::default();
         self.controls.reset();
         self.screen = screen;

@@ -1,8 +1,9 @@
-//! The screens about saved worlds: the list, one world's page, what is asked before one
-//! is deleted, and worlds brought in from files.
+//! The screens about saved worlds and rooms: the list, the page of one, what is asked before one is deleted, and those that
+//! are brought in from files.
 
 mod field;
 mod import;
+mod kind;
 mod list;
 mod model;
 mod page;
@@ -16,11 +17,14 @@ use crate::shell::Pass;
 use list::Choice;
 use page::Page;
 
+pub(crate) use kind::Kind;
 pub use model::{ArchiveRow, WorldFiles, WorldsIntent};
 
 /// What is up on the screens about worlds, beside which screen it is.
 #[derive(Default)]
 pub(crate) struct WorldScreens {
+    /// What they are about.
+    kind: Kind,
     /// The page of one world, on the screen Load.
     page: Option<Page>,
     /// The form for a world from a file, on the screen Load.
@@ -37,9 +41,12 @@ impl WorldScreens {
         (place != (None, false, None)).then(|| Id::unique(place))
     }
 
-    /// Back to the plain lists.
-    pub(crate) fn reset(&mut self) {
-        *self = Self::default();
+    /// Back to the plain lists, of that kind.
+    pub(crate) fn reset(&mut self, kind: Kind) {
+        *self = Self {
+            kind,
+            ..Self::default()
+        };
     }
 
     /// Esc: one level back within these screens; false if there is none.
@@ -55,30 +62,31 @@ impl WorldScreens {
     pub(crate) fn ask(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) -> Option<bool> {
         let slug = self.doomed.clone()?;
         // Deleted elsewhere meanwhile: nothing is left to ask.
-        let Some(row) = find(pass.model, &slug) else {
+        let Some(row) = find(self.kind, pass.model, &slug) else {
             self.doomed = None;
             return None;
         };
-        let Some(sure) = question::show(ui, pass, row) else {
+        let Some(sure) = question::show(ui, pass, self.kind, row) else {
             return Some(false);
         };
         self.doomed = None;
         if sure {
-            pass.intents.push(Intent::Delete { slug });
+            pass.intents.push(self.kind.delete(slug));
             self.page = None;
         }
         Some(true)
     }
 
-    /// Draws the screen Load. True if something else is up from the next frame on.
+    /// Draws the screen Load, or that of rooms. True if something else is up from the next frame on.
     pub(crate) fn load(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) -> bool {
-        import::take_dropped(ui, pass);
+        let kind = self.kind;
+        import::take_dropped(ui, pass, kind);
         let row = self
             .page
             .as_ref()
-            .and_then(|page| find(pass.model, page.slug()));
+            .and_then(|page| find(kind, pass.model, page.slug()));
         if let (Some(page), Some(row)) = (&mut self.page, row) {
-            return match page.show(ui, pass, row) {
+            return match page.show(ui, pass, kind, row) {
                 page::Turn::Stay => false,
                 page::Turn::Redraw => true,
                 page::Turn::Delete => {
@@ -93,27 +101,30 @@ impl WorldScreens {
         }
         self.page = None;
         if let Some(form) = &mut self.import {
-            let done = form.show(ui, pass);
+            let done = form.show(ui, pass, kind);
             if done {
                 self.import = None;
             }
             return done;
         }
-        match list::show(ui, pass, list::Purpose::Load) {
+        match list::show(ui, pass, kind, list::Purpose::Load) {
             Some(Choice::Row(row)) => {
-                enter(pass, row);
+                enter(pass, kind, row);
                 false
             }
             Some(Choice::Manage(row)) => {
                 self.page = Some(Page::new(&row.slug));
-                look_at(pass, &row.slug);
+                look_at(pass, kind, &row.slug);
                 true
             }
             Some(Choice::Import) => {
                 self.import = Some(import::Form::default());
-                pass.intents
-                    .push(Intent::Worlds(WorldsIntent::FindArchives));
+                pass.intents.push(kind.ask(WorldsIntent::FindArchives));
                 true
+            }
+            Some(Choice::New) => {
+                pass.intents.push(Intent::NewRoom);
+                false
             }
             None => false,
         }
@@ -121,7 +132,8 @@ impl WorldScreens {
 
     /// Draws the screen Delete. True if something else is up from the next frame on.
     pub(crate) fn delete(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) -> bool {
-        let Some(Choice::Row(row)) = list::show(ui, pass, list::Purpose::Delete) else {
+        let chosen = list::show(ui, pass, self.kind, list::Purpose::Delete);
+        let Some(Choice::Row(row)) = chosen else {
             return false;
         };
         if row.running {
@@ -134,13 +146,13 @@ impl WorldScreens {
             return false;
         }
         self.doomed = Some(row.slug.clone());
-        look_at(pass, &row.slug);
+        look_at(pass, self.kind, &row.slug);
         true
     }
 }
 
-/// Goes into a world, or says why that cannot be.
-fn enter(pass: &mut Pass<'_>, row: &WorldRow) {
+/// Goes into a place, or says why that cannot be.
+fn enter(pass: &mut Pass<'_>, kind: Kind, row: &WorldRow) {
     if row.running {
         pass.intents.push(Intent::Resume);
     } else if let Some(problem) = &row.problem {
@@ -153,27 +165,26 @@ fn enter(pass: &mut Pass<'_>, row: &WorldRow) {
             text: problem.clone(),
         });
     } else {
-        pass.intents.push(Intent::Load {
-            slug: row.slug.clone(),
-        });
+        pass.intents.push(kind.enter(row.slug.clone()));
     }
 }
 
 /// Asks for what only opening a world tells.
-fn look_at(pass: &mut Pass<'_>, slug: &str) {
-    pass.intents.push(Intent::Worlds(WorldsIntent::LookAt {
+fn look_at(pass: &mut Pass<'_>, kind: Kind, slug: &str) {
+    pass.intents.push(kind.ask(WorldsIntent::LookAt {
         slug: slug.to_owned(),
     }));
 }
 
-fn find<'a>(model: &MenuModel<'a>, slug: &str) -> Option<&'a WorldRow> {
-    model.worlds.iter().find(|row| row.slug == slug)
+fn find<'a>(kind: Kind, model: &MenuModel<'a>, slug: &str) -> Option<&'a WorldRow> {
+    kind.rows(model).iter().find(|row| row.slug == slug)
 }
 
-/// A world's facts in one line, those that are known.
+/// The facts of a place in one line, those that are known.
 fn facts(pass: &Pass<'_>, row: &WorldRow) -> String {
     let played = [("time", row.played.as_str().into())];
     let facts = [
+        row.sentence.clone(),
         row.geometry.clone(),
         if row.played.is_empty() {
             String::new()
@@ -192,9 +203,12 @@ fn facts(pass: &Pass<'_>, row: &WorldRow) -> String {
     known.join("  ·  ")
 }
 
-/// How much of a world was changed by hand.
-fn edits(pass: &Pass<'_>, row: &WorldRow) -> String {
+/// How much of a world was changed by hand; of a room, how much is in it.
+fn edits(pass: &Pass<'_>, kind: Kind, row: &WorldRow) -> String {
     let texts = pass.model.texts;
+    if kind == Kind::Room {
+        return texts.say_with("rooms-objects", &[("count", row.edits.unwrap_or(0).into())]);
+    }
     match row.edits {
         Some(count) => texts.say_with("worlds-edits", &[("count", count.into())]),
         None => texts.say("worlds-edits-unknown"),

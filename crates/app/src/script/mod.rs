@@ -13,10 +13,11 @@ use std::path::{Path, PathBuf};
 
 pub use commands::{Argument, COMMANDS, CommandInfo, SETTINGS, command_named};
 pub use host::{Host, obey};
+pub(crate) use in_room::steer;
 pub use parse::{Line, Order, ROOM_ACTS, RoomOrder, Setting, Spawned, parse, parse_line};
 pub use run::Runner;
 pub(crate) use run::steps_in;
-pub(crate) use say::probe_text;
+pub(crate) use say::{probe_text, room_probe_text};
 
 use crate::common::Common;
 use crate::ending::Ending;

@@ -254,7 +254,7 @@ impl Runner {
             .as_ref()
             .map_or("none", |studio| studio.adapter_name());
         if let Some(room) = self.rooms.scene() {
-            return say::room_probe(&room.probe(), adapter);
+            return crate::output::line(&say::room_probe_text(&room.probe(), adapter)?);
         }
         let adapter = adapter.to_owned();
         let probe = self.scene()?.probe();

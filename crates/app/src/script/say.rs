@@ -81,9 +81,9 @@ pub fn probe_text(
     })
 }
 
-/// Prints the probe of a room.
-pub fn room_probe(scene: &RoomProbe, adapter: &str) -> Result<(), Failure> {
-    line(&FullRoomProbe {
+/// The probe of a room as a line of JSON.
+pub fn room_probe_text(scene: &RoomProbe, adapter: &str) -> Result<String, Failure> {
+    json(&FullRoomProbe {
         scene,
         memory_mb: antipode_timing::resident_mb(),
         adapter,

@@ -1,5 +1,7 @@
 //! The player's devices: keys, mouse and sticks, and whether this window has the keyboard.
 
+use antipode_scene::Actions;
+
 use crate::bindings::Input;
 use crate::controls::Controls;
 use crate::pad::{Feel, Sticks};
@@ -38,11 +40,23 @@ impl Devices {
         self.controls.motion(dx, dy);
     }
 
-    /// Turns the view as the sticks have stood for `passed_s` seconds.
-    pub fn turn(&mut self, feel: Feel, passed_s: f64) {
+    /// Turns the view as the sticks have stood for `passed_s` seconds, if they are for it.
+    pub fn turn(&mut self, feel: Option<Feel>, passed_s: f64) {
+        let Some(feel) = feel else { return };
         let turn = self.sticks.turn(feel, passed_s);
         self.by_pad |= !turn.is_none();
         self.controls.turn(turn);
+    }
+
+    /// What is asked of the next step, of the sticks where they are for it.
+    pub fn take(&mut self, feel: Option<Feel>) -> Actions {
+        let mut actions = self.controls.take();
+        if let Some(feel) = feel {
+            let by_keys = actions;
+            self.sticks.add_to(&mut actions, feel);
+            self.by_pad |= actions != by_keys;
+        }
+        actions
     }
 
     /// Lets go of what is held down after so many steps.

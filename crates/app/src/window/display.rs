@@ -1,4 +1,4 @@
-//! The display over the world that is played: what of it is shown, and what it tells.
+//! The display over the world or room that is played: what of it is shown, and what it tells.
 
 use antipode_language::Texts;
 use antipode_scene::Scene;
@@ -12,6 +12,7 @@ use super::play::Play;
 use crate::drawn::Drawn;
 use crate::hud;
 use crate::navigator::{Navigator, SurveyOrder, columns_for};
+use crate::room_hud;
 
 /// What the player looks at besides the world.
 #[derive(Debug, Default)]
@@ -28,14 +29,17 @@ pub struct Display {
 }
 
 impl Display {
-    /// What it shows of a world that is played.
+    /// What it shows of a world or room that is played.
     pub fn model(&mut self, texts: &Texts, settings: &Settings, play: &Play) -> Option<HudModel> {
+        let fps = self.fps.value();
         let session = match &play.phase {
             Phase::Playing(session) if !self.hidden => session,
+            Phase::InRoom(visit) if !self.hidden => {
+                return Some(room_hud::model(texts, &visit.room, visit.is_new(), fps));
+            }
             _ => return None,
         };
         let scene = &session.scene;
-        let fps = self.fps.value();
         let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
         let figures = self.drawn.filter(|_| self.figures).map(|(drawn, gpu_ms)| {
             drawn.figures(texts, scene, frame_ms, gpu_ms, play.pace.dropped_s())

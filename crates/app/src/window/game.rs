@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use antipode_room_scene::RoomScene;
 use antipode_scene::Shutter;
 use antipode_scene::frame::{Frame, View};
 use antipode_settings::{Config, Keeper, Opened, Value};
@@ -19,6 +20,7 @@ use super::phase::{Next, Phase, Request};
 use super::play::{CHUNK_BUDGET, Play};
 use super::portrait::portrait_of;
 use super::shots::Shots;
+use super::visit::RoomId;
 use super::waits::Waits;
 use crate::common::Common;
 use crate::pad::Feel;
@@ -101,12 +103,12 @@ impl Game {
 
     /// Whether the mouse turns the view and keys act in the world.
     pub fn is_playing(&self) -> bool {
-        matches!(self.play.phase, Phase::Playing(_)) && !self.overlays.are_up()
+        self.play.phase.is_played() && !self.overlays.are_up()
     }
 
-    /// Whether what is drawn is an open world.
+    /// Whether what is drawn is an open world or room.
     pub fn shows_world(&self) -> bool {
-        matches!(self.play.phase, Phase::Playing(_) | Phase::Paused(_))
+        self.play.phase.is_played() || self.play.phase.is_paused()
     }
 
     /// Whether nothing moves until somebody does something: a paused world, or a menu that no world flies by behind, and
@@ -116,7 +118,7 @@ impl Game {
             Phase::Menu => !self.wants_backdrop(),
             _ => self.play.is_still(),
         };
-        rests && self.menus.list.is_idle() && self.shots.is_idle()
+        rests && self.menus.are_lists_idle() && self.shots.is_idle()
     }
 
     /// Shortest time from frame to frame. Where the processor draws, a menu leaves it something to do besides.
@@ -211,6 +213,11 @@ impl Game {
                 let (devices, waits) = (&mut self.devices, &mut self.waits);
                 self.play.advance(passed, devices, feel, hints, waits);
             }
+            Phase::InRoom(visit) if visit.is_drawn => {
+                let feel = (!self.overlays.are_up()).then(|| Feel::from(settings));
+                visit.advance(passed, &mut self.play.pace, &mut self.devices, feel);
+            }
+            Phase::InRoom(_) | Phase::RoomPaused(_) => {}
             Phase::Paused(session) => {
                 session.scene.pump(CHUNK_BUDGET);
                 self.play.keep_saved(passed, true);
@@ -266,6 +273,12 @@ impl Game {
         crate::options::fit_mirror(&mut frame, &self.options.config.settings, software);
         self.display.apply_to(&mut frame, &session.scene, is_played);
         Some(frame)
+    }
+
+    /// The open room, with what tells its picture from others.
+    pub fn room(&self) -> Option<(RoomId, &RoomScene)> {
+        let visit = self.play.phase.visit()?;
+        Some((visit.id(), visit.scene()))
     }
 
     /// The view of the picture of the open world for the menu, if one is to be taken with a frame: the world, and nothing

@@ -127,6 +127,15 @@ impl Game {
             }
             Intent::Delete { slug } => self.menus.list.delete(slug),
             Intent::Worlds(intent) => self.menus.list.follow(intent),
+            Intent::NewRoom => self.leave(Next::Open(Request::NewRoom(None))),
+            Intent::EnterRoom { slug } => {
+                match self.menus.rooms.work_on(&self.menus.texts, &slug) {
+                    Some(work) => self.menus.shell.toast(work, ToastKind::State),
+                    None => self.leave(Next::Open(Request::Room(slug))),
+                }
+            }
+            Intent::DeleteRoom { slug } => self.menus.rooms.delete(slug),
+            Intent::Rooms(intent) => self.menus.rooms.follow(intent),
             Intent::Quit => self.leave(Next::Quit),
             Intent::TrySavingAgain => {
                 let next = self.play.held_up.take().unwrap_or(Next::Menu);
@@ -135,7 +144,7 @@ impl Game {
             Intent::LeaveUnsaved => self.play.abandon(&mut self.menus),
             Intent::DismissMessage => {
                 self.play.held_up = None;
-                if matches!(self.play.phase, Phase::Paused(_)) && !self.menus.shell.is_open() {
+                if self.play.phase.is_paused() && !self.menus.shell.is_open() {
                     self.menus.shell.open(Screen::Main);
                 }
             }

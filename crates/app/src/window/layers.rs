@@ -88,7 +88,7 @@ impl Game {
         if self.overlays.escape(devices, play, &mut self.menus) {
             return;
         }
-        let running = matches!(self.play.phase, Phase::Paused(_));
+        let running = self.play.phase.is_paused();
         self.menus.shell.escape(running);
         if running && !self.menus.shell.is_open() {
             self.resume();

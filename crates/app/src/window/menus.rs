@@ -1,4 +1,4 @@
-//! The menus and their messages: the interface's shell, the words that it speaks in, the saved worlds that it lists, and
+//! The menus and their messages: the interface's shell, the words that it speaks in, the worlds and rooms that it lists, and
 //! what it says of this machine.
 
 use std::path::Path;
@@ -11,8 +11,9 @@ use antipode_ui::{
 };
 
 use super::phase::Phase;
+use super::placelist::{RoomList, RoomShelf, WorldList};
 use super::press::{ESCAPE, Press, Taken};
-use super::worldlist::WorldList;
+use super::visit::Visit;
 use crate::failure::Failure;
 use crate::session::Worlds;
 use crate::trouble::Trouble;
@@ -27,6 +28,7 @@ pub struct Menus {
     /// The words of the player's language.
     pub(super) texts: Texts,
     pub(super) list: WorldList,
+    pub(super) rooms: RoomList,
     pub(super) about: AboutModel,
     /// The name of the adapter, where it draws in software.
     pub(super) software: Option<String>,
@@ -40,6 +42,7 @@ impl Menus {
         let mut menus = Self {
             shell: Shell::new(),
             texts: Texts::default(),
+            rooms: RoomList::new(RoomShelf::new(worlds.clone())),
             list: WorldList::new(worlds),
             about: AboutModel::default(),
             software,
@@ -49,18 +52,29 @@ impl Menus {
         menus
     }
 
-    /// Opens the main menu, or that of a paused world, with the worlds that are there now.
+    /// Opens the main menu, or that of a paused world or room, with the worlds and rooms that are there now.
     pub fn open_main(&mut self) {
         self.list.refresh();
+        self.rooms.refresh();
         self.shell.open(Screen::Main);
     }
 
-    /// Takes over what has become of work on saved worlds, and tells it.
+    /// Takes over what has become of work on saved worlds and rooms, and tells it.
     pub fn tick(&mut self) {
         self.list.poll();
-        while let Some((words, kind)) = self.list.take_news(&self.texts) {
+        self.rooms.poll();
+        let mut news = || {
+            let of_worlds = self.list.take_news(&self.texts);
+            of_worlds.or_else(|| self.rooms.take_news(&self.texts))
+        };
+        while let Some((words, kind)) = news() {
             self.shell.toast(words, kind);
         }
+    }
+
+    /// Whether no work on saved worlds or rooms is under way.
+    pub fn are_lists_idle(&self) -> bool {
+        self.list.is_idle() && self.rooms.is_idle()
     }
 
     /// The layer of an action that waits for its key: it takes whatever it is, but Escape.
@@ -96,6 +110,7 @@ impl Menus {
     /// Says why something failed, over the main menu.
     pub fn fail(&mut self, key: &str, text: String) {
         self.list.refresh();
+        self.rooms.refresh();
         self.message(key, text);
     }
 
@@ -163,9 +178,16 @@ impl Menus {
         backdrop: Backdrop,
     ) -> Vec<Intent> {
         self.list.show_pictures(context);
-        let (texts, list) = (&self.texts, &self.list);
-        let (worlds, files) = if self.shell.is_open() {
+        let (texts, list, rooms) = (&self.texts, &self.list, &self.rooms);
+        let is_open = self.shell.is_open();
+        let (worlds, world_files) = if is_open {
             (list.rows(texts, Some(phase.slug())), list.files(texts))
+        } else {
+            Default::default()
+        };
+        let visited = phase.visit().map(Visit::slug);
+        let (room_rows, room_files) = if is_open {
+            (rooms.rows(texts, visited.as_deref()), rooms.files(texts))
         } else {
             Default::default()
         };
@@ -176,12 +198,16 @@ impl Menus {
             texts,
             running_world: running.as_deref(),
             backdrop,
+            in_room: phase.visit().is_some(),
             worlds: &worlds,
+            rooms: &room_rows,
             config,
             check_name: &|name| list.check_name(texts, name),
             walk_m_s: walk_speed_m_s(),
             check_rename: &|slug, name| list.check_rename(texts, slug, name),
-            world_files: &files,
+            check_room_rename: &|slug, name| rooms.check_rename(texts, slug, name),
+            world_files: &world_files,
+            room_files: &room_files,
             adapter_notice: notice.as_deref(),
             sound_notice: sound_notice.as_deref(),
             version: env!("CARGO_PKG_VERSION"),
@@ -199,8 +225,11 @@ impl Menus {
     }
 }
 
-/// What the open world is called, where it can be gone back to.
+/// What the open world or room is called, where it can be gone back to.
 fn running(texts: &Texts, phase: &Phase) -> Option<String> {
+    if let Phase::RoomPaused(visit) = phase {
+        return Some(wording::open_room(texts, &visit.room).name);
+    }
     let (Phase::Playing(session) | Phase::Paused(session)) = phase else {
         return None;
     };

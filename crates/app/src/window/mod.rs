@@ -27,6 +27,7 @@ mod pace;
 mod pads;
 mod phase;
 mod photo;
+mod placelist;
 mod play;
 mod pointer;
 mod portrait;
@@ -38,9 +39,9 @@ mod stage;
 #[cfg(test)]
 mod tests;
 mod veil;
+mod visit;
 mod waits;
 mod wheel;
-mod worldlist;
 
 use std::path::PathBuf;
 
@@ -54,6 +55,7 @@ use crate::trouble::Trouble;
 use app::App;
 pub use injected::Fault;
 use phase::Request;
+use placelist::Kept;
 
 /// How the game before this one ended, to be told.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,6 +86,11 @@ pub enum Start {
     After(After),
     /// In a saved world.
     Load {
+        /// Its name.
+        name: String,
+    },
+    /// In a room.
+    Room {
         /// Its name.
         name: String,
     },
@@ -136,5 +143,6 @@ fn first_request(start: Start, worlds: &Worlds) -> Result<Option<Request>, Failu
             }))
         }
         Start::Load { name } => Some(Request::Load(worlds.saves().find(&name)?.slug)),
+        Start::Room { name } => Some(Request::Room(Kept::slug(&worlds.rooms().find(&name)?))),
     })
 }

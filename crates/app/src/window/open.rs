@@ -12,7 +12,8 @@ use super::pointer::Pointer;
 use super::press::Down;
 use super::redraw::{REST, Redraw};
 use super::shown::Shown;
-use super::stage::{Showing, Stage};
+use super::stage::{SceneShown, Showing, Stage};
+use super::visit::Visit;
 use super::waits::Part;
 use super::wheel::Wheel;
 use crate::failure::Failure;
@@ -127,7 +128,9 @@ impl Open {
         self.game.waits.spent_on(Part::Drawing);
         self.take_pictures();
         self.game.waits.spent_on(Part::Input);
+        self.prepare_room();
         let frame = self.game.frame(self.stage.aspect(), self.stage.height_px());
+        let room = self.game.play.phase.visit().map(Visit::view);
         self.game.waits.spent_on(Part::Scene);
         let output = self.interface();
         self.game.waits.spent_on(Part::Interface);
@@ -135,11 +138,19 @@ impl Open {
         let wait = repaint.map_or(Duration::MAX, |viewport| viewport.repaint_delay);
         let showing = Showing {
             thumbnail: frame.as_ref().and_then(|frame| self.game.portrait(frame)),
-            frame: frame.as_ref(),
+            scene: match (&frame, &room) {
+                (Some(frame), _) => SceneShown::World(frame),
+                (None, Some(room)) => SceneShown::Room(room),
+                (None, None) => SceneShown::Nothing,
+            },
             interface: output,
             keeps: self.game.shots.begin(),
         };
-        self.stage.show(texture, showing, &mut self.game.waits)?;
+        let is_room_drawn = self.stage.show(texture, showing, &mut self.game.waits)?;
+        if is_room_drawn {
+            let elsewhere = self.game.devices.lost_focus();
+            self.game.play.room_drawn(&mut self.game.menus, elsewhere);
+        }
         self.game
             .play
             .drawn(frame.is_some() && !self.stage.is_land_coming());
@@ -150,6 +161,16 @@ impl Open {
         self.game.waits.spent_on(Part::Drawing);
         self.game.waits.shown();
         Ok(())
+    }
+
+    /// Has the open room drawn, or leaves one that cannot be.
+    fn prepare_room(&mut self) {
+        let Some((id, room)) = self.game.room() else {
+            return;
+        };
+        if let Some(why) = self.stage.prepare_room(id, room) {
+            self.game.play.room_refused(&why, &mut self.game.menus);
+        }
     }
 
     /// Opens an adapter anew, and says so.

@@ -11,13 +11,20 @@ use antipode_ui::legible_name;
 
 use super::game::Game;
 use super::phase::{Next, Phase, Request};
+use super::placelist::Kept;
+use super::visit::Visit;
 use crate::bindings::Input;
 use crate::console::{HELP, help};
 use crate::controls::Controls;
 use crate::failure::Failure;
-use crate::script::{Host, Order, command_named, obey, parse_line, probe_text, steps_in};
+use crate::script::{
+    Host, Order, RoomOrder, command_named, obey, parse_line, probe_text, room_probe_text, steps_in,
+};
 use crate::session::{NewWorld, Worlds};
 use crate::wording;
+
+/// What is said of commands that change rooms, which the game in its window does not do.
+const ONLY_SCRIPTS: &str = "rooms are changed by scripts, as docs/rooms.md tells";
 
 impl Game {
     /// Does what a line says, and answers below it.
@@ -53,7 +60,7 @@ impl Game {
                 self.write(Problem, &words);
             }
             Err(failure) => {
-                let worlds = self.menus.list.worlds();
+                let worlds = self.menus.list.known();
                 let words = wording::failure(&self.menus.texts, &failure, worlds);
                 self.write(Problem, &words);
             }
@@ -86,7 +93,54 @@ impl Game {
         Ok(())
     }
 
+    fn order_room(&mut self, order: &RoomOrder) -> Result<(), Failure> {
+        match order {
+            RoomOrder::New {
+                gravity: Some(_), ..
+            }
+            | RoomOrder::Save(_) => {
+                return Err(Failure::Usage(ONLY_SCRIPTS.to_owned()));
+            }
+            RoomOrder::New { name, .. } => {
+                self.leave(Next::Open(Request::NewRoom(name.clone())));
+            }
+            RoomOrder::Load(name) => {
+                self.leave(Next::Open(Request::RoomNamed(name.clone())));
+            }
+            RoomOrder::Delete(name) => {
+                let visited = self.play.phase.visit().map(Visit::slug);
+                let known = self.menus.rooms.known().iter();
+                let found = known
+                    .filter(|room| room.name == *name)
+                    .map(Kept::slug)
+                    .next();
+                match found {
+                    Some(slug) if Some(&slug) == visited.as_ref() => {
+                        return Err(Failure::Usage(format!(
+                            "\"{name}\" is open and cannot be deleted"
+                        )));
+                    }
+                    Some(slug) => self.menus.rooms.delete(slug),
+                    None => return Err(Failure::Usage(format!("no room is called \"{name}\""))),
+                }
+            }
+            RoomOrder::List => {
+                let names = self.menus.rooms.names();
+                for name in names {
+                    self.write(Answer, &legible_name(&name, ""));
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn probe_here(&mut self) -> Result<(), Failure> {
+        if let Phase::InRoom(visit) = &self.play.phase {
+            let adapter = &self.overlays.console.adapter;
+            let words = room_probe_text(&visit.scene().probe(), adapter)?;
+            self.write(Answer, &words);
+            return Ok(());
+        }
         let probe = self.scene()?.probe();
         let fps = f64::from(self.display.fps.value());
         let console = &self.overlays.console;
@@ -122,7 +176,10 @@ impl Host for Game {
     }
 
     fn room(&mut self) -> Option<&mut RoomScene> {
-        None
+        match &mut self.play.phase {
+            Phase::InRoom(visit) => Some(&mut visit.room.scene),
+            _ => None,
+        }
     }
 
     fn worlds(&mut self) -> &mut Worlds {
@@ -187,11 +244,8 @@ impl Host for Game {
             Order::Probe => self.probe_here()?,
             Order::Shot(file) => self.shoot_as(file),
             Order::Perf(_) => self.reply(Problem, "console-no-perf", &[]),
-            Order::Room(_) | Order::Edit(_) => {
-                return Err(Failure::Usage(
-                    "rooms can be entered by scripts only, as yet".to_owned(),
-                ));
-            }
+            Order::Room(order) => return self.order_room(order),
+            Order::Edit(_) => return Err(Failure::Usage(ONLY_SCRIPTS.to_owned())),
             // The rest is carried out alike everywhere.
             _ => {}
         }

@@ -42,6 +42,13 @@ impl Pace {
         steps
     }
 
+    /// The same, and how many seconds pictures go on by, which show a moment between two steps.
+    pub fn go_on(&mut self, passed: Duration) -> (u32, f64) {
+        let share = self.share();
+        let steps = self.steps(passed);
+        (steps, (f64::from(steps) + self.share() - share) * STEP_S)
+    }
+
     /// A world begins; what another was owed is owed no more.
     pub fn rest(&mut self) {
         self.owed_s = 0.0;

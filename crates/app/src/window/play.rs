@@ -1,4 +1,4 @@
-//! The world that is played: its time against the wall's, its saves, and words of what came up in it.
+//! The world or room that is played: its time against the wall's, its saves, and words of what came up in it.
 
 mod passage;
 
@@ -8,7 +8,7 @@ use antipode_audio::{Heard, PlayState};
 use antipode_geometry::HyperbolicMap;
 use antipode_scene::Hint;
 use antipode_scene::frame::Quality;
-use antipode_scene::tuning::{AUTOSAVE_S, STEP_S};
+use antipode_scene::tuning::AUTOSAVE_S;
 use antipode_settings::{Profiles, Settings};
 use antipode_ui::{Screen, ToastKind};
 use image::RgbaImage;
@@ -32,14 +32,14 @@ pub(super) const CHUNK_BUDGET: Duration = Duration::from_millis(2);
 /// Shortest time between two saves of a paused world in which the last edits have just ended, in seconds.
 const SETTLED_SAVE_S: f64 = 0.2;
 
-/// What is done with worlds, and the one that is open.
+/// What is done with worlds and rooms, and what is open of them.
 #[derive(Debug)]
 pub struct Play {
     pub(super) phase: Phase,
     pub(super) worlds: Worlds,
     pub(super) pace: Pace,
     pub(super) veil: Veil,
-    /// The number of the open world among those that were opened.
+    /// The number of the open world or room among those that were opened.
     pub(super) opened: u64,
     pub(super) portrait: Portrait,
     /// The player has asked for a save and is owed an answer.
@@ -87,6 +87,10 @@ impl Play {
                 menus.open_main();
                 Phase::Paused(session)
             }
+            Phase::InRoom(visit) => {
+                menus.open_main();
+                Phase::RoomPaused(visit)
+            }
             other => other,
         };
     }
@@ -102,6 +106,10 @@ impl Play {
                 } else {
                     Phase::Playing(session)
                 }
+            }
+            Phase::RoomPaused(visit) => {
+                menus.shell.open(Screen::Hidden);
+                Phase::InRoom(visit)
             }
             other => other,
         };
@@ -127,19 +135,10 @@ impl Play {
         let Phase::Playing(session) = &mut self.phase else {
             return;
         };
-        let share = self.pace.share();
-        let steps = self.pace.steps(passed);
-        if let Some(feel) = feel {
-            let passed_s = (f64::from(steps) + self.pace.share() - share) * STEP_S;
-            devices.turn(feel, passed_s);
-        }
+        let (steps, passed_s) = self.pace.go_on(passed);
+        devices.turn(feel, passed_s);
         for left in (0..steps).rev() {
-            let mut actions = devices.controls.take();
-            if let Some(feel) = feel {
-                let by_keys = actions;
-                devices.sticks.add_to(&mut actions, feel);
-                devices.by_pad |= actions != by_keys;
-            }
+            let mut actions = devices.take(feel);
             if let Some(hints) = &mut hints {
                 hints.step(&actions, HintContext::of(&session.scene));
             }
@@ -214,12 +213,15 @@ impl Play {
     /// What there was to hear since it was last asked.
     pub fn take_heard(&mut self) -> Heard {
         let play_state = match &self.phase {
-            Phase::Playing(_) => PlayState::World,
-            Phase::Paused(_) => PlayState::Paused,
+            Phase::Playing(_) | Phase::InRoom(_) => PlayState::World,
+            Phase::Paused(_) | Phase::RoomPaused(_) => PlayState::Paused,
             _ => PlayState::Menu,
         };
         let Some(session) = self.phase.session_mut() else {
-            return Heard::default();
+            return Heard {
+                play_state,
+                ..Heard::default()
+            };
         };
         Heard {
             play_state,
@@ -267,7 +269,7 @@ impl Play {
     pub fn lift_veil(&mut self, passed: Duration, reduced_motion: bool) {
         let at_once = match self.phase {
             Phase::Playing(_) | Phase::Paused(_) if self.veil != Veil::Down => reduced_motion,
-            Phase::Menu | Phase::Over => true,
+            Phase::Menu | Phase::Over | Phase::InRoom(_) | Phase::RoomPaused(_) => true,
             _ => return,
         };
         self.veil = self.veil.lift(passed, at_once);
@@ -276,8 +278,10 @@ impl Play {
     /// Whether nothing moves in a paused world whose land is all there, and no work on it has something to show when it
     /// ends.
     pub fn is_still(&self) -> bool {
-        let Phase::Paused(session) = &self.phase else {
-            return false;
+        let session = match &self.phase {
+            Phase::Paused(session) => session,
+            Phase::RoomPaused(visit) => return visit.is_drawn,
+            _ => return false,
         };
         let lifts = matches!(self.veil, Veil::Drawn | Veil::Lifting(_));
         session.scene.pending() == 0 && !self.saving && !self.portrait.is_wanted && !lifts

@@ -23,9 +23,8 @@ impl Shown {
 }
 
 fn what_is_up(game: &Game) -> &'static str {
-    if !matches!(game.play.phase, Phase::Playing(_)) {
-        let is_paused = matches!(game.play.phase, Phase::Paused(_));
-        return screen_name(game.menus.shell.screen(), is_paused);
+    if !game.play.phase.is_played() {
+        return screen_name(game.menus.shell.screen(), game.play.phase.is_paused());
     }
     let overlays = &game.overlays;
     if overlays.is_typing() {
@@ -36,6 +35,8 @@ fn what_is_up(game: &Game) -> &'static str {
         "the backpack"
     } else if overlays.is_naming() {
         "the question for a name"
+    } else if matches!(game.play.phase, Phase::InRoom(_)) {
+        "the room"
     } else if game.play.veil == Veil::Up {
         "the world"
     } else {
@@ -51,6 +52,7 @@ fn screen_name(screen: &Screen, is_paused: bool) -> &'static str {
         Screen::NewGame => "the form for a new world",
         Screen::Load => "the worlds to load",
         Screen::Delete => "the worlds to delete",
+        Screen::Rooms => "the rooms",
         Screen::Settings => "the settings",
         Screen::Controls => "the controls",
         Screen::About => "the about screen",

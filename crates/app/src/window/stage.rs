@@ -4,6 +4,7 @@ mod canvas;
 mod input;
 mod pictures;
 mod recovery;
+mod rooms;
 mod show;
 pub mod world;
 
@@ -12,6 +13,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use antipode_render::{AdapterChoice, Gpu, Options, PictureReading, Renderer, Shaders};
+use antipode_room_scene::RoomScene;
 use antipode_settings::Settings;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::{Fullscreen, Window};
@@ -22,9 +24,11 @@ use crate::failure::Failure;
 use crate::options;
 use crate::overlay::Overlay;
 use crate::picture::adapter_choice;
+use crate::window::visit::RoomId;
 use canvas::Canvas;
 use recovery::Recoveries;
-pub use show::Showing;
+use rooms::Rooms;
+pub use show::{SceneShown, Showing};
 use world::Pictured;
 
 /// Window, surface, renderer and interface.
@@ -43,6 +47,7 @@ pub struct Stage {
     config: wgpu::SurfaceConfiguration,
     renderer: Renderer,
     options: Options,
+    rooms: Rooms,
     pictured: Pictured,
     /// The tile of a larger picture under way.
     tile: Option<PictureReading>,
@@ -104,6 +109,7 @@ impl Stage {
             config,
             renderer,
             options,
+            rooms: Rooms::default(),
             pictured: Pictured::default(),
             tile: None,
             screenshots: VecDeque::new(),
@@ -174,7 +180,7 @@ impl Stage {
 
     /// Whether the next frame of the same moment would show more, or there is a picture to take over.
     pub fn is_busy(&self) -> bool {
-        self.reads_pictures() || self.renderer.is_busy()
+        self.reads_pictures() || self.renderer.is_busy() || self.rooms.is_busy()
     }
 
     /// Whether land that the frames have brought is not shown yet, or not as fine as it is to be.
@@ -191,6 +197,11 @@ impl Stage {
     pub fn rescale(&mut self, scale: f32) {
         let context = self.overlay.context();
         context.set_pixels_per_point(scale);
+    }
+
+    /// A room is to be drawn: begins to make what for, unless that is there. Returns why it cannot be drawn, once.
+    pub fn prepare_room(&mut self, id: RoomId, room: &RoomScene) -> Option<Failure> {
+        self.rooms.prepare(&self.gpu, &self.options, id, room)
     }
 
     /// Width over height.

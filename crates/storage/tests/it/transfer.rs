@@ -6,7 +6,8 @@ use std::path::Path;
 use crate::common::two::{assert_is_foo, entries, two};
 use crate::common::{batch, meta};
 use antipode_storage::{
-    Batch, SavesDir, StorageError, THUMBNAIL_FILE, WORLD_FILE, WorldStore, archives_in,
+    ARCHIVE_EXTENSION, Batch, SavesDir, StorageError, THUMBNAIL_FILE, WORLD_FILE, WorldStore,
+    archives_in,
 };
 
 #[test]
@@ -184,14 +185,14 @@ fn exported_worlds_are_found_newest_first_and_nothing_else() {
     }
     fs::write(dir.path().join("notes.txt"), b"x").unwrap();
     fs::create_dir(dir.path().join("d.antipode-world")).unwrap();
-    let found = archives_in(dir.path());
+    let found = archives_in(dir.path(), ARCHIVE_EXTENSION);
     let names: Vec<_> = found
         .iter()
         .map(|file| file.path.file_name().unwrap())
         .collect();
     assert_eq!(names, ["a.Antipode-World", "b.Antipode-World"]);
     assert!(found.iter().all(|file| file.size_bytes > 100));
-    assert_eq!(archives_in(&dir.path().join("none")), []);
+    assert_eq!(archives_in(&dir.path().join("none"), ARCHIVE_EXTENSION), []);
 }
 
 /// A store as a process that was killed leaves it: to be recovered by whoever opens it.

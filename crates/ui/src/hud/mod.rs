@@ -1,4 +1,4 @@
-//! The heads-up display over the world, painted and never clickable.
+//! The heads-up display over the world or the room, painted and never clickable.
 
 mod compass;
 mod damage;
@@ -9,6 +9,7 @@ pub(crate) mod hotbar;
 mod minimap;
 mod mirror;
 mod plate;
+mod room;
 mod speech;
 mod wounds;
 
@@ -27,6 +28,7 @@ pub use figures::FigureModel;
 pub use hint::HintModel;
 pub use minimap::{MapMark, MapModel, MarkKind, Relief, ReliefNode, Tints, tints_of};
 pub use mirror::mirror_place;
+pub use room::RoomModel;
 pub use speech::SpeechModel;
 pub use wounds::WoundModel;
 
@@ -118,6 +120,8 @@ pub struct HudModel {
     pub hidden_foes: Vec<f32>,
     /// Health of others who are hurt.
     pub wounds: Vec<WoundModel>,
+    /// Of a room, what there is to say of it; then nothing else tells of the place.
+    pub room: Option<RoomModel>,
     /// What somebody says to the player.
     pub speech: Option<SpeechModel>,
     /// Whether a shot of the player's has just struck someone.
@@ -130,7 +134,7 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     let screen = inset(ctx.content_rect(), GRID);
     let painter = ctx.layer_painter(LayerId::background());
     about_the_aim(&painter, ctx.content_rect(), model);
-    let position = if model.figures.is_some() {
+    let position = if model.figures.is_some() && model.room.is_none() {
         position(&painter, screen, texts, model)
     } else {
         Rect::NOTHING
@@ -150,6 +154,10 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     let lowest = [position, figures, mirror, strip].map(|it| it.max.y);
     let top = lowest.into_iter().fold(f32::NEG_INFINITY, f32::max) + GRID;
     notices(&painter, screen, top, texts, model);
+    if let Some(room) = &model.room {
+        room::show(&painter, screen, top, room);
+        return Rect::NOTHING;
+    }
     let bar = hotbar::show(&painter, screen, model);
     // Beside so much to read the instruments keep below it.
     let ceiling = if model.figures.is_some() {

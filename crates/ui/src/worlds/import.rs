@@ -1,11 +1,10 @@
-//! Worlds from files: one is named, chosen from those found, or dropped on the window.
+//! Worlds and rooms from files: one is named, chosen from those found, or dropped on the window.
 
 use egui::{RichText, Ui};
 
-use super::WorldsIntent;
 use super::field::{line, note};
+use super::{Kind, WorldsIntent};
 use crate::layout::{Stops, pane, steady};
-use crate::model::Intent;
 use crate::shell::Pass;
 use crate::theme::{WEAK, small};
 use crate::widgets::{button, column_button, primary_button};
@@ -18,9 +17,9 @@ pub(super) struct Form {
 
 impl Form {
     /// Draws the form; true when it is done with.
-    pub(super) fn show(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) -> bool {
+    pub(super) fn show(&mut self, ui: &mut Ui, pass: &mut Pass<'_>, kind: Kind) -> bool {
         let texts = pass.model.texts;
-        let files = pass.model.world_files;
+        let files = kind.files(pass.model);
         let regions = pass.regions;
         let typed = !self.file.trim().is_empty();
         let mut wanted = None;
@@ -29,13 +28,13 @@ impl Form {
             let field = line(ui, &mut self.file).labelled_by(label.id);
             stops.add(&field);
             pass.offer_focus(&field);
-            note(ui, &texts.say("worlds-import-hint"), WEAK);
+            note(ui, &kind.say(texts, "import-hint"), WEAK);
             let found = if files.archives.is_empty() {
-                "worlds-found-none"
+                "found-none"
             } else {
-                "worlds-found"
+                "found"
             };
-            let found = texts.say_with(found, &[("dir", files.dir.as_str().into())]);
+            let found = kind.say_with(texts, found, &[("dir", files.dir.as_str().into())]);
             ui.add(egui::Label::new(RichText::new(found).font(small()).color(WEAK)).wrap());
             for archive in &files.archives {
                 let values = [
@@ -55,7 +54,7 @@ impl Form {
         let field = pane(
             ui,
             regions.pane,
-            &texts.say("worlds-import-title"),
+            &kind.say(texts, "import-title"),
             body,
             |ui| {
                 accept = primary_button(ui, &texts.say("worlds-import-do"), typed).clicked();
@@ -69,19 +68,17 @@ impl Form {
         }
         let done = back || wanted.is_some();
         if let Some(file) = wanted {
-            pass.intents
-                .push(Intent::Worlds(WorldsIntent::Import { file }));
+            pass.intents.push(kind.ask(WorldsIntent::Import { file }));
         }
         done
     }
 }
 
 /// Takes in files that were dropped on the window.
-pub(super) fn take_dropped(ui: &Ui, pass: &mut Pass<'_>) {
+pub(super) fn take_dropped(ui: &Ui, pass: &mut Pass<'_>, kind: Kind) {
     let dropped = ui.input(|input| input.raw.dropped_files.clone());
     for dropped in dropped {
         let file = dropped.path().to_string_lossy().into_owned();
-        pass.intents
-            .push(Intent::Worlds(WorldsIntent::Import { file }));
+        pass.intents.push(kind.ask(WorldsIntent::Import { file }));
     }
 }

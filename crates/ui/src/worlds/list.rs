@@ -1,8 +1,8 @@
-//! The list of worlds: every world as a row, newest first.
+//! The list of worlds or rooms, each as a row.
 
 use egui::{FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
-use super::{edits, facts, picture};
+use super::{Kind, edits, facts, picture};
 use crate::layout::{Stops, pane, steady};
 use crate::model::{Screen, WorldRow};
 use crate::shell::Pass;
@@ -29,43 +29,63 @@ pub(super) enum Choice<'a> {
     Row(&'a WorldRow),
     /// The button beside it.
     Manage(&'a WorldRow),
-    /// The button under the list.
+    /// A button under the list: one from a file.
     Import,
+    /// A button under the list of rooms: a new one.
+    New,
+}
+
+/// What is shown, and what for.
+#[derive(Clone, Copy)]
+struct Shown {
+    kind: Kind,
+    purpose: Purpose,
 }
 
 /// A line under a row, and whether it tells of something bad.
 type Remark = (Option<String>, bool);
 
 /// Draws the list; returns what was chosen.
-pub(super) fn show<'a>(ui: &mut Ui, pass: &mut Pass<'a>, purpose: Purpose) -> Option<Choice<'a>> {
+pub(super) fn show<'a>(
+    ui: &mut Ui,
+    pass: &mut Pass<'a>,
+    kind: Kind,
+    purpose: Purpose,
+) -> Option<Choice<'a>> {
     let model = pass.model;
     let regions = pass.regions;
+    let rows = kind.rows(model);
     let mut chosen = None;
     let body = |ui: &mut Ui, stops: &mut Stops| {
-        if let Some(work) = &model.world_files.work {
+        if let Some(work) = &kind.files(model).work {
             ui.label(egui::RichText::new(work).font(small()).color(ACCENT));
         }
-        if model.worlds.is_empty() {
-            ui.label(model.texts.say("worlds-none"));
+        if rows.is_empty() {
+            ui.label(kind.say(model.texts, "none"));
         }
-        for row in model.worlds {
-            let choice = steady(ui, &row.slug, |ui| self::row(ui, pass, stops, row, purpose));
+        let shown = Shown { kind, purpose };
+        for row in rows {
+            let choice = steady(ui, &row.slug, |ui| self::row(ui, pass, stops, row, shown));
             chosen = choice.or(chosen.take());
         }
     };
-    let title = model.texts.say(match purpose {
-        Purpose::Load => "menu-load",
-        Purpose::Delete => "menu-delete",
+    let title = model.texts.say(match (kind, purpose) {
+        (Kind::Room, _) => "menu-rooms",
+        (_, Purpose::Load) => "menu-load",
+        (_, Purpose::Delete) => "menu-delete",
     });
-    let (mut back, mut import) = (None, None);
+    let (mut back, mut import, mut new) = (None, None, None);
     pane(ui, regions.pane, &title, body, |ui| {
         back = Some(button(ui, &model.texts.say("back")));
         if purpose == Purpose::Load {
             import = Some(button(ui, &model.texts.say("worlds-import")));
         }
+        if kind == Kind::Room {
+            new = Some(button(ui, &model.texts.say("rooms-new")));
+        }
     });
     if let Some(back) = back {
-        if model.worlds.is_empty() {
+        if rows.is_empty() {
             pass.offer_focus(&back);
         }
         if back.clicked() {
@@ -75,18 +95,21 @@ pub(super) fn show<'a>(ui: &mut Ui, pass: &mut Pass<'a>, purpose: Purpose) -> Op
     if import.is_some_and(|import| import.clicked()) {
         chosen = Some(Choice::Import);
     }
+    if new.is_some_and(|new| new.clicked()) {
+        chosen = Some(Choice::New);
+    }
     chosen
 }
 
-/// One world: a wide button, and beside it, where worlds are loaded, one for its page.
+/// One of them: a wide button, and beside it, where they are loaded, one for its page.
 fn row<'a>(
     ui: &mut Ui,
     pass: &mut Pass<'_>,
     stops: &mut Stops,
     row: &'a WorldRow,
-    purpose: Purpose,
+    shown: Shown,
 ) -> Option<Choice<'a>> {
-    let manageable = purpose == Purpose::Load;
+    let manageable = shown.purpose == Purpose::Load;
     let width = ui.available_width();
     let card_width = if manageable {
         (width - MANAGE_WIDTH - GRID).max(1.0)
@@ -95,7 +118,7 @@ fn row<'a>(
     };
     let mut choice = None;
     ui.horizontal(|ui| {
-        let response = card(ui, pass, row, purpose, card_width);
+        let response = card(ui, pass, row, shown, card_width);
         stops.add(&response);
         pass.offer_focus(&response);
         if response.clicked() {
@@ -131,20 +154,22 @@ fn manage_button(ui: &mut Ui, pass: &Pass<'_>, row: &WorldRow, height: f32) -> R
     response
 }
 
-fn remark(pass: &Pass<'_>, row: &WorldRow, purpose: Purpose) -> Remark {
+fn remark(pass: &Pass<'_>, row: &WorldRow, shown: Shown) -> Remark {
     let texts = pass.model.texts;
+    let Shown { kind, purpose } = shown;
     match &row.problem {
         _ if row.running && purpose == Purpose::Delete => {
             (Some(texts.say("worlds-running-no-delete")), true)
         }
-        _ if row.running => (Some(texts.say("worlds-running")), false),
+        _ if row.running => (Some(kind.say(texts, "running")), false),
         Some(problem) => (Some(problem.clone()), true),
         None => (None, false),
     }
 }
 
-/// One world as one wide button, called "Load “name”" by screen readers.
-fn card(ui: &mut Ui, pass: &Pass<'_>, row: &WorldRow, purpose: Purpose, width: f32) -> Response {
+/// One of them as one wide button, called "Load “name”" by screen readers.
+fn card(ui: &mut Ui, pass: &Pass<'_>, row: &WorldRow, shown: Shown, width: f32) -> Response {
+    let Shown { kind, purpose } = shown;
     let pictured = width >= PICTURE_FROM;
     let left = if pictured {
         picture::size(PICTURE_HEIGHT).x + 20.0
@@ -157,9 +182,9 @@ fn card(ui: &mut Ui, pass: &Pass<'_>, row: &WorldRow, purpose: Purpose, width: f
         vec![painter.layout_job(one_line(&row.name, FontId::proportional(16.0), TEXT, inner))];
     lines.push(painter.layout(facts(pass, row), small(), WEAK, inner));
     if purpose == Purpose::Delete && row.edits.is_some() {
-        lines.push(painter.layout(edits(pass, row), small(), WEAK, inner));
+        lines.push(painter.layout(edits(pass, kind, row), small(), WEAK, inner));
     }
-    let (words, bad) = remark(pass, row, purpose);
+    let (words, bad) = remark(pass, row, shown);
     if let Some(words) = words {
         let colour = if bad { BAD } else { ACCENT };
         lines.push(painter.layout(words, small(), colour, inner));
@@ -173,10 +198,10 @@ fn card(ui: &mut Ui, pass: &Pass<'_>, row: &WorldRow, purpose: Purpose, width: f
     let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::click());
     let values = [("name", row.name.as_str().into())];
     let key = match purpose {
-        Purpose::Load => "worlds-load-named",
-        Purpose::Delete => "worlds-delete-named",
+        Purpose::Load => "load-named",
+        Purpose::Delete => "delete-named",
     };
-    let label = pass.model.texts.say_with(key, &values);
+    let label = kind.say_with(pass.model.texts, key, &values);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
     if !ui.is_rect_visible(rect) {
         focus_ring(ui, &response);
@@ -188,6 +213,7 @@ fn card(ui: &mut Ui, pass: &Pass<'_>, row: &WorldRow, purpose: Purpose, width: f
         picture::paint(
             &painter,
             Rect::from_min_size(at, picture::size(PICTURE_HEIGHT)),
+            kind,
             row,
         );
     }

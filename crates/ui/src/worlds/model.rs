@@ -1,6 +1,6 @@
-//! The models of the screens about worlds, and their intents.
+//! The models of the screens about worlds and rooms, and their intents.
 
-/// A file that may be an exported world.
+/// A file that may be an exported world or room.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ArchiveRow {
     /// Where it is, which intents carry back.
@@ -11,7 +11,7 @@ pub struct ArchiveRow {
     pub size: String,
 }
 
-/// What is known of worlds in files.
+/// What is known of worlds or rooms in files.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WorldFiles {
     /// Where exports go and are looked for.
@@ -22,7 +22,7 @@ pub struct WorldFiles {
     pub work: Option<String>,
 }
 
-/// What the player asks for concerning saved worlds.
+/// What the player asks for concerning saved worlds or rooms.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WorldsIntent {
     /// Look closer at a world: fills [`crate::WorldRow::edits`] and [`crate::WorldRow::export_to`].

@@ -1,12 +1,12 @@
-//! The page of one world: what it is, and what can be done with it.
+//! The page of one world or room: what it is, and what can be done with it.
 
 use egui::{Id, Label, Response, RichText, Sense, Ui};
 
 use super::field::{line, note};
-use super::{WorldsIntent, edits, enter, facts, picture};
+use super::{Kind, WorldsIntent, edits, enter, facts, picture};
 use crate::layout::{Stops, pane, steady};
 use crate::legible::is_partly_shown;
-use crate::model::{Intent, WorldRow};
+use crate::model::WorldRow;
 use crate::shell::Pass;
 use crate::theme::{BAD, GOOD, GRID, WEAK, small};
 use crate::widgets::{button, focus_ring, primary_button};
@@ -59,9 +59,11 @@ impl Action {
         (Self::Delete, "worlds-delete"),
     ];
 
-    /// Whether it can be done to a world while it is played.
-    fn spares_the_store(self) -> bool {
-        matches!(self, Self::Load | Self::OpenFolder)
+    /// Whether it can be done: not all to what is played just now, nor to what comes with the game.
+    fn is_for(self, row: &WorldRow) -> bool {
+        let spares_the_store = matches!(self, Self::Load | Self::OpenFolder);
+        let spares_the_place = matches!(self, Self::Load | Self::Duplicate | Self::Export);
+        (!row.running || spares_the_store) && (!row.shipped || spares_the_place)
     }
 }
 
@@ -97,18 +99,24 @@ impl Page {
         in_form
     }
 
-    pub(super) fn show(&mut self, ui: &mut Ui, pass: &mut Pass<'_>, row: &WorldRow) -> Turn {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        pass: &mut Pass<'_>,
+        kind: Kind,
+        row: &WorldRow,
+    ) -> Turn {
         match &mut self.mode {
-            Mode::Overview => self.overview(ui, pass, row),
+            Mode::Overview => self.overview(ui, pass, kind, row),
             Mode::Rename(name) => {
                 let valid = if name.trim() == row.full_name {
                     Ok(())
                 } else {
-                    (pass.model.check_rename)(&row.slug, name.trim())
+                    kind.check_rename(pass.model, &row.slug, name.trim())
                 };
                 let pressed = rename_form(ui, pass, row, name, &valid);
                 if pressed == Pressed::Do && name.trim() != row.full_name {
-                    pass.intents.push(Intent::Worlds(WorldsIntent::Rename {
+                    pass.intents.push(kind.ask(WorldsIntent::Rename {
                         slug: row.slug.clone(),
                         name: name.trim().to_owned(),
                     }));
@@ -116,9 +124,9 @@ impl Page {
                 self.leave_form(pressed)
             }
             Mode::Export(file) => {
-                let pressed = export_form(ui, pass, row, file);
+                let pressed = export_form(ui, pass, kind, row, file);
                 if pressed == Pressed::Do {
-                    pass.intents.push(Intent::Worlds(WorldsIntent::Export {
+                    pass.intents.push(kind.ask(WorldsIntent::Export {
                         slug: row.slug.clone(),
                         file: file.trim().to_owned(),
                     }));
@@ -136,7 +144,7 @@ impl Page {
         Turn::Redraw
     }
 
-    fn overview(&mut self, ui: &mut Ui, pass: &mut Pass<'_>, row: &WorldRow) -> Turn {
+    fn overview(&mut self, ui: &mut Ui, pass: &mut Pass<'_>, kind: Kind, row: &WorldRow) -> Turn {
         let regions = pass.regions;
         let texts = pass.model.texts;
         let mut pressed = None;
@@ -144,27 +152,27 @@ impl Page {
             if !regions.compact {
                 let height = PICTURE_HEIGHT.min(ui.available_width() / picture::ASPECT);
                 let (rect, _) = ui.allocate_exact_size(picture::size(height), Sense::hover());
-                picture::paint(ui.painter(), rect, row);
+                picture::paint(ui.painter(), rect, kind, row);
             }
-            particulars(ui, pass, row);
-            pressed = steady(ui, "actions", |ui| actions(ui, pass, stops, row));
+            particulars(ui, pass, kind, row);
+            pressed = steady(ui, "actions", |ui| actions(ui, pass, stops, (kind, row)));
         };
         let mut back = false;
         pane(ui, regions.pane, &row.name, body, |ui| {
             back = button(ui, &texts.say("back")).clicked();
         });
         match pressed {
-            Some(action) => self.follow(action, pass, row),
+            Some(action) => self.follow(action, pass, kind, row),
             None if back => Turn::Back,
             None => Turn::Stay,
         }
     }
 
-    fn follow(&mut self, action: Action, pass: &mut Pass<'_>, row: &WorldRow) -> Turn {
+    fn follow(&mut self, action: Action, pass: &mut Pass<'_>, kind: Kind, row: &WorldRow) -> Turn {
         let slug = row.slug.clone();
-        let ask = |pass: &mut Pass<'_>, intent| pass.intents.push(Intent::Worlds(intent));
+        let ask = |pass: &mut Pass<'_>, intent| pass.intents.push(kind.ask(intent));
         match action {
-            Action::Load => enter(pass, row),
+            Action::Load => enter(pass, kind, row),
             Action::Duplicate => ask(pass, WorldsIntent::Duplicate { slug }),
             Action::OpenFolder => ask(pass, WorldsIntent::OpenFolder { slug }),
             Action::Rename => {
@@ -181,34 +189,47 @@ impl Page {
     }
 }
 
-/// What there is to know of a world, in words.
-fn particulars(ui: &mut Ui, pass: &Pass<'_>, row: &WorldRow) {
+/// What there is to know of it, in words.
+fn particulars(ui: &mut Ui, pass: &Pass<'_>, kind: Kind, row: &WorldRow) {
     let weak = |text: String| Label::new(RichText::new(text).font(small()).color(WEAK)).wrap();
     ui.add(weak(facts(pass, row)));
-    ui.add(weak(edits(pass, row)));
-    ui.add(weak(row.path.clone()));
+    ui.add(weak(edits(pass, kind, row)));
+    if row.shipped {
+        ui.add(weak(pass.model.texts.say("rooms-shipped")));
+    } else {
+        ui.add(weak(row.path.clone()));
+    }
     let problem = match &row.problem {
-        _ if row.running => Some(pass.model.texts.say("worlds-running-no-change")),
+        _ if row.running => Some(kind.say(pass.model.texts, "running-no-change")),
         problem => problem.clone(),
     };
     if let Some(problem) = problem {
         ui.add(Label::new(RichText::new(problem).font(small()).color(BAD)).wrap());
     }
-    if let Some(work) = &pass.model.world_files.work {
+    if let Some(work) = &kind.files(pass.model).work {
         ui.add(weak(work.clone()));
     }
 }
 
 /// The buttons, side by side as far as there is room; which was pressed.
-fn actions(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, row: &WorldRow) -> Option<Action> {
+fn actions(
+    ui: &mut Ui,
+    pass: &mut Pass<'_>,
+    stops: &mut Stops,
+    (kind, row): (Kind, &WorldRow),
+) -> Option<Action> {
     let mut pressed = None;
     ui.horizontal_wrapped(|ui| {
         for (action, key) in Action::ALL {
-            let mut text = RichText::new(pass.model.texts.say(key));
+            let label = match action {
+                Action::Load => kind.say(pass.model.texts, "load"),
+                _ => pass.model.texts.say(key),
+            };
+            let mut text = RichText::new(label);
             if action == Action::Delete {
                 text = text.color(BAD);
             }
-            let enabled = !row.running || action.spares_the_store();
+            let enabled = action.is_for(row);
             let response = ui.add_enabled(enabled, egui::Button::new(text));
             focus_ring(ui, &response);
             if enabled {
@@ -252,7 +273,13 @@ fn rename_form(
     )
 }
 
-fn export_form(ui: &mut Ui, pass: &mut Pass<'_>, row: &WorldRow, file: &mut String) -> Pressed {
+fn export_form(
+    ui: &mut Ui,
+    pass: &mut Pass<'_>,
+    kind: Kind,
+    row: &WorldRow,
+    file: &mut String,
+) -> Pressed {
     let texts = pass.model.texts;
     let title = texts.say_with("worlds-export-title", &[("name", row.name.as_str().into())]);
     let enabled = !file.trim().is_empty();
@@ -266,7 +293,7 @@ fn export_form(ui: &mut Ui, pass: &mut Pass<'_>, row: &WorldRow, file: &mut Stri
             let label = ui.label(texts.say("worlds-file"));
             let field = line(ui, file).labelled_by(label.id);
             pass.offer_focus(&field);
-            note(ui, &texts.say("worlds-export-hint"), WEAK);
+            note(ui, &kind.say(texts, "export-hint"), WEAK);
             field
         },
     )

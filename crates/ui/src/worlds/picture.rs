@@ -1,7 +1,8 @@
-//! A world's picture, or a drawn place where it has none: its space's land at dusk.
+//! The picture of a world or room, or a drawn place where it has none: land at dusk, or a passage that narrows.
 
 use egui::{Color32, CornerRadius, Painter, Pos2, Rect, Shape, Vec2, pos2, vec2};
 
+use super::Kind;
 use crate::model::WorldRow;
 use crate::theme::{LINE, ROUNDING};
 
@@ -18,8 +19,8 @@ pub(crate) fn size(height: f32) -> Vec2 {
     vec2(height * ASPECT, height)
 }
 
-/// Paints the picture of a world over `rect`.
-pub(crate) fn paint(painter: &Painter, rect: Rect, row: &WorldRow) {
+/// Paints the picture of a world or room over `rect`.
+pub(crate) fn paint(painter: &Painter, rect: Rect, kind: Kind, row: &WorldRow) {
     match &row.picture {
         Some(picture) => {
             let whole = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
@@ -27,11 +28,13 @@ pub(crate) fn paint(painter: &Painter, rect: Rect, row: &WorldRow) {
                 .with_texture(*picture, whole);
             painter.add(shape);
         }
-        None => placeholder(
-            &painter.with_clip_rect(rect.intersect(painter.clip_rect())),
-            rect,
-            &row.slug,
-        ),
+        None => {
+            let inside = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
+            match kind {
+                Kind::World => placeholder(&inside, rect, &row.slug),
+                Kind::Room => passage(&inside, rect, &row.slug),
+            }
+        }
     }
     let corners = CornerRadius::same(ROUNDING / 2);
     painter.rect_stroke(
@@ -54,6 +57,31 @@ fn placeholder(painter: &Painter, rect: Rect, slug: &str) {
     painter.circle_filled(at(0.2 + phase(3) * 0.1, 0.58), 0.16 * rect.height(), SUN);
     hills(painter, &at, 0.62, 0.10, phase(0), FAR);
     hills(painter, &at, 0.80, 0.08, phase(1), NEAR);
+}
+
+/// Doorways in one another, ever smaller; how fast they shrink and where they lead goes by the folder's name.
+fn passage(painter: &Painter, rect: Rect, slug: &str) {
+    painter.rect_filled(rect, ROUNDING / 2, NEAR);
+    let shift = slug.bytes().fold(7_u32, |sum, byte| {
+        sum.wrapping_mul(31).wrapping_add(u32::from(byte))
+    });
+    let part = |n: u32| (shift.rotate_left(11 * n) % 101) as f32 / 100.0;
+    let shrinks = 0.62 + 0.16 * part(0);
+    let end = rect.min
+        + vec2(
+            (0.35 + 0.3 * part(1)) * rect.width(),
+            (0.4 + 0.2 * part(2)) * rect.height(),
+        );
+    let mut size = 1.0;
+    for door in 0..7 {
+        let corner = |at: Pos2| end + size * (at - end);
+        let frame = Rect::from_min_max(corner(rect.min), corner(rect.max));
+        let colour = FAR.lerp_to_gamma(SUN, door as f32 / 6.0);
+        painter.rect_filled(frame, 0, colour);
+        painter.rect_filled(frame.shrink(0.05 * frame.height()), 0, NEAR);
+        size *= shrinks;
+    }
+    painter.rect_filled(Rect::from_center_size(end, size * rect.size()), 0, SUN);
 }
 
 /// Ground up to a wavy line about `level` down from the top, all in parts of the picture.

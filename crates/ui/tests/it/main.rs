@@ -21,6 +21,7 @@ mod new_game;
 mod newcomers;
 mod numbers;
 mod photo;
+mod rooms;
 mod settings;
 mod sizes;
 mod speech;

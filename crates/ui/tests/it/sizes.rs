@@ -12,6 +12,7 @@ fn screens() -> Vec<Screen> {
         Screen::NewGame,
         Screen::Load,
         Screen::Delete,
+        Screen::Rooms,
         Screen::Settings,
         Screen::Controls,
         Screen::About,

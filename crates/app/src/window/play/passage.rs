@@ -1,24 +1,29 @@
-//! The way into worlds and out of them again, without losing one on the way.
+//! The way into worlds and rooms and out of them again, without losing anything on the way.
 
 use std::time::Duration;
 
+use antipode_rooms::RoomsDir;
 use antipode_settings::Settings;
 use antipode_ui::{Screen, ToastKind, legible_name};
 
 use super::super::background::{Progress, Task};
 use super::super::menus::Menus;
-use super::super::phase::{Closing, Next, Opening, Phase, Request};
+use super::super::phase::{Closing, Next, Opened, Opening, Phase, Request};
+use super::super::placelist::room_of;
 use super::super::veil::Veil;
+use super::super::visit::Visit;
 use super::{CHUNK_BUDGET, Play};
+use crate::failure::Failure;
 use crate::options;
-use crate::session::{Session, Unclosed};
+use crate::rooms::OpenRoom;
+use crate::session::{Session, Unclosed, Worlds};
 use crate::wording;
 
 /// Longest time that a world which is closed waits for its picture; it is saved already then.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 impl Play {
-    /// Begins to open a world.
+    /// Begins to open a world or a room.
     pub fn open(&mut self, request: Request, menus: &mut Menus) {
         self.phase = self.begin(request, menus);
     }
@@ -34,13 +39,13 @@ impl Play {
                 self.opened += 1;
                 menus.say_saving();
                 let closing = Task::start("close", move || match task.finish() {
-                    Some(Ok(session)) => session.close(),
+                    Some(Ok(Opened::World(session))) => session.close(),
                     _ => Ok(()),
                 });
                 Phase::Closing(closing, next)
             }
             Phase::Closing(task, _) => Phase::Closing(task, next),
-            Phase::Menu => self.go_on(next, menus),
+            Phase::Menu | Phase::InRoom(_) | Phase::RoomPaused(_) => self.go_on(next, menus),
             Phase::Over => Phase::Over,
         };
     }
@@ -119,12 +124,12 @@ impl Play {
 
     fn begin(&self, request: Request, menus: &mut Menus) -> Phase {
         let worlds = self.worlds.clone();
-        menus.busy("busy-opening", None, menus.texts.say("busy-opening-about"));
-        let work = move || match request {
-            Request::New(wanted) => worlds.create(&wanted),
-            Request::Load(name) => worlds.load(&name),
+        let about = match request {
+            Request::New(_) | Request::Load(_) => "busy-opening-about",
+            _ => "busy-opening-room",
         };
-        Phase::Opening(Task::start("open", work))
+        menus.busy("busy-opening", None, menus.texts.say(about));
+        Phase::Opening(Task::start("open", move || opened(&worlds, request)))
     }
 
     fn opening(
@@ -136,18 +141,23 @@ impl Play {
     ) -> Phase {
         let why = match task.poll() {
             Progress::Running => return Phase::Opening(task),
-            Progress::Done(Ok(mut session)) => {
+            Progress::Done(Ok(Opened::World(mut session))) => {
                 self.opened += 1;
                 options::fit(&mut session.scene, settings);
                 self.veil = Veil::Down;
-                return self.loading(session, menus, elsewhere);
+                return self.loading(*session, menus, elsewhere);
+            }
+            Progress::Done(Ok(Opened::Room(room))) => {
+                self.opened += 1;
+                self.pace.rest();
+                return Phase::InRoom(Box::new(Visit::new(*room, self.opened)));
             }
             Progress::Done(Err(failure)) => {
-                tracing::error!("a world could not be opened: {failure}");
-                wording::failure(&menus.texts, &failure, menus.list.worlds())
+                tracing::error!("it could not be opened: {failure}");
+                wording::failure(&menus.texts, &failure, menus.list.known())
             }
             Progress::Died => {
-                tracing::error!("a world could not be opened: its thread died");
+                tracing::error!("it could not be opened: its thread died");
                 menus.texts.say("open-died")
             }
         };
@@ -217,6 +227,57 @@ impl Play {
         }
         Phase::Paused(session)
     }
+}
+
+impl Play {
+    /// A picture of the open room was drawn.
+    pub fn room_drawn(&mut self, menus: &mut Menus, elsewhere: bool) {
+        let Some(visit) = self.phase.visit_mut() else {
+            return;
+        };
+        if std::mem::replace(&mut visit.is_drawn, true) {
+            return;
+        }
+        self.pace.rest();
+        if elsewhere {
+            self.pause(menus);
+        } else if matches!(self.phase, Phase::InRoom(_)) {
+            menus.shell.open(Screen::Hidden);
+        }
+    }
+
+    /// The open room cannot be drawn, for that reason: it is left.
+    pub fn room_refused(&mut self, why: &Failure, menus: &mut Menus) {
+        tracing::error!("the room cannot be drawn: {why}");
+        if self.phase.visit().is_some() {
+            self.phase = Phase::Menu;
+            menus.fail("open-failed", wording::failure(&menus.texts, why, &[]));
+        }
+    }
+}
+
+/// A name that no room has.
+fn free_room_name(rooms: &RoomsDir) -> Result<String, Failure> {
+    let known = rooms.list()?;
+    let is_free = |name: &String| known.iter().all(|it| it.name != *name);
+    let mut names = (1..100_000).map(|number| format!("Room {number}"));
+    Ok(names.find(is_free).unwrap_or_else(|| "Room".to_owned()))
+}
+
+/// Opens what was asked for. Waits for the disk.
+fn opened(worlds: &Worlds, request: Request) -> Result<Opened, Failure> {
+    let rooms = worlds.rooms();
+    let room = match request {
+        Request::New(wanted) => return Ok(Opened::World(Box::new(worlds.create(&wanted)?))),
+        Request::Load(name) => return Ok(Opened::World(Box::new(worlds.load(&name)?))),
+        Request::NewRoom(name) => {
+            let name = name.map_or_else(|| free_room_name(&rooms), Ok)?;
+            OpenRoom::make(&rooms, Some(&name), None)?
+        }
+        Request::Room(slug) => OpenRoom::enter(&rooms, room_of(&rooms, &slug)?)?,
+        Request::RoomNamed(name) => OpenRoom::enter(&rooms, rooms.find(&name)?)?,
+    };
+    Ok(Opened::Room(Box::new(room)))
 }
 
 /// What is said when the thread that saves has ended without a word.

@@ -8,6 +8,7 @@ use antipode_render::{RenderError, Shaders};
 
 use super::Stage;
 use super::canvas::Canvas;
+use super::rooms::Rooms;
 use crate::failure::Failure;
 
 /// Most times that an adapter is opened anew within [`WITHIN`]: one that is lost more often is broken.
@@ -69,6 +70,7 @@ impl Stage {
             .set_max_texture_side(gpu.device.limits().max_texture_dimension_2d as usize);
         self.surface = Some(surface);
         self.renderer = renderer;
+        self.rooms = Rooms::default();
         self.gpu = gpu;
         self.config = config;
         self.options = options;

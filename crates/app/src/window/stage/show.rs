@@ -1,4 +1,4 @@
-//! A frame of the window: the world, the interface over it, and the pictures that are taken with it.
+//! A frame of the window: the world or the room, the interface over it, and the pictures that are taken with it.
 
 use antipode_render::{FurtherView, Offscreen, Picture, ViewTarget};
 use antipode_scene::frame::{Frame, View};
@@ -7,6 +7,7 @@ use super::Stage;
 use super::pictures::THUMBNAIL;
 use crate::failure::Failure;
 use crate::mirror::Mirror;
+use crate::room_picture::RoomView;
 use crate::window::waits::{Part, Waits};
 
 /// Colour behind the menu when no world is open, linear light.
@@ -19,14 +20,25 @@ const BACKDROP: wgpu::Color = wgpu::Color {
 
 /// What a frame of the window shows, and what is kept of it.
 pub struct Showing<'a> {
-    /// The world, if there is one.
-    pub frame: Option<&'a Frame>,
+    /// The world or the room.
+    pub scene: SceneShown<'a>,
     /// The interface over it.
     pub interface: egui::FullOutput,
     /// Whether what is shown is read back, too.
     pub keeps: bool,
     /// The view of the menu's picture that is to be taken with it, and what the picture is to come back with.
     pub thumbnail: Option<(u64, View)>,
+}
+
+/// What is behind the interface.
+#[derive(Clone, Copy)]
+pub enum SceneShown<'a> {
+    /// Nothing.
+    Nothing,
+    /// A world.
+    World(&'a Frame),
+    /// A room.
+    Room(&'a RoomView),
 }
 
 /// What a frame of the window is drawn into.
@@ -38,7 +50,8 @@ struct Sheets<'a> {
 }
 
 impl Stage {
-    /// Draws the world, if there is one, and the interface, and shows them.
+    /// Draws the world or the room, if there is one, and the interface, and shows them. Returns whether there is a picture of
+    /// a room.
     ///
     /// # Errors
     /// When the adapter refuses to draw the world.
@@ -47,7 +60,7 @@ impl Stage {
         texture: wgpu::SurfaceTexture,
         showing: Showing<'_>,
         waits: &mut Waits,
-    ) -> Result<(), Failure> {
+    ) -> Result<bool, Failure> {
         let target = texture
             .texture
             .create_view(&wgpu::TextureViewDescriptor::default());
@@ -59,7 +72,7 @@ impl Stage {
             copy: kept.as_ref().map(Offscreen::view),
             thumbnail: thumbnail.as_ref().map(|(_, view, sheet)| (view, sheet)),
         };
-        let (painted, is_pictured) = self.paint(showing.frame, showing.interface, &sheets);
+        let (painted, shown) = self.paint(showing.scene, showing.interface, &sheets);
         waits.spent_on(Part::Record);
         if let Some(painted) = painted {
             self.gpu.queue.submit([painted]);
@@ -67,55 +80,71 @@ impl Stage {
         if let Some(kept) = kept {
             self.screenshots.push_back(kept.begin_read(&self.gpu));
         }
-        if let Some((world, _, sheet)) = thumbnail.filter(|_| is_pictured) {
+        if let Some((world, _, sheet)) = thumbnail.filter(|_| shown.for_menu) {
             self.thumbnail = Some((world, sheet.begin_read(&self.gpu)));
         }
         self.window.pre_present_notify();
         self.gpu.queue.present(texture);
         self.renderer
             .fault()
-            .map_or(Ok(()), |fault| Err(fault.into()))
+            .map_or(Ok(shown.room), |fault| Err(fault.into()))
     }
 
-    /// Returns with what is drawn whether the menu's picture is.
     fn paint(
         &mut self,
-        frame: Option<&Frame>,
+        scene: SceneShown<'_>,
         interface: egui::FullOutput,
         sheets: &Sheets<'_>,
-    ) -> (Option<wgpu::CommandBuffer>, bool) {
+    ) -> (Option<wgpu::CommandBuffer>, Painted) {
         let mut encoder = self.gpu.encoder();
-        let (shows_world, is_pictured) = match frame {
-            Some(frame) => self.paint_world(frame, sheets, &mut encoder),
-            None => (false, false),
+        let shown = match scene {
+            SceneShown::World(frame) => self.paint_world(frame, sheets, &mut encoder),
+            SceneShown::Room(view) => self.paint_room(view, sheets, &mut encoder),
+            SceneShown::Nothing => Painted::default(),
         };
-        if !shows_world {
+        if !shown.world && !shown.room {
             clear(&mut encoder, sheets.target);
         }
         match sheets.copy {
-            Some(copy) if shows_world => self.renderer.show_again(&mut encoder, copy),
+            Some(copy) if shown.world => self.renderer.show_again(&mut encoder, copy),
+            Some(copy) if shown.room => self.rooms.draw_again(&self.gpu, &mut encoder, copy),
             Some(copy) => clear(&mut encoder, copy),
             None => {}
         }
         if self.gpu.lost().is_some() {
             // The interface's painter breaks on an adapter that takes nothing any more.
             self.overlay.skip(&interface.textures_delta);
-            return (None, false);
+            return (None, Painted::default());
         }
         let targets: Vec<_> = [sheets.target].into_iter().chain(sheets.copy).collect();
         let size = self.size();
         self.overlay
             .paint(&self.gpu, &mut encoder, &targets, size, interface);
-        (Some(encoder.finish()), is_pictured)
+        (Some(encoder.finish()), shown)
     }
 
-    /// Draws a world; returns whether there is a picture of it, and one for the menu.
+    fn paint_room(
+        &mut self,
+        view: &RoomView,
+        sheets: &Sheets<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Painted {
+        let size = (self.size(), self.options.scale);
+        let drawn = self
+            .rooms
+            .draw(&self.gpu, encoder, view, sheets.target, size);
+        Painted {
+            room: drawn,
+            ..Painted::default()
+        }
+    }
+
     fn paint_world(
         &mut self,
         frame: &Frame,
         sheets: &Sheets<'_>,
         encoder: &mut wgpu::CommandEncoder,
-    ) -> (bool, bool) {
+    ) -> Painted {
         let mirror = Mirror::of(frame, self.size());
         let thumbnail = sheets.thumbnail.map(|(view, sheet)| FurtherView {
             view,
@@ -128,9 +157,21 @@ impl Stage {
             .renderer
             .draw_views(frame, &further, encoder, sheets.target);
         let is_drawn = others.last().is_some_and(|it| it.picture == Picture::New);
-        let shows_world = self.pictured.note(&stats, frame.view.quality);
-        (shows_world, thumbnail.is_some() && is_drawn)
+        Painted {
+            world: self.pictured.note(&stats, frame.view.quality),
+            room: false,
+            for_menu: thumbnail.is_some() && is_drawn,
+        }
     }
+}
+
+/// What there is a picture of in a frame.
+#[derive(Clone, Copy, Default)]
+struct Painted {
+    world: bool,
+    room: bool,
+    /// Of a world for the menu.
+    for_menu: bool,
 }
 
 fn clear(encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {

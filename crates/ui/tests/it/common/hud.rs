@@ -54,6 +54,7 @@ pub fn full_hud() -> HudModel {
             footer: "6 of 7 · skip: N".to_owned(),
         }),
         cheated: true,
+        room: None,
         figures: None,
         compass: Some(CompassModel {
             flags: vec![FlagView {

@@ -40,6 +40,8 @@ pub struct Game {
     pub texts: Texts,
     pub shell: Shell,
     pub worlds: Vec<WorldRow>,
+    pub rooms: Vec<WorldRow>,
+    pub in_room: bool,
     pub files: WorldFiles,
     pub config: Config,
     pub running: Option<String>,
@@ -55,6 +57,8 @@ impl Game {
             texts: Texts::default(),
             shell: Shell::new(),
             worlds: Vec::new(),
+            rooms: Vec::new(),
+            in_room: false,
             files: WorldFiles::default(),
             config: Config::default(),
             running: None,
@@ -77,12 +81,16 @@ impl Game {
             texts: &self.texts,
             running_world: self.running.as_deref(),
             backdrop: self.backdrop,
+            in_room: self.in_room,
             worlds: &self.worlds,
+            rooms: &self.rooms,
             config: &self.config,
             check_name: &check_new,
             walk_m_s: 4.5,
             check_rename: &|_, name| check_name(name),
+            check_room_rename: &|_, name| check_name(name),
             world_files: &self.files,
+            room_files: &self.files,
             adapter_notice: Some(&self.adapter_notice),
             sound_notice: Some("There is no sound device."),
             version: "0.1.0",
@@ -196,6 +204,22 @@ pub fn world(index: usize) -> WorldRow {
         path: format!("/home/me/saves/world-{index}"),
         edits: None,
         export_to: format!("/home/me/world-{index}.antipode-world"),
+        ..WorldRow::default()
+    }
+}
+
+pub fn room(index: usize, shipped: bool) -> WorldRow {
+    let origin = if shipped { "game:" } else { "" };
+    WorldRow {
+        slug: format!("{origin}room-{index}"),
+        name: format!("Room {index}"),
+        full_name: format!("Room {index}"),
+        sentence: "This tunnel is longer than the house that it leads through.".to_owned(),
+        shipped,
+        path: format!("/home/me/rooms/room-{index}"),
+        edits: Some(12),
+        export_to: format!("/home/me/room-{index}.antipode-room"),
+        ..WorldRow::default()
     }
 }
 

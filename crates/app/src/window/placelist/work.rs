@@ -1,36 +1,33 @@
-//! Jobs with saved worlds that run away from the main thread.
+//! Jobs with saved worlds and rooms that run away from the main thread.
 
 use std::path::{Path, PathBuf};
 
-use antipode_storage::{
-    ARCHIVE_EXTENSION, ArchiveFile, StorageError, WorldSummary, archives_in, slug_of,
-};
+use antipode_storage::{ArchiveFile, slug_of};
 
-use super::news::{News, shown};
-use crate::confined;
+use super::news::News;
+use super::shelf::{Kept, Shelf};
 use crate::failure::Failure;
-use crate::session::Worlds;
 
-/// Where worlds and their exports are.
+/// Where places of one kind and their exports are.
 #[derive(Clone, Debug)]
-pub struct WorldLocations {
-    worlds: Worlds,
+pub struct Locations<S> {
+    shelf: S,
     exports: PathBuf,
     home: Option<PathBuf>,
 }
 
-impl WorldLocations {
-    /// The worlds, and the player's place for documents.
-    pub fn new(worlds: Worlds) -> Self {
+impl<S: Shelf> Locations<S> {
+    /// The shelf, and the player's place for documents.
+    pub fn new(shelf: S) -> Self {
         let user = directories::UserDirs::new();
         let home = user.as_ref().map(|user| user.home_dir().to_path_buf());
         let documents = user.as_ref().and_then(|user| user.document_dir());
         let exports = documents
             .map(Path::to_path_buf)
             .or_else(|| home.clone())
-            .unwrap_or_else(|| worlds.saves().path().to_path_buf());
+            .unwrap_or_else(|| shelf.path().to_path_buf());
         Self {
-            worlds,
+            shelf,
             exports,
             home,
         }
@@ -41,12 +38,12 @@ impl WorldLocations {
         &self.exports
     }
 
-    /// The directory of a world.
+    /// The directory of one.
     pub fn dir_of(&self, slug: &str) -> PathBuf {
-        self.worlds.saves().path().join(slug)
+        self.shelf.path().join(slug)
     }
 
-    /// The file that an export of a world of this name is proposed to go to, whether or not there is one already. It
+    /// The file that an export of one of this name is proposed to go to, whether or not there is one already. It
     /// goes by the name: the directory keeps the first one that the world ever had.
     pub fn export_to(&self, name: &str) -> String {
         self.export_file(&slug_of(name)).display().to_string()
@@ -65,7 +62,7 @@ impl WorldLocations {
     }
 
     fn export_file(&self, stem: &str) -> PathBuf {
-        self.exports.join(format!("{stem}.{ARCHIVE_EXTENSION}"))
+        self.exports.join(format!("{stem}.{}", S::EXTENSION))
     }
 
     /// The path that a player means: without quotation marks, `~` for the home directory.
@@ -105,16 +102,16 @@ pub struct Details {
 }
 
 /// What work has come to.
-#[derive(Debug, Default)]
-pub struct Outcome {
+#[derive(Debug)]
+pub struct Outcome<K> {
     pub news: Option<News>,
-    pub list: Option<Result<Vec<WorldSummary>, Failure>>,
+    pub list: Option<Result<Vec<K>, Failure>>,
     pub details: Option<(String, Details)>,
     pub archives: Option<Vec<ArchiveFile>>,
 }
 
 impl Job {
-    /// Whether the list of worlds comes with it.
+    /// Whether the list comes with it.
     pub fn brings_list(&self) -> bool {
         !matches!(
             self,
@@ -122,7 +119,7 @@ impl Job {
         )
     }
 
-    /// The world whose store it opens.
+    /// The one whose files it opens.
     pub fn slug(&self) -> Option<&str> {
         match self {
             Self::Delete { slug }
@@ -135,57 +132,60 @@ impl Job {
     }
 
     /// Does it.
-    pub fn run(&self, locations: &WorldLocations) -> Outcome {
-        let mut outcome = Outcome::default();
+    pub fn run<S: Shelf>(&self, locations: &Locations<S>) -> Outcome<S::Kept> {
+        let mut outcome = Outcome {
+            news: None,
+            list: None,
+            details: None,
+            archives: None,
+        };
         match self {
             Self::LookAt { slug } => {
-                let saves = locations.worlds.saves();
-                let edits = saves.edited_chunks(slug).ok().flatten();
-                let world = saves.find_slug(slug).ok();
-                let name = world.as_ref().map_or(slug.as_str(), WorldSummary::name);
+                let edits = locations.shelf.edits(slug);
+                let place = locations.shelf.find(slug).ok();
+                let name = place.as_ref().map_or(slug.as_str(), Kept::name);
                 let export_to = locations.free_export(name);
                 outcome.details = Some((slug.clone(), Details { edits, export_to }));
             }
-            Self::FindArchives => outcome.archives = Some(archives_in(&locations.exports)),
+            Self::FindArchives => outcome.archives = Some(S::archives(&locations.exports)),
             _ => match self.change(locations) {
                 Ok(news) => outcome.news = news,
                 Err(failure) => outcome.news = Some(News::Failed(failure)),
             },
         }
         if self.brings_list() {
-            outcome.list = Some(locations.worlds.list());
+            outcome.list = Some(locations.shelf.list());
         }
         outcome
     }
 
     /// Changes what is on disk; what there is to tell of it.
-    fn change(&self, locations: &WorldLocations) -> Result<Option<News>, Failure> {
-        let saves = locations.worlds.saves();
-        let name_of =
-            |slug: &str| -> Result<_, StorageError> { Ok(shown(&saves.find_slug(slug)?)) };
+    fn change<S: Shelf>(&self, locations: &Locations<S>) -> Result<Option<News>, Failure> {
+        let shelf = &locations.shelf;
+        let name_of = |slug: &str| -> Result<_, Failure> { Ok(shelf.find(slug)?.shown()) };
         Ok(match self {
             Self::Delete { slug } => {
-                saves.delete(slug)?;
+                shelf.delete(slug)?;
                 None
             }
             Self::Rename { slug, name } => {
-                saves.rename(slug, name)?;
+                shelf.rename(slug, name)?;
                 Some(News::Renamed(name_of(slug)?))
             }
             Self::Duplicate { slug } => {
-                let made = saves.duplicate(slug)?;
+                let made = shelf.duplicate(slug)?;
                 Some(News::Duplicated(name_of(&made)?))
             }
             Self::Export { slug, file } => {
                 let mut file = locations.path_of(file);
                 if file.extension().is_none() {
-                    file.set_extension(ARCHIVE_EXTENSION);
+                    file.set_extension(S::EXTENSION);
                 }
-                saves.export(slug, &file)?;
+                shelf.export(slug, &file)?;
                 Some(News::Exported(file))
             }
             Self::Import { file } => {
-                let made = confined::import(saves, &locations.path_of(file))?;
+                let made = shelf.import(&locations.path_of(file))?;
                 Some(News::Imported(name_of(&made)?))
             }
             Self::List | Self::LookAt { .. } | Self::FindArchives => None,
@@ -194,13 +194,13 @@ impl Job {
 }
 
 #[cfg(test)]
-impl WorldLocations {
-    /// The worlds.
-    pub fn worlds(&self) -> &Worlds {
-        &self.worlds
+impl<S: Shelf> Locations<S> {
+    /// The shelf.
+    pub fn shelf(&self) -> &S {
+        &self.shelf
     }
 
-    /// The same worlds with another place for exports and home.
+    /// The same shelf with another place for exports and home.
     pub fn exporting_to(mut self, exports: &Path) -> Self {
         self.exports = exports.to_path_buf();
         self.home = Some(exports.to_path_buf());

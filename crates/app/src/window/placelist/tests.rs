@@ -76,7 +76,7 @@ fn slug(slug: &str) -> String {
 #[test]
 fn a_world_that_cannot_be_deleted_comes_back_with_the_reason() {
     let (_dir, mut list) = three();
-    let held = list.locations.worlds().load("b").unwrap();
+    let held = list.locations.shelf().load("b").unwrap();
     list.delete(slug("b"));
     list.delete(slug("nowhere"));
     list.delete(slug("c"));

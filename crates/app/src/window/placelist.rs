@@ -1,9 +1,10 @@
-//! The menu's list of worlds, and everything that the player can do with them there. Work that may wait for the disk
-//! runs on a thread, one job after the other. The menu takes the results when it asks for them.
+//! The menu's lists of worlds and of rooms, and everything that the player can do with them there. Work that may wait for
+//! the disk runs on a thread, one job after the other. The menu takes the results when it asks for them.
 
 mod folder;
 mod news;
 mod pictures;
+mod shelf;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -13,24 +14,29 @@ use std::collections::{HashMap, VecDeque};
 use std::path::{Path, PathBuf};
 
 use antipode_language::Texts;
-use antipode_storage::{ArchiveFile, NameError, SavesDir, WorldSummary};
+use antipode_storage::{ArchiveFile, NameError, SavesDir};
 use antipode_ui::{ArchiveRow, ToastKind, WorldFiles, WorldRow, WorldsIntent, legible};
 
 use self::folder::FolderProblem;
 use self::news::News;
 use self::pictures::Pictures;
-use self::work::{Details, Job, Outcome, WorldLocations};
+pub use self::shelf::{Kept, RoomShelf, Shelf, room_of};
+use self::work::{Details, Job, Locations, Outcome};
 use super::background::{Progress, Task};
 use crate::session::Worlds;
-use crate::wording;
 
-/// The worlds as last read.
+/// The list of worlds.
+pub type WorldList = PlaceList<Worlds>;
+/// The list of rooms.
+pub type RoomList = PlaceList<RoomShelf>;
+
+/// Places of one kind as last read.
 #[derive(Debug)]
-pub struct WorldList {
-    locations: WorldLocations,
-    known: Vec<WorldSummary>,
+pub struct PlaceList<S: Shelf> {
+    locations: Locations<S>,
+    known: Vec<S::Kept>,
     /// The work under way, and what it is.
-    task: Option<(Job, Task<Outcome>)>,
+    task: Option<(Job, Task<Outcome<S::Kept>>)>,
     waiting: VecDeque<Job>,
     /// The list is to be read anew when nothing else waits.
     again: bool,
@@ -44,11 +50,11 @@ pub struct WorldList {
     news: VecDeque<News>,
 }
 
-impl WorldList {
+impl<S: Shelf> PlaceList<S> {
     /// Nothing read yet.
-    pub fn new(worlds: Worlds) -> Self {
+    pub fn new(shelf: S) -> Self {
         Self {
-            locations: WorldLocations::new(worlds),
+            locations: Locations::new(shelf),
             known: Vec::new(),
             task: None,
             waiting: VecDeque::new(),
@@ -73,13 +79,13 @@ impl WorldList {
         self.go_on();
     }
 
-    /// Deletes a world and reads the list anew. A world that cannot be deleted comes back with it.
+    /// Deletes one and reads the list anew. One that cannot be deleted comes back with it.
     pub fn delete(&mut self, slug: String) {
-        self.known.retain(|world| world.slug != slug);
+        self.known.retain(|place| place.slug() != slug);
         self.enqueue(Job::Delete { slug });
     }
 
-    /// Does what was asked for with saved worlds.
+    /// Does what was asked for.
     pub fn follow(&mut self, intent: WorldsIntent) {
         match intent {
             WorldsIntent::LookAt { slug } => self.enqueue(Job::LookAt { slug }),
@@ -168,10 +174,10 @@ impl WorldList {
         self.go_on();
     }
 
-    /// A file that is still to be written goes by the world's new name, unless the player called it otherwise.
+    /// A file that is still to be written goes by the new name, unless the player called it otherwise.
     fn call_export(&mut self, slug: &str, name: &str) {
-        let known = self.known.iter().find(|world| world.slug == slug);
-        let offered = known.map(|world| self.locations.export_to(world.name()));
+        let known = self.known.iter().find(|place| place.slug() == slug);
+        let offered = known.map(|place| self.locations.export_to(place.name()));
         let free = self.details.get(slug).map(|it| it.export_to.clone());
         let Some(file) = self.unwritten.get_mut(slug) else {
             return;
@@ -185,7 +191,7 @@ impl WorldList {
         }
     }
 
-    fn take(&mut self, outcome: Outcome) {
+    fn take(&mut self, outcome: Outcome<S::Kept>) {
         self.news.extend(outcome.news);
         if let Some((slug, details)) = outcome.details {
             self.details.insert(slug, details);
@@ -194,21 +200,20 @@ impl WorldList {
             self.archives = archives;
         }
         match outcome.list {
-            Some(Ok(mut worlds)) => {
-                worlds.retain(|world| !self.is_doomed(&world.slug));
-                self.details
-                    .retain(|slug, _| worlds.iter().any(|world| world.slug == *slug));
-                self.unwritten
-                    .retain(|slug, _| worlds.iter().any(|world| world.slug == *slug));
-                self.pictures.want(&worlds);
-                self.known = worlds;
+            Some(Ok(mut places)) => {
+                places.retain(|place| !self.is_doomed(&place.slug()));
+                let is_there = |slug: &String| places.iter().any(|place| place.slug() == *slug);
+                self.details.retain(|slug, _| is_there(slug));
+                self.unwritten.retain(|slug, _| is_there(slug));
+                self.pictures.want(&places);
+                self.known = places;
             }
             Some(Err(failure)) => self.news.push_back(News::Failed(failure)),
             None => {}
         }
     }
 
-    /// Whether a world is still to be deleted; it is not shown any more.
+    /// Whether one is still to be deleted; it is not shown any more.
     fn is_doomed(&self, slug: &str) -> bool {
         self.waiting
             .iter()
@@ -219,7 +224,7 @@ impl WorldList {
     pub fn take_news(&mut self, texts: &Texts) -> Option<(String, ToastKind)> {
         self.news
             .pop_front()
-            .map(|news| words::news(texts, &news, &self.known))
+            .map(|news| words::news::<S>(texts, &news, &self.known))
     }
 
     /// Hands pictures that have been read over to the interface, a few at a time.
@@ -227,31 +232,32 @@ impl WorldList {
         self.pictures.upload(context);
     }
 
-    /// What is being done with a world, in words; while it lasts nobody can enter it.
+    /// What is being done with one, in words; while it lasts nobody can enter it.
     pub fn work_on(&self, texts: &Texts, slug: &str) -> Option<String> {
         let (job, _) = self.task.as_ref()?;
         if job.slug() == Some(slug) {
-            words::work(texts, job)
+            words::work(texts, S::WORDS, job)
         } else {
             None
         }
     }
 
-    /// The rows the menu shows; `running` is the slug of the open world.
+    /// The rows the menu shows; `running` is the slug of the open one.
     pub fn rows(&self, texts: &Texts, running: Option<&str>) -> Vec<WorldRow> {
         self.known
             .iter()
-            .map(|world| {
-                let mut row = words::row(texts, world);
-                row.running = running == Some(world.slug.as_str());
-                row.picture = self.pictures.of(&world.slug);
-                row.path = self.locations.dir_of(&world.slug).display().to_string();
-                row.export_to = self.locations.export_to(world.name());
-                if let Some(details) = self.details.get(&world.slug) {
-                    row.edits = details.edits;
+            .map(|place| {
+                let slug = place.slug();
+                let mut row = place.row(texts);
+                row.running = running == Some(slug.as_str());
+                row.picture = self.pictures.of(&slug);
+                row.path = self.locations.dir_of(&slug).display().to_string();
+                row.export_to = self.locations.export_to(place.name());
+                if let Some(details) = self.details.get(&slug) {
+                    row.edits = details.edits.or(row.edits);
                     row.export_to.clone_from(&details.export_to);
                 }
-                if let Some(file) = self.unwritten.get(&world.slug) {
+                if let Some(file) = self.unwritten.get(&slug) {
                     row.export_to.clone_from(file);
                 }
                 row
@@ -259,7 +265,7 @@ impl WorldList {
             .collect()
     }
 
-    /// What the menu shows of worlds in files, and of the work under way.
+    /// What the menu shows of archives, and of the work under way.
     pub fn files(&self, texts: &Texts) -> WorldFiles {
         let archives = self.archives.iter().map(|file| ArchiveRow {
             file: file.path.display().to_string(),
@@ -274,48 +280,43 @@ impl WorldList {
             work: self
                 .task
                 .as_ref()
-                .and_then(|(job, _)| words::work(texts, job)),
+                .and_then(|(job, _)| words::work(texts, S::WORDS, job)),
         }
     }
 
-    /// Whether a new world may have this name, as a sentence when not.
+    /// Whether a new one may have this name, as a sentence when not.
     ///
     /// # Errors
     /// The reason in words.
     pub fn check_name(&self, texts: &Texts, name: &str) -> Result<(), String> {
         let all = self.known.iter();
-        self.said(
-            texts,
-            SavesDir::check_name_among(name, all.map(WorldSummary::name)),
-        )
+        self.said(texts, SavesDir::check_name_among(name, all.map(Kept::name)))
     }
 
-    /// The worlds as last read.
-    pub fn worlds(&self) -> &[WorldSummary] {
+    /// All of them as last read.
+    pub fn known(&self) -> &[S::Kept] {
         &self.known
     }
 
-    /// The names of all worlds.
+    /// The names of all of them.
     pub fn names(&self) -> Vec<String> {
-        self.known
-            .iter()
-            .map(|world| world.name().to_owned())
-            .collect()
+        let names = self.known.iter().map(|place| place.name().to_owned());
+        names.collect()
     }
 
-    /// Whether a world that is there may have this name from now on, as a sentence when not.
+    /// Whether one that is there may have this name from now on, as a sentence when not.
     ///
     /// # Errors
     /// The reason in words.
     pub fn check_rename(&self, texts: &Texts, slug: &str, name: &str) -> Result<(), String> {
-        let others = self.known.iter().filter(|world| world.slug != slug);
+        let others = self.known.iter().filter(|place| place.slug() != slug);
         self.said(
             texts,
-            SavesDir::check_name_among(name, others.map(WorldSummary::name)),
+            SavesDir::check_name_among(name, others.map(Kept::name)),
         )
     }
 
     fn said(&self, texts: &Texts, checked: Result<(), NameError>) -> Result<(), String> {
-        checked.map_err(|error| wording::name(texts, &error, &self.known))
+        checked.map_err(|error| S::name_words(texts, &error, &self.known))
     }
 }

@@ -6,10 +6,10 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use antipode_storage::WorldSummary;
 use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 use image::{ImageFormat, ImageReader, Limits};
 
+use super::shelf::Kept;
 use crate::window::background::{Progress, Task};
 
 /// How many worlds are shown with their picture, the newest.
@@ -65,19 +65,15 @@ impl std::fmt::Debug for Pictures {
 }
 
 impl Pictures {
-    /// Asks for the pictures of these worlds; those that have not changed are not read again.
-    pub fn want(&mut self, worlds: &[WorldSummary]) {
-        self.wanted = worlds
+    /// Asks for the pictures of these; those that have not changed are not read again.
+    pub fn want(&mut self, places: &[impl Kept]) {
+        self.wanted = places
             .iter()
             .take(MOST)
-            .filter_map(|world| {
-                let path = world.thumbnail.clone()?;
-                let before = self.shown.get(&world.slug).map(|(stamp, _)| *stamp);
-                Some(Wanted {
-                    slug: world.slug.clone(),
-                    path,
-                    before,
-                })
+            .filter_map(|place| {
+                let (slug, path) = (place.slug(), place.picture()?);
+                let before = self.shown.get(&slug).map(|(stamp, _)| *stamp);
+                Some(Wanted { slug, path, before })
             })
             .collect();
         let wanted = &self.wanted;

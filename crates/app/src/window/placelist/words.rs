@@ -1,40 +1,41 @@
-//! The list of worlds, and what was done there, in words.
+//! The lists of worlds and rooms, and what was done there, in words.
 
 use antipode_language::{Texts, Value};
+use antipode_rooms::RoomSummary;
 use antipode_storage::WorldSummary;
 use antipode_ui::{ToastKind, WorldRow};
 
 use super::folder::{FolderProblem, Reason};
-use super::news::{News, shown};
+use super::news::News;
+use super::shelf::{Kept, Shelf};
 use super::work::Job;
 use crate::dates::date;
 use crate::wording;
 
-/// The news in words, and of what kind they are; `worlds` are those that are known.
-pub fn news(texts: &Texts, news: &News, worlds: &[WorldSummary]) -> (String, ToastKind) {
-    let named = |key: &str, name: &str| {
-        (
-            texts.say_with(key, &[("name", name.into())]),
-            ToastKind::Info,
-        )
+/// The news in words, and of what kind they are; `known` are the places that are known.
+pub fn news<S: Shelf>(texts: &Texts, news: &News, known: &[S::Kept]) -> (String, ToastKind) {
+    let key = |what: &str| format!("{}-{what}", S::WORDS);
+    let named = |what: &str, name: &str| {
+        let values = [("name", name.into())];
+        (texts.say_with(&key(what), &values), ToastKind::Info)
     };
     match news {
-        News::Renamed(name) => named("worlds-renamed", name),
-        News::Duplicated(name) => named("worlds-duplicated", name),
-        News::Imported(name) => named("worlds-imported", name),
+        News::Renamed(name) => named("renamed", name),
+        News::Duplicated(name) => named("duplicated", name),
+        News::Imported(name) => named("imported", name),
         News::Exported(file) => {
             let values = [("file", file.display().to_string().into())];
-            (texts.say_with("worlds-exported", &values), ToastKind::Info)
+            (texts.say_with(&key("exported"), &values), ToastKind::Info)
         }
         News::Failed(failure) => {
             tracing::error!("{failure}");
-            (wording::failure(texts, failure, worlds), ToastKind::Problem)
+            (S::failure(texts, failure, known), ToastKind::Problem)
         }
         News::Folder(problem) => {
             tracing::error!("{problem:?}");
             (folder(texts, problem), ToastKind::Problem)
         }
-        News::ListDied => (texts.say("worlds-list-died"), ToastKind::Problem),
+        News::ListDied => (texts.say(&key("list-died")), ToastKind::Problem),
         News::WorkDied => (texts.say("worlds-work-died"), ToastKind::Problem),
     }
 }
@@ -53,27 +54,27 @@ fn folder(texts: &Texts, problem: &FolderProblem) -> String {
 }
 
 /// What is being done; none for what is over in a moment.
-pub fn work(texts: &Texts, job: &Job) -> Option<String> {
+pub fn work(texts: &Texts, kind: &str, job: &Job) -> Option<String> {
     let key = match job {
-        Job::Delete { .. } => "worlds-work-delete",
-        Job::Rename { .. } => "worlds-work-rename",
-        Job::Duplicate { .. } => "worlds-work-duplicate",
-        Job::Export { .. } => "worlds-work-export",
-        Job::Import { .. } => "worlds-work-import",
+        Job::Delete { .. } => "work-delete",
+        Job::Rename { .. } => "work-rename",
+        Job::Duplicate { .. } => "work-duplicate",
+        Job::Export { .. } => "work-export",
+        Job::Import { .. } => "work-import",
         Job::List | Job::LookAt { .. } | Job::FindArchives => return None,
     };
-    Some(texts.say(key))
+    Some(texts.say(&format!("{kind}-{key}")))
 }
 
 /// What a world's own records say of it.
-pub fn row(texts: &Texts, world: &WorldSummary) -> WorldRow {
+pub fn world_row(texts: &Texts, world: &WorldSummary) -> WorldRow {
     let meta = world.meta.as_ref();
     let known = |words: &dyn Fn(&antipode_storage::WorldMeta) -> String| {
         meta.map_or_else(String::new, words)
     };
     WorldRow {
         slug: world.slug.clone(),
-        name: shown(world),
+        name: world.shown(),
         full_name: world.name().to_owned(),
         geometry: known(&|meta| {
             let space = meta.geometry.parse();
@@ -87,6 +88,21 @@ pub fn row(texts: &Texts, world: &WorldSummary) -> WorldRow {
         size: size(texts, world.size_bytes),
         cheated: meta.is_some_and(|meta| meta.cheated),
         problem: wording::world_problem(texts, world),
+        ..WorldRow::default()
+    }
+}
+
+/// What a room's own text says of it.
+pub fn room_row(texts: &Texts, room: &RoomSummary) -> WorldRow {
+    let told = wording::room(texts, room);
+    WorldRow {
+        slug: Kept::slug(room),
+        name: told.name,
+        full_name: room.name.clone(),
+        sentence: told.sentence,
+        shipped: room.shipped,
+        edits: Some(room.objects),
+        problem: room.problem.clone(),
         ..WorldRow::default()
     }
 }

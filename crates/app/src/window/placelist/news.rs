@@ -1,13 +1,11 @@
-//! The results of jobs with saved worlds, to be told to the player.
+//! The results of jobs with saved worlds and rooms, to be told to the player.
 
 use std::path::PathBuf;
-
-use antipode_storage::WorldSummary;
 
 use super::folder::FolderProblem;
 use crate::failure::Failure;
 
-/// What there is to tell of work with saved worlds.
+/// What there is to tell of such work.
 #[derive(Debug)]
 pub enum News {
     /// The name as it can be shown, as of the next ones.
@@ -21,9 +19,4 @@ pub enum News {
     ListDied,
     /// The thread that did something else has ended without a result.
     WorkDied,
-}
-
-/// What a world is called where it is shown.
-pub fn shown(world: &WorldSummary) -> String {
-    antipode_ui::legible_name(world.name(), &world.slug).into_owned()
 }

@@ -1,0 +1,97 @@
+//! Fills the model of the heads-up display from an open room.
+
+use antipode_language::{Texts, Value};
+use antipode_room_scene::{Pick, RoomScene};
+use antipode_ui::{HudModel, RoomModel};
+
+use crate::rooms::OpenRoom;
+use crate::wording;
+
+/// What differs less is not told, as a share.
+const NOTICED: f64 = 0.02;
+
+/// What the display shows of a room. `is_new`: whether what is strange in it is told.
+pub fn model(texts: &Texts, open: &OpenRoom, is_new: bool, fps: f32) -> HudModel {
+    let words = wording::open_room(texts, open);
+    let scene = &open.scene;
+    let told = |text: &String| Some(text.clone()).filter(|text| is_new && !text.is_empty());
+    HudModel {
+        fps,
+        geometry: words.name.clone(),
+        show_crosshair: true,
+        room: Some(RoomModel {
+            title: told(&words.name),
+            sentence: told(&words.sentence),
+            ahead: ahead(texts, &scene.pick()),
+            look: None,
+            halves: None,
+            state: state(texts, scene),
+        }),
+        ..HudModel::default()
+    }
+}
+
+/// How far off what is under the crosshair feels, and how far that is in the scene where it differs.
+fn ahead(texts: &Texts, pick: &Pick) -> Option<String> {
+    let (felt, scene) = (pick.felt?, pick.scene?);
+    let metres = |length: f64| Value::decimals(length, if length < 10.0 { 1 } else { 0 });
+    let values = [("felt", metres(felt)), ("scene", metres(scene))];
+    let key = if differ(felt, scene) {
+        "room-ahead-bent"
+    } else {
+        "room-ahead"
+    };
+    Some(texts.say_with(key, &values))
+}
+
+fn differ(a: f64, b: f64) -> bool {
+    (a - b).abs() > NOTICED * a.max(b)
+}
+
+/// How large one is, where that is not one's own size.
+fn state(texts: &Texts, scene: &RoomScene) -> Vec<String> {
+    let scale = scene.scale();
+    if !differ(scale, 1.0) {
+        return Vec::new();
+    }
+    let (key, times) = if scale < 1.0 {
+        ("room-smaller", 1.0 / scale)
+    } else {
+        ("room-larger", scale)
+    };
+    vec![texts.say_with(key, &[("times", Value::decimals(times, 1))])]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picked(felt: f64, scene: f64) -> Option<String> {
+        let pick = Pick {
+            object: Some("wall".to_owned()),
+            felt: Some(felt),
+            scene: Some(scene),
+            events: Vec::new(),
+        };
+        ahead(&Texts::default(), &pick)
+    }
+
+    #[test]
+    fn a_length_that_is_felt_otherwise_is_told_both_ways() {
+        let told = |felt, scene| picked(felt, scene).unwrap_or_default();
+        assert_eq!(told(4.04, 4.0), "4.0 m");
+        let bent = told(395.0, 79.0);
+        assert!(bent.contains("395") && bent.contains("79"), "{bent}");
+    }
+
+    #[test]
+    fn of_the_sky_nothing_is_told() {
+        let pick = Pick {
+            object: None,
+            felt: None,
+            scene: None,
+            events: Vec::new(),
+        };
+        assert_eq!(ahead(&Texts::default(), &pick), None);
+    }
+}

@@ -1,0 +1,227 @@
+//! Draws the open room into the window. What a room is drawn of is made on a thread of its own, shaders and writing
+//! included; until that is done there is no picture of it.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use antipode_rays::Picture;
+use antipode_render::{Gpu, Options};
+use antipode_room_scene::RoomScene;
+
+use crate::failure::Failure;
+use crate::room_picture::{Drawable, RoomPainter, RoomView};
+use crate::window::background::{Progress, Task};
+use crate::window::visit::RoomId;
+
+/// Where frames take longer, pictures are made of fewer pixels.
+const SLOW: Duration = Duration::from_millis(70);
+/// Where they take less, of more.
+const FAST: Duration = Duration::from_millis(34);
+/// A frame that took longer than this was held up by something else.
+const HELD_UP: Duration = Duration::from_secs(2);
+/// Frames between two changes of how many pixels there are: those after a change are drawn with the old number yet.
+const PATIENCE: u32 = 6;
+/// Least share of the window's pixels along each side.
+const LEAST_SHARE: f32 = 0.125;
+
+/// What a room is drawn with, or why it cannot be.
+type Made = Result<(Arc<RoomPainter>, Drawable), Failure>;
+
+/// What draws rooms.
+#[derive(Debug, Default)]
+pub struct Rooms {
+    painter: Option<Arc<RoomPainter>>,
+    shown: Option<(RoomId, Drawable)>,
+    coming: Option<(RoomId, Task<Made>)>,
+    picture: Option<Picture>,
+    fineness: Fineness,
+}
+
+impl Rooms {
+    /// A room is to be drawn: begins to make what for, unless that is there. Returns why it cannot be drawn, once.
+    pub fn prepare(
+        &mut self,
+        gpu: &Gpu,
+        options: &Options,
+        id: RoomId,
+        room: &RoomScene,
+    ) -> Option<Failure> {
+        let trouble = self.take_over();
+        let is_known = |known: RoomId| known == id;
+        let is_shown = self
+            .shown
+            .as_ref()
+            .is_some_and(|(known, _)| is_known(*known));
+        let is_coming = self
+            .coming
+            .as_ref()
+            .is_some_and(|(known, _)| is_known(*known));
+        if trouble.is_none() && !is_shown && !is_coming && self.coming.is_none() {
+            let (gpu, options, room) = (gpu.clone(), *options, room.clone());
+            let painter = self.painter.clone();
+            let make = move || {
+                let painter = match painter {
+                    Some(painter) => painter,
+                    None => Arc::new(RoomPainter::new(&gpu, &options)?),
+                };
+                let drawable = painter.drawable(&gpu, &room)?;
+                Ok((painter, drawable))
+            };
+            self.coming = Some((id, Task::start("room", make)));
+        }
+        trouble
+    }
+
+    fn take_over(&mut self) -> Option<Failure> {
+        let (id, task) = self.coming.as_ref()?;
+        match task.poll() {
+            Progress::Running => return None,
+            Progress::Done(Ok((painter, drawable))) => {
+                self.painter = Some(painter);
+                self.shown = Some((*id, drawable));
+                self.coming = None;
+                None
+            }
+            Progress::Done(Err(why)) => {
+                self.coming = None;
+                Some(why)
+            }
+            Progress::Died => {
+                self.coming = None;
+                Some(Failure::Runtime(
+                    "Something failed while the room was made ready to be drawn.".to_owned(),
+                ))
+            }
+        }
+    }
+
+    /// Whether what is drawn is about to change.
+    pub fn is_busy(&self) -> bool {
+        self.coming.is_some()
+    }
+
+    /// Records the picture of a room into a target of the window's size. `most`: the greatest share of the window's pixels
+    /// along each side. Returns whether there is a picture, be it of the room before it was changed.
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        view: &RoomView,
+        target: &wgpu::TextureView,
+        (size, most): ((u32, u32), f32),
+    ) -> bool {
+        let (Some(painter), Some((id, drawable))) = (&self.painter, &mut self.shown) else {
+            return false;
+        };
+        if id.0 != view.id.0 {
+            return false;
+        }
+        let share = self.fineness.share(most, Instant::now());
+        let along = |pixels: u32| ((pixels as f32 * share).round() as u32).max(1);
+        let wanted = (along(size.0), along(size.1));
+        if self.picture.as_ref().is_none_or(|it| it.size != wanted) {
+            self.picture = Some(Picture::new(&gpu.device, wanted));
+        }
+        if let Some(picture) = &self.picture {
+            painter.draw(gpu, encoder, (drawable, picture), view, target);
+        }
+        true
+    }
+
+    /// Records the same picture into another target.
+    pub fn draw_again(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &wgpu::TextureView,
+    ) {
+        if let (Some(painter), Some(picture)) = (&self.painter, &self.picture) {
+            painter.show(gpu, encoder, picture, target);
+        }
+    }
+}
+
+/// How many of the window's pixels are traced: as many as frames of a bearable length allow.
+#[derive(Debug)]
+struct Fineness {
+    share: f32,
+    last: Option<Instant>,
+    frames: u32,
+    spent: Duration,
+}
+
+impl Default for Fineness {
+    fn default() -> Self {
+        Self {
+            share: 0.5,
+            last: None,
+            frames: 0,
+            spent: Duration::ZERO,
+        }
+    }
+}
+
+impl Fineness {
+    /// The share of the window's pixels along each side, at most `most`, for a frame that begins now.
+    fn share(&mut self, most: f32, now: Instant) -> f32 {
+        if let Some(last) = self.last.replace(now) {
+            self.note(now.saturating_duration_since(last), most);
+        }
+        self.share.min(most)
+    }
+
+    fn note(&mut self, passed: Duration, most: f32) {
+        if passed > HELD_UP {
+            return;
+        }
+        self.frames += 1;
+        if self.frames <= PATIENCE / 2 {
+            return;
+        }
+        self.spent += passed;
+        if self.frames < PATIENCE {
+            return;
+        }
+        let each = self.spent / (PATIENCE - PATIENCE / 2);
+        (self.frames, self.spent) = (0, Duration::ZERO);
+        if each > SLOW {
+            self.share = (self.share.min(most) * 0.8).max(LEAST_SHARE.min(most));
+        } else if each < FAST && self.share < most {
+            self.share = (self.share * 1.15).min(most);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The share after a while of frames that take so long for each whole window of pixels.
+    fn settled(whole: Duration, most: f32) -> f32 {
+        let (mut fineness, mut now) = (Fineness::default(), Instant::now());
+        for _ in 0..300 {
+            let share = fineness.share(most, now);
+            now += whole.mul_f32(share * share) + Duration::from_millis(5);
+        }
+        fineness.share(most, now)
+    }
+
+    #[test]
+    fn a_slow_adapter_traces_fewer_pixels_and_a_fast_one_all() {
+        assert_eq!(settled(Duration::from_millis(10), 1.0), 1.0);
+        assert_eq!(settled(Duration::from_millis(10), 0.5), 0.5);
+        let share = settled(Duration::from_secs(1), 1.0);
+        assert!((0.15..0.28).contains(&share), "{share}");
+        assert_eq!(settled(Duration::from_secs(60), 1.0), LEAST_SHARE);
+    }
+
+    #[test]
+    fn a_frame_that_was_held_up_counts_for_nothing() {
+        let (mut fineness, mut now) = (Fineness::default(), Instant::now());
+        for _ in 0..100 {
+            fineness.share(1.0, now);
+            now += Duration::from_secs(5);
+        }
+        assert_eq!(fineness.share(1.0, now), 0.5);
+    }
+}
