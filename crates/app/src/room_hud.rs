@@ -34,7 +34,7 @@ pub fn model(texts: &Texts, open: &OpenRoom, is_new: bool, fps: f32) -> HudModel
 /// How far off what is under the crosshair feels, and how far that is in the scene where it differs.
 fn ahead(texts: &Texts, pick: &Pick) -> Option<String> {
     let (felt, scene) = (pick.felt?, pick.scene?);
-    let metres = |length: f64| Value::decimals(length, if length < 10.0 { 1 } else { 0 });
+    let metres = |length: f64| Value::decimals(length, usize::from(length < 10.0));
     let values = [("felt", metres(felt)), ("scene", metres(scene))];
     let key = if differ(felt, scene) {
         "room-ahead-bent"

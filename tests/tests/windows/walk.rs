@@ -13,6 +13,7 @@ use image::RgbImage;
 use tempfile::TempDir;
 
 mod backpack;
+mod rooms;
 mod settings;
 
 /// Small, so that software draws it quickly; the menu has both its columns.

@@ -63,6 +63,10 @@ impl Game {
 
     /// What a newcomer is to be told now.
     pub(super) fn hint(&self) -> Option<HintModel> {
+        if self.play.phase.visit().is_some() {
+            // They are about worlds.
+            return None;
+        }
         let config = &self.options.config;
         let hints = config.settings.hints.then_some(&self.hints)?;
         let context = HintContext::in_phase(&self.play.phase);

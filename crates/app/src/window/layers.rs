@@ -74,7 +74,7 @@ impl Game {
                 }
             }
             Action::SkipHint => self.hints.skip(HintContext::in_phase(&self.play.phase)),
-            Action::Backpack => {
+            Action::Backpack if self.play.phase.session().is_some() => {
                 self.hints.use_action(action);
                 self.overlays.backpack.open(&mut self.devices);
             }

@@ -56,7 +56,8 @@ impl Shots {
 
     /// Keeps the next frame as a picture of what is being done.
     pub fn want_of(&mut self, phase: &Phase) {
-        self.want(Album::stem(phase.slug()));
+        let room = phase.visit().and_then(|visit| visit.room.kept.as_ref());
+        self.want(Album::stem(room.map_or(phase.slug(), |kept| &kept.slug)));
     }
 
     /// Writes a picture in the background.

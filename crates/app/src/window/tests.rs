@@ -15,6 +15,7 @@ mod flow;
 mod newcomers;
 mod options;
 mod photo;
+mod rooms;
 mod sprint;
 mod standing;
 mod views;

@@ -7,7 +7,7 @@ use crate::layout::{Stops, pane, steady};
 use crate::model::{Screen, WorldRow};
 use crate::shell::Pass;
 use crate::theme::{ACCENT, BAD, GRID, TEXT, WEAK, small};
-use crate::widgets::{button, focus_ring, one_line, paint_card};
+use crate::widgets::{button, column_button, focus_ring, one_line, paint_card};
 
 /// Below this width of a row the picture makes room for the words, in points.
 const PICTURE_FROM: f32 = 360.0;
@@ -31,7 +31,7 @@ pub(super) enum Choice<'a> {
     Manage(&'a WorldRow),
     /// A button under the list: one from a file.
     Import,
-    /// A button under the list of rooms: a new one.
+    /// The button at the end of the list of rooms: a new one.
     New,
 }
 
@@ -68,20 +68,25 @@ pub(super) fn show<'a>(
             let choice = steady(ui, &row.slug, |ui| self::row(ui, pass, stops, row, shown));
             chosen = choice.or(chosen.take());
         }
+        if kind == Kind::Room {
+            let label = model.texts.say("rooms-new");
+            let new = steady(ui, "new", |ui| column_button(ui, &label, false));
+            stops.add(&new);
+            if new.clicked() {
+                chosen = Some(Choice::New);
+            }
+        }
     };
     let title = model.texts.say(match (kind, purpose) {
         (Kind::Room, _) => "menu-rooms",
         (_, Purpose::Load) => "menu-load",
         (_, Purpose::Delete) => "menu-delete",
     });
-    let (mut back, mut import, mut new) = (None, None, None);
+    let (mut back, mut import) = (None, None);
     pane(ui, regions.pane, &title, body, |ui| {
         back = Some(button(ui, &model.texts.say("back")));
         if purpose == Purpose::Load {
             import = Some(button(ui, &model.texts.say("worlds-import")));
-        }
-        if kind == Kind::Room {
-            new = Some(button(ui, &model.texts.say("rooms-new")));
         }
     });
     if let Some(back) = back {
@@ -94,9 +99,6 @@ pub(super) fn show<'a>(
     }
     if import.is_some_and(|import| import.clicked()) {
         chosen = Some(Choice::Import);
-    }
-    if new.is_some_and(|new| new.clicked()) {
-        chosen = Some(Choice::New);
     }
     chosen
 }

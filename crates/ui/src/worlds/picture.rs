@@ -21,19 +21,16 @@ pub(crate) fn size(height: f32) -> Vec2 {
 
 /// Paints the picture of a world or room over `rect`.
 pub(crate) fn paint(painter: &Painter, rect: Rect, kind: Kind, row: &WorldRow) {
-    match &row.picture {
-        Some(picture) => {
-            let whole = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-            let shape = egui::epaint::RectShape::filled(rect, ROUNDING / 2, Color32::WHITE)
-                .with_texture(*picture, whole);
-            painter.add(shape);
-        }
-        None => {
-            let inside = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
-            match kind {
-                Kind::World => placeholder(&inside, rect, &row.slug),
-                Kind::Room => passage(&inside, rect, &row.slug),
-            }
+    if let Some(picture) = &row.picture {
+        let whole = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
+        let shape = egui::epaint::RectShape::filled(rect, ROUNDING / 2, Color32::WHITE)
+            .with_texture(*picture, whole);
+        painter.add(shape);
+    } else {
+        let inside = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
+        match kind {
+            Kind::World => placeholder(&inside, rect, &row.slug),
+            Kind::Room => passage(&inside, rect, &row.slug),
         }
     }
     let corners = CornerRadius::same(ROUNDING / 2);

@@ -65,7 +65,14 @@ fn a_room_of_ones_own_is_renamed_and_deleted_after_a_question() {
     let mut harness = window(with_rooms());
     click(&mut harness, "Manage “Room 0”");
     assert!(says(&harness, "12 objects") && says(&harness, "/home/me/rooms/room-0"));
-    let all = ["Enter", "Rename", "Duplicate", "Export", "Open folder", "Delete"];
+    let all = [
+        "Enter",
+        "Rename",
+        "Duplicate",
+        "Export",
+        "Open folder",
+        "Delete",
+    ];
     assert_eq!(reached(&mut harness, 6), all);
     press(&mut harness, Key::Enter);
     assert!(says(&harness, "Delete “Room 0”?"));

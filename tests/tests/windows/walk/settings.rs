@@ -20,6 +20,7 @@ fn settings_are_found_changed_and_reset_and_a_key_does_what_it_was_given() {
     game.told_steps(&[
         ("Tab", "focus: Load"),
         ("Tab", "focus: Delete"),
+        ("Tab", "focus: Rooms"),
         ("Tab", "focus: Settings"),
         ("Return", "pressed: Settings"),
     ]);
@@ -62,6 +63,7 @@ fn settings_are_found_changed_and_reset_and_a_key_does_what_it_was_given() {
     game.told_steps(&[
         ("Tab", "focus: Wczytaj"),
         ("Tab", "focus: Usuń"),
+        ("Tab", "focus: Pokoje"),
         ("Tab", "focus: Ustawienia"),
         ("Tab", "focus: Sterowanie"),
         ("Return", "pressed: Sterowanie"),

@@ -75,7 +75,7 @@ impl Rooms {
     fn take_over(&mut self) -> Option<Failure> {
         let (id, task) = self.coming.as_ref()?;
         match task.poll() {
-            Progress::Running => return None,
+            Progress::Running => None,
             Progress::Done(Ok((painter, drawable))) => {
                 self.painter = Some(painter);
                 self.shown = Some((*id, drawable));
@@ -212,7 +212,7 @@ mod tests {
         assert_eq!(settled(Duration::from_millis(10), 0.5), 0.5);
         let share = settled(Duration::from_secs(1), 1.0);
         assert!((0.15..0.28).contains(&share), "{share}");
-        assert_eq!(settled(Duration::from_secs(60), 1.0), LEAST_SHARE);
+        assert_eq!(settled(Duration::from_mins(1), 1.0), LEAST_SHARE);
     }
 
     #[test]

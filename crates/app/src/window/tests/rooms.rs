@@ -1,0 +1,200 @@
+//! Rooms in the window, without a window: entered, played, paused, left, copied.
+
+use antipode_room_scene::RoomScene;
+use antipode_ui::WorldsIntent;
+
+use super::*;
+use crate::script::{obey, parse_line};
+
+/// Lets the background work until the room is there, and says that its picture is.
+fn enter(game: &mut Game, slug: &str) {
+    game.follow(Intent::EnterRoom {
+        slug: slug.to_owned(),
+    });
+    tick_until(game, |game| game.play.phase.visit().is_some());
+    game.play.room_drawn(&mut game.menus, false);
+}
+
+fn in_menu(dir: &TempDir) -> Game {
+    Game::new(worlds(&dir.path().join("saves")), None, None)
+}
+
+fn scene(game: &Game) -> &RoomScene {
+    game.play.phase.visit().unwrap().scene()
+}
+
+/// Lets frames of that many milliseconds pass.
+fn pass(game: &mut Game, now: &mut Instant, frames: u32) {
+    for _ in 0..frames {
+        *now += Duration::from_millis(20);
+        game.tick(*now);
+    }
+}
+
+#[test]
+fn a_room_is_walked_through_paused_and_left_without_a_question() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    game.follow(Intent::EnterRoom {
+        slug: "game:long-house".to_owned(),
+    });
+    tick_until(&mut game, |game| game.play.phase.visit().is_some());
+    assert!(!game.is_playing(), "there is no picture yet");
+    assert!(matches!(game.menus.shell.screen(), Screen::Busy { .. }));
+    game.play.room_drawn(&mut game.menus, false);
+    assert!(game.is_playing() && !game.menus.shell.is_open());
+    let began = scene(&game).feet();
+    let mut now = Instant::now();
+    pass(&mut game, &mut now, 5);
+    input(&mut game, Input::Key("KeyW"), true);
+    pass(&mut game, &mut now, 50);
+    let walked = scene(&game).feet().distance(began);
+    assert!(walked > 2.0, "{walked} m");
+    input(&mut game, Input::Key("Escape"), true);
+    assert!(game.play.phase.is_paused());
+    tick_until(&mut game, Game::is_still);
+    now = Instant::now();
+    let stood = scene(&game).feet();
+    pass(&mut game, &mut now, 20);
+    assert_eq!(scene(&game).feet(), stood, "it stands still");
+    game.follow(Intent::Resume);
+    assert!(game.is_playing());
+    game.follow(Intent::SaveAndQuitToMenu);
+    assert!(matches!(game.play.phase, Phase::Menu));
+}
+
+#[test]
+fn a_room_begins_anew_each_time() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    enter(&mut game, "game:big-house");
+    let began = scene(&game).feet();
+    let mut now = Instant::now();
+    input(&mut game, Input::Key("KeyW"), true);
+    pass(&mut game, &mut now, 60);
+    assert!(scene(&game).feet() != began);
+    enter(&mut game, "game:big-house");
+    assert_eq!(scene(&game).feet(), began);
+}
+
+#[test]
+fn a_room_of_the_game_is_copied_renamed_and_deleted_from_the_list() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    let idle = |game: &Game| game.menus.are_lists_idle();
+    tick_until(&mut game, idle);
+    let shipped = game.menus.rooms.known().len();
+    let slug = "game:long-house".to_owned();
+    game.follow(Intent::Rooms(WorldsIntent::Duplicate { slug }));
+    tick_until(&mut game, idle);
+    let own = |game: &Game| {
+        let rows = game.menus.rooms.rows(&game.menus.texts, None);
+        let own = rows.into_iter().filter(|row| !row.shipped);
+        own.map(|row| (row.slug, row.name)).collect::<Vec<_>>()
+    };
+    let made = own(&game);
+    assert_eq!(made.len(), 1);
+    let slug = made[0].0.clone();
+    game.follow(Intent::Rooms(WorldsIntent::Rename {
+        slug: slug.clone(),
+        name: "Mine".to_owned(),
+    }));
+    tick_until(&mut game, idle);
+    assert_eq!(own(&game), [(slug.clone(), "Mine".to_owned())]);
+    enter(&mut game, &slug);
+    assert_eq!(scene(&game).room().name, "Mine");
+    game.leave(super::super::phase::Next::Menu);
+    game.follow(Intent::DeleteRoom { slug });
+    tick_until(&mut game, idle);
+    assert_eq!(game.menus.rooms.known().len(), shipped);
+}
+
+#[test]
+fn a_new_room_is_kept_under_a_name_that_nobody_has() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    for name in ["Room 1", "Room 2"] {
+        game.follow(Intent::NewRoom);
+        tick_until(&mut game, |game| {
+            let visit = game.play.phase.visit();
+            visit.is_some_and(|visit| visit.scene().room().name == name)
+        });
+    }
+    game.leave(super::super::phase::Next::Menu);
+    tick_until(&mut game, |game| game.menus.are_lists_idle());
+    let names = game.menus.rooms.names();
+    assert!(names.contains(&"Room 1".to_owned()) && names.contains(&"Room 2".to_owned()));
+}
+
+#[test]
+fn a_room_that_is_gone_or_broken_is_told_in_the_menu() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    game.follow(Intent::EnterRoom {
+        slug: "nowhere".to_owned(),
+    });
+    tick_until(&mut game, |game| matches!(game.play.phase, Phase::Menu));
+    assert!(matches!(game.menus.shell.screen(), Screen::Message { .. }));
+    let broken = game.play.worlds.rooms().path().join("broken");
+    fs::create_dir_all(&broken).unwrap();
+    fs::write(broken.join("room.ron"), "(version: 1, nome: \"x\")").unwrap();
+    game.menus.open_main();
+    tick_until(&mut game, |game| game.menus.are_lists_idle());
+    let rows = game.menus.rooms.rows(&game.menus.texts, None);
+    let row = rows.iter().find(|row| row.slug == "broken").unwrap();
+    assert!(
+        row.problem
+            .as_ref()
+            .is_some_and(|said| said.contains("room.ron:1"))
+    );
+    enter_refused(&mut game, "broken");
+}
+
+fn enter_refused(game: &mut Game, slug: &str) {
+    game.follow(Intent::EnterRoom {
+        slug: slug.to_owned(),
+    });
+    tick_until(game, |game| matches!(game.play.phase, Phase::Menu));
+    match game.menus.shell.screen() {
+        Screen::Message { text, .. } => assert!(text.contains("room.ron"), "{text}"),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn what_is_for_worlds_does_nothing_in_a_room() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    enter(&mut game, "game:twelve-rooms");
+    for key in ["KeyE", "KeyP", "F3", "F4", "KeyN"] {
+        input(&mut game, Input::Key(key), true);
+        input(&mut game, Input::Key(key), false);
+        assert!(game.is_playing(), "{key}");
+    }
+    game.tick(Instant::now());
+    assert!(game.hint().is_none());
+    game.focus(true);
+    game.focus(false);
+    assert!(game.play.phase.is_paused());
+}
+
+#[test]
+fn the_console_leads_from_room_to_room_and_refuses_what_is_for_worlds() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    enter(&mut game, "game:twelve-rooms");
+    let mut order = |line: &str| {
+        let order = parse_line(line).unwrap().unwrap();
+        obey(&mut game, &order)
+    };
+    order("aim 30 10").unwrap();
+    order("probe").unwrap();
+    let refused = order("give lamp 1").unwrap_err().to_string();
+    assert!(refused.contains("is for worlds"), "{refused}");
+    assert_eq!(scene(&game).probe().player.yaw.round(), 30.0);
+    game.enter("room load \"Nested boxes\"");
+    tick_until(&mut game, |game| {
+        let visit = game.play.phase.visit();
+        visit.is_some_and(|visit| visit.scene().room().name == "Nested boxes")
+    });
+}
