@@ -1,9 +1,9 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
+use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
 use antipode_rooms::folder::assets;
-use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir};
-use antipode_storage::saves_dir;
+use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir, shipped};
 use glam::DVec3;
 
 use crate::common::Common;
@@ -18,6 +18,8 @@ pub struct Rooms {
     open: Option<OpenRoom>,
     /// How many rooms have been opened.
     opened: u64,
+    /// What is read in rooms of the game.
+    texts: Texts,
 }
 
 /// An open room.
@@ -51,15 +53,22 @@ impl OpenRoom {
             return Self::of(loaded, None);
         };
         dir.make(&room)?;
-        Self::enter(dir, dir.find(name)?)
+        let kept = dir.find(name)?;
+        Self::of(dir.open(&kept)?, Some(kept))
     }
 
-    /// Enters a room that is kept.
+    /// Enters a room that is kept; one of the game's has its signs in these words.
     ///
     /// # Errors
     /// When it is not there any more, or not sound.
-    pub fn enter(dir: &RoomsDir, kept: RoomSummary) -> Result<Self, RoomError> {
-        let loaded = dir.open(&kept)?;
+    pub fn enter(dir: &RoomsDir, kept: RoomSummary, texts: &Texts) -> Result<Self, RoomError> {
+        let mut loaded = dir.open(&kept)?;
+        if let Some(it) = shipped::find(&kept.slug).filter(|_| kept.shipped) {
+            it.reword(&mut loaded.room, |key| {
+                let key = format!("room-{key}");
+                texts.has(&key).then(|| texts.say(&key))
+            });
+        }
         Self::of(loaded, Some(kept))
     }
 
@@ -73,10 +82,16 @@ impl Rooms {
     /// The directory that the command line, the environment or the platform names.
     pub fn new(common: &Common) -> Self {
         Self {
-            dir: RoomsDir::new(rooms_dir(&saves_dir(common.saves_dir.as_deref()))),
+            dir: RoomsDir::new(rooms_dir(common.saves_dir.as_deref())),
             open: None,
             opened: 0,
+            texts: Texts::default(),
         }
+    }
+
+    /// Signs in rooms of the game that are entered from now on are in these words.
+    pub fn set_texts(&mut self, texts: &Texts) {
+        self.texts = texts.clone();
     }
 
     /// The open room.
@@ -119,7 +134,7 @@ impl Rooms {
     /// When there is none of that name, or it is not sound.
     pub fn load(&mut self, name: &str) -> Result<(), RoomError> {
         let found = self.dir.find(name)?;
-        let entered = OpenRoom::enter(&self.dir, found)?;
+        let entered = OpenRoom::enter(&self.dir, found, &self.texts)?;
         self.take(entered);
         Ok(())
     }

@@ -131,7 +131,7 @@ impl Worlds {
     pub fn new(common: &Common) -> Self {
         let path: PathBuf = saves_dir(common.saves_dir.as_deref());
         Self {
-            rooms: RoomsDir::new(rooms_dir(&path)),
+            rooms: RoomsDir::new(rooms_dir(common.saves_dir.as_deref())),
             saves: SavesDir::new(path),
             view_distance: common.view_distance,
             quality: common.quality.unwrap_or_default(),

@@ -42,7 +42,7 @@ impl Menus {
         let mut menus = Self {
             shell: Shell::new(),
             texts: Texts::default(),
-            rooms: RoomList::new(RoomShelf::new(worlds.clone())),
+            rooms: RoomList::new(RoomShelf::new(&worlds)),
             list: WorldList::new(worlds),
             about: AboutModel::default(),
             software,

@@ -4,9 +4,8 @@ use super::*;
 
 /// The names of the player's own rooms.
 fn own_rooms(place: &TempDir) -> Vec<String> {
-    let output = game()
-        .args(["rooms", "list", "--saves-dir"])
-        .arg(saves(place))
+    let output = game(&saves(place))
+        .args(["rooms", "list"])
         .output()
         .unwrap();
     let listed = String::from_utf8(output.stdout).unwrap();

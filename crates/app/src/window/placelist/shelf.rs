@@ -163,16 +163,12 @@ impl Kept for RoomSummary {
 
 /// The player's rooms and those of the game.
 #[derive(Clone, Debug)]
-pub struct RoomShelf {
-    worlds: Worlds,
-    dir: RoomsDir,
-}
+pub struct RoomShelf(RoomsDir);
 
 impl RoomShelf {
-    /// The rooms that lie beside those worlds.
-    pub fn new(worlds: Worlds) -> Self {
-        let dir = worlds.rooms();
-        Self { worlds, dir }
+    /// The rooms that go with those worlds.
+    pub fn new(worlds: &Worlds) -> Self {
+        Self(worlds.rooms())
     }
 }
 
@@ -182,15 +178,15 @@ impl Shelf for RoomShelf {
     const EXTENSION: &'static str = antipode_rooms::ARCHIVE_EXTENSION;
 
     fn path(&self) -> &Path {
-        self.dir.path()
+        self.0.path()
     }
 
     fn list(&self) -> Result<Vec<RoomSummary>, Failure> {
-        Ok(self.dir.list()?)
+        Ok(self.0.list()?)
     }
 
     fn find(&self, slug: &str) -> Result<RoomSummary, Failure> {
-        room_of(&self.dir, slug)
+        room_of(&self.0, slug)
     }
 
     fn edits(&self, slug: &str) -> Option<usize> {
@@ -198,23 +194,23 @@ impl Shelf for RoomShelf {
     }
 
     fn delete(&self, slug: &str) -> Result<(), Failure> {
-        Ok(self.dir.delete(&self.find(slug)?)?)
+        Ok(self.0.delete(&self.find(slug)?)?)
     }
 
     fn rename(&self, slug: &str, name: &str) -> Result<(), Failure> {
-        Ok(self.dir.rename(&self.find(slug)?, name)?)
+        Ok(self.0.rename(&self.find(slug)?, name)?)
     }
 
     fn duplicate(&self, slug: &str) -> Result<String, Failure> {
-        Ok(self.dir.double(&self.find(slug)?)?)
+        Ok(self.0.double(&self.find(slug)?)?)
     }
 
     fn export(&self, slug: &str, file: &Path) -> Result<(), Failure> {
-        Ok(self.dir.export(&self.find(slug)?, file)?)
+        Ok(self.0.export(&self.find(slug)?, file)?)
     }
 
     fn import(&self, file: &Path) -> Result<String, Failure> {
-        confined::import_room(self.worlds.saves(), file)
+        confined::import_room(&self.0, file)
     }
 
     fn failure(texts: &Texts, failure: &Failure, _: &[RoomSummary]) -> String {
