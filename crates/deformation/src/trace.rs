@@ -31,6 +31,38 @@ impl Place {
             stack: space.stack_at(point),
         }
     }
+
+    /// A place at a share of the straight line from one place to another near by, 0 to 1. A box that only one of them is
+    /// in is entered or left where the line meets its faces.
+    pub fn between(space: &Space, from: &Self, to: &Self, share: f64) -> Self {
+        let way = to.point - from.point;
+        let point = from.point + way * share;
+        if from.stack == to.stack {
+            return Self { point, ..*from };
+        }
+        if share <= 0.0 || share >= 1.0 {
+            return if share <= 0.0 { *from } else { *to };
+        }
+        let mut stack = from.stack;
+        let crossed = |number: usize, place: &Self, way: DVec3| {
+            let placed = &space.placed()[number];
+            let u = placed.axes.transpose() * way;
+            let leaves = crossing_out(placed.local(place.point), u, placed.aberration.half).0;
+            leaves.min(1.0)
+        };
+        for number in from.stack.iter().filter(|it| !to.stack.contains(*it)) {
+            if share >= crossed(number, from, way) {
+                stack.remove(number);
+            }
+        }
+        for number in to.stack.iter().filter(|it| !from.stack.contains(*it)) {
+            // Entered on the way there is left on the way back.
+            if 1.0 - share < crossed(number, to, -way) {
+                space.push(&mut stack, number);
+            }
+        }
+        Self { point, stack }
+    }
 }
 
 /// What kind of thing has happened at a face.

@@ -27,4 +27,7 @@ const AHEAD: Steer = Steer {
     jump: false,
     look_yaw_rad: 0.0,
     look_pitch_rad: 0.0,
+    shoot: false,
+    place: false,
+    throw: false,
 };
