@@ -196,6 +196,11 @@ impl RoomScene {
         self.above(&self.walker.body.place, -RADIUS_M).point
     }
 
+    /// Where the middle of the lowest part of the body is, metres of the scene: a felt radius above the feet.
+    pub fn middle(&self) -> DVec3 {
+        self.walker.body.place.point
+    }
+
     /// Against gravity; the upright where nothing falls. Of length 1.
     pub fn up(&self) -> DVec3 {
         -self.room().gravity.normalize_or(DVec3::NEG_Y)

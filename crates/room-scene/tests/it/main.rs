@@ -7,7 +7,9 @@
 )]
 
 mod edits;
+mod hands;
 mod picture;
+mod soak;
 mod walking;
 
 use antipode_room_scene::{RoomScene, Steer};
