@@ -78,8 +78,8 @@ impl Ball {
                 g,
                 heading: self.body.velocity,
             };
-            let touches = self.go(&around, time / parts);
-            if touches && self.body.velocity.length() < RESTS_BELOW_M_S {
+            self.go(&around, time / parts);
+            if self.body.velocity.length() < RESTS_BELOW_M_S {
                 self.slow_s += time / parts;
             } else {
                 self.slow_s = 0.0;
@@ -90,8 +90,8 @@ impl Ball {
         }
     }
 
-    /// Goes on for a part of a step. Whether it touches something.
-    fn go(&mut self, around: &Around<'_>, time: f64) -> bool {
+    /// Goes on for a part of a step.
+    fn go(&mut self, around: &Around<'_>, time: f64) {
         let before = self.body;
         let mut touches = false;
         if let Some((hit, _)) = self.body.fly(around.space, &Void, around.g, time) {
@@ -109,11 +109,8 @@ impl Ball {
             self.body.place = around.carried(&self.body.place, normal * contact.depth);
             let gained = -around.g.dot(self.body.place.point - from);
             if !self.turn_off(normal, gained) {
-                self.body = Flyer {
-                    velocity: DVec3::ZERO,
-                    ..before
-                };
-                return true;
+                self.go_back(&before);
+                return;
             }
             self.roll(normal, time);
         }
@@ -123,12 +120,16 @@ impl Ball {
                 .in_ball(&frame, self.shape.radius_m, LEFT_OVER_M)
                 .is_some()
         {
-            self.body = Flyer {
-                velocity: DVec3::ZERO,
-                ..before
-            };
+            self.go_back(&before);
         }
-        touches
+    }
+
+    /// There is no way on.
+    fn go_back(&mut self, before: &Flyer) {
+        self.body = Flyer {
+            place: before.place,
+            velocity: -self.shape.bounce * before.velocity,
+        };
     }
 
     /// Leaves a surface of that felt normal after it was moved out of it, at a gain of `gained` J/kg; whether it had as

@@ -11,7 +11,7 @@ use crate::scene::{SceneQuery, Void};
 use crate::space::{Space, Traveller};
 use crate::trace::{Place, trace};
 use crate::triangle::{Touch, catch_ball, closest_to_origin};
-use crate::tuning::{BALLS_APART, LEAST_LIP_UP};
+use crate::tuning::{BALLS_APART, LEAST_LIP_UP, TOUCH_M};
 use crate::walker::WalkerShape;
 
 /// What surrounds a body.
@@ -148,7 +148,7 @@ impl Around<'_> {
         self.touch(frame, shape, (feet_y - snap, feet_y + rise), |touch| {
             let normal_up = (touch.centre_y - touch.contact_y) / shape.radius_m;
             touch.centre_y - shape.radius_m >= feet_y - snap
-                && touch.contact_y <= feet_y + rise
+                && touch.contact_y <= feet_y + rise + TOUCH_M
                 && shape.carries(normal_up, touch.face_up, LEAST_LIP_UP)
         })
     }
@@ -195,11 +195,16 @@ impl Around<'_> {
                 // The axis goes through something: the whole of what is beyond has to come out.
                 let normal = self.felt_in(frame, &path.place, hit.felt_normal);
                 let passed = between * (ball - 1) as f64 + path.length;
-                return Some(Contact {
+                let contact = Contact {
                     normal: normal.normalize_or(DVec3::NEG_Y),
                     face_up: normal.y,
                     depth: (axis_m - passed) * normal.y.abs() + shape.radius_m,
-                });
+                };
+                return if contact.depth > tolerance {
+                    Some(contact)
+                } else {
+                    deepest
+                };
             }
             at = path.place;
             let upper = Frame {

@@ -34,7 +34,7 @@ pub const WEDGED_SHARE: f64 = 0.3;
 pub const LEAVES_M_S: f64 = 0.1;
 /// A ball that comes down slower than this, felt metres per second, rolls on rather than bounce.
 pub const LEAST_BOUNCE_M_S: f64 = 0.35;
-/// A ball that touches something and is slower than this, felt metres per second, for [`RESTS_AFTER_S`] lies still.
+/// A ball that is slower than this, felt metres per second, for [`RESTS_AFTER_S`] lies still: nothing that falls is.
 pub const RESTS_BELOW_M_S: f64 = 0.08;
 /// Seconds after which a slow ball lies still.
 pub const RESTS_AFTER_S: f64 = 0.25;

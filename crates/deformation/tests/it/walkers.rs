@@ -92,7 +92,7 @@ fn stairs_are_followed_down_on_foot() {
     let scene = on_floor([stairs(8, 0.6, 0.3)]);
     let mut walk = Walk::from(&none, &scene, 60, v(0.0, 2.41, 4.5));
     walk.on(DVec3::ZERO, 0.3);
-    for _ in 0..90 {
+    for _ in 0..110 {
         walk.on(v(0.0, 0.0, -3.0), 1.0 / 60.0);
         assert!(walk.walker.grounded, "{}", walk.feet());
     }
@@ -303,7 +303,7 @@ fn between_steps_the_eye_goes_along_the_way() {
     let mut walk = Walk::from(&space, &scene, 60, v(0.2, 0.0, -2.0));
     walk.on(v(0.0, 0.0, 4.0), 0.2);
     let mut last = walk.walker.eye_place(&space, DVec3::Y);
-    for _ in 0..60 * 8 {
+    for _ in 0..60 * 6 {
         walk.on(v(0.0, 0.0, 4.0), 1.0 / 60.0);
         for share in [0.0, 0.3, 0.6, 1.0] {
             let (eye, middle) = walk.walker.between(&space, DVec3::Y, share);

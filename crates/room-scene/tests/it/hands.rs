@@ -61,7 +61,7 @@ fn a_bullet_hits_what_the_crosshair_is_on() {
             let eye = scene.eye().place;
             if mark.place.stack == eye.stack && aimed.events.is_empty() {
                 let way = mark.place.point - eye.point;
-                let off = way.reject_from(scene.eye().forward).length();
+                let off = way.reject_from(scene.eye().front).length();
                 assert!(off < 0.05, "{}: {off}", shipped.id);
             }
         }
