@@ -9,7 +9,7 @@ use glam::{DQuat, DVec3};
 
 use crate::column::Around;
 use crate::gravity::Flyer;
-use crate::scene::{SceneQuery, Void};
+use crate::scene::SceneQuery;
 use crate::space::Space;
 use crate::trace::Place;
 use crate::tuning::{
@@ -94,8 +94,10 @@ impl Ball {
     fn go(&mut self, around: &Around<'_>, time: f64) {
         let before = self.body;
         let mut touches = false;
-        if let Some((hit, _)) = self.body.fly(around.space, &Void, around.g, time) {
+        // Its middle goes through nothing, however close to something it was let go.
+        if let Some((hit, _)) = self.body.fly(around.space, around.scene, around.g, time) {
             self.turn_off(hit.felt_normal, 0.0);
+            self.body.place = around.carried(&self.body.place, hit.felt_normal * TOUCH_M);
             touches = true;
         }
         for _ in 0..PUSHES {
