@@ -5,6 +5,7 @@
 //!
 //! There is no window, no file and no adapter here.
 
+mod hands;
 mod light;
 mod looks;
 mod pick;
@@ -12,6 +13,7 @@ mod picture;
 mod probe;
 mod scene;
 mod solids;
+mod things;
 pub mod tuning;
 mod walk;
 
@@ -19,4 +21,5 @@ pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;
 pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe};
 pub use scene::{NoSuchPlace, RoomScene};
+pub use things::{Struck, Thing, ThingKind};
 pub use walk::Steer;

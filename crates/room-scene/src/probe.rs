@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::pick::Pick;
 use crate::scene::RoomScene;
+use crate::things::{Struck, Thing, ThingKind};
 
 /// The state of an open room. Places are metres of the scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -23,6 +24,12 @@ pub struct RoomProbe {
     pub felt_speed: f64,
     /// How large the player is in the scene, to what it is outside: the cube root of what a felt cubic metre takes up there.
     pub scale: f64,
+    /// Bullets in flight.
+    pub bullets: usize,
+    /// Bullets, marks, balls and lamps, the oldest first.
+    pub things: Vec<ThingProbe>,
+    /// What the last bullet that hit something has hit; null if none has.
+    pub hit: Option<Struck>,
     /// The player.
     pub player: PlayerProbe,
     /// The camera.
@@ -37,6 +44,17 @@ pub struct ObjectProbe {
     /// What it is: `box`, `aberration` and so on.
     pub kind: &'static str,
     /// Where it is.
+    pub pos: [f64; 3],
+}
+
+/// Something that was shot, thrown or put down.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ThingProbe {
+    /// Its own number.
+    pub id: u64,
+    /// What it is: `bullet`, `mark`, `ball` or `lamp`.
+    pub kind: ThingKind,
+    /// Where its middle is.
     pub pos: [f64; 3],
 }
 
@@ -64,6 +82,16 @@ pub struct CameraProbe {
     pub mode: &'static str,
 }
 
+impl ThingProbe {
+    fn of(thing: &Thing) -> Self {
+        Self {
+            id: thing.id,
+            kind: thing.kind,
+            pos: thing.place.point.to_array(),
+        }
+    }
+}
+
 impl RoomScene {
     /// How large the player is in the scene, to what it is outside: the cube root of what a felt cubic metre takes up there.
     pub fn scale(&self) -> f64 {
@@ -75,6 +103,15 @@ impl RoomScene {
         let body = &self.walker.body;
         self.space
             .squeeze(&body.place.stack, body.velocity, &Traveller::Body)
+    }
+
+    /// What the last bullet that hit something has hit.
+    fn struck(&self) -> Option<Struck> {
+        let (what, felt) = self.things.struck?;
+        Some(Struck {
+            object: self.room().objects[self.object_of(what)].name.clone(),
+            felt,
+        })
     }
 
     /// The state of the room.
@@ -96,12 +133,15 @@ impl RoomScene {
             pick: self.pick(),
             felt_speed: body.velocity.length(),
             scale: self.scale(),
+            bullets: self.things.count(ThingKind::Bullet),
+            things: self.things().iter().map(ThingProbe::of).collect(),
+            hit: self.struck(),
             player: PlayerProbe {
                 pos: self.feet().to_array(),
                 vel: (self.squeeze_here() * body.velocity).to_array(),
                 yaw: aim.x,
                 pitch: aim.y,
-                grounded: self.walker.ground.is_some(),
+                grounded: self.walker.grounded,
             },
             camera: CameraProbe {
                 pos: self
