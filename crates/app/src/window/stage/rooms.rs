@@ -13,14 +13,18 @@ use crate::room_picture::{Drawable, RoomPainter, RoomView};
 use crate::window::background::{Progress, Task};
 use crate::window::visit::RoomId;
 
-/// Where frames take longer, pictures are made of fewer pixels.
-const SLOW: Duration = Duration::from_millis(70);
-/// Where they take less, of more.
-const FAST: Duration = Duration::from_millis(34);
-/// A frame that took longer than this was held up by something else.
-const HELD_UP: Duration = Duration::from_secs(2);
-/// Frames between two changes of how many pixels there are: those after a change are drawn with the old number yet.
-const PATIENCE: u32 = 6;
+/// How long frames are to take where not all pixels can be traced in less.
+const BEARABLE: Duration = Duration::from_millis(45);
+/// Frames that take this much less or more are left as they are, as a factor.
+const NEAR: f32 = 1.4;
+/// A frame that took longer than this was held up by something else as well.
+const LONGEST: Duration = Duration::from_secs(1);
+/// Frames that are begun already when the number of pixels changes, and tell nothing of the new one.
+const BEGUN: u32 = 2;
+/// Frames of which one is judged, unless it is far off.
+const JUDGED: u32 = 4;
+/// Greatest change at once.
+const STEP: (f32, f32) = (0.5, 1.2);
 /// Least share of the window's pixels along each side.
 const LEAST_SHARE: f32 = 0.125;
 
@@ -146,14 +150,16 @@ impl Rooms {
 struct Fineness {
     share: f32,
     last: Option<Instant>,
+    /// Frames since the last change.
     frames: u32,
+    /// What those took that count.
     spent: Duration,
 }
 
 impl Default for Fineness {
     fn default() -> Self {
         Self {
-            share: 0.5,
+            share: 0.25,
             last: None,
             frames: 0,
             spent: Duration::ZERO,
@@ -171,23 +177,23 @@ impl Fineness {
     }
 
     fn note(&mut self, passed: Duration, most: f32) {
-        if passed > HELD_UP {
-            return;
-        }
         self.frames += 1;
-        if self.frames <= PATIENCE / 2 {
+        if self.frames <= BEGUN {
             return;
         }
-        self.spent += passed;
-        if self.frames < PATIENCE {
+        self.spent += passed.min(LONGEST);
+        let each = self.spent / (self.frames - BEGUN);
+        // Time goes by the number of pixels, which is the share squared.
+        let change = (BEARABLE.as_secs_f32() / each.as_secs_f32().max(1e-3)).sqrt();
+        let is_near = (1.0 / NEAR..NEAR).contains(&(change * change));
+        if self.frames < BEGUN + JUDGED && change > STEP.0 {
             return;
         }
-        let each = self.spent / (PATIENCE - PATIENCE / 2);
-        (self.frames, self.spent) = (0, Duration::ZERO);
-        if each > SLOW {
-            self.share = (self.share.min(most) * 0.8).max(LEAST_SHARE.min(most));
-        } else if each < FAST && self.share < most {
-            self.share = (self.share * 1.15).min(most);
+        (self.frames, self.spent) = (BEGUN, Duration::ZERO);
+        let wanted = self.share.min(most) * change.clamp(STEP.0, STEP.1);
+        let wanted = wanted.clamp(LEAST_SHARE.min(most), most);
+        if !is_near && wanted != self.share {
+            (self.share, self.frames) = (wanted, 0);
         }
     }
 }
@@ -211,17 +217,21 @@ mod tests {
         assert_eq!(settled(Duration::from_millis(10), 1.0), 1.0);
         assert_eq!(settled(Duration::from_millis(10), 0.5), 0.5);
         let share = settled(Duration::from_secs(1), 1.0);
-        assert!((0.15..0.28).contains(&share), "{share}");
+        assert!((0.17..0.26).contains(&share), "{share}");
         assert_eq!(settled(Duration::from_mins(1), 1.0), LEAST_SHARE);
     }
 
     #[test]
-    fn a_frame_that_was_held_up_counts_for_nothing() {
+    fn a_frame_that_was_held_up_is_soon_forgotten() {
         let (mut fineness, mut now) = (Fineness::default(), Instant::now());
-        for _ in 0..100 {
-            fineness.share(1.0, now);
-            now += Duration::from_secs(5);
+        let mut shares = Vec::new();
+        for frame in 0..60 {
+            shares.push(fineness.share(1.0, now));
+            let held_up = u64::from(frame == 20) * 3600;
+            now += Duration::from_secs(held_up) + Duration::from_millis(10);
         }
-        assert_eq!(fineness.share(1.0, now), 0.5);
+        assert_eq!(shares[20], 1.0);
+        assert!(shares[21..].iter().all(|share| *share >= 0.5));
+        assert_eq!(shares[59], 1.0);
     }
 }
