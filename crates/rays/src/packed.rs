@@ -4,6 +4,7 @@ use antipode_deformation::{Exit, MAX_ABERRATIONS, PictureCorners, Placed, Sides,
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
+use crate::tree::NOTHING;
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
 
 /// An aberration, as space.wgsl has it.
@@ -33,7 +34,8 @@ pub struct PackedAberration {
 pub struct PackedWays {
     pub outermost: u32,
     pub outermost_count: u32,
-    pub has_solids: u32,
+    /// What the root of all solids is.
+    pub root: u32,
     pub room: u32,
     pub low: Vec4,
     pub high: Vec4,
@@ -60,37 +62,80 @@ pub struct PackedMaterial {
     optics: Vec4,
 }
 
-/// Aberrations, lists of neighbours, and where the outermost ones are listed.
-pub fn aberrations(scene: &RayScene) -> (Vec<PackedAberration>, Vec<u32>, PackedWays) {
-    let space = &scene.aberrations;
-    let mut neighbours = Vec::new();
-    let mut packed: Vec<_> = space
+/// By which rule light goes through aberrations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// That of `antipode-deformation`.
+    Exact,
+    /// The thesis's, for all of them.
+    Thesis,
+    /// As if they were not stretched: coordinates of the scene.
+    Plain,
+}
+
+impl Rule {
+    /// All, by number.
+    pub const ALL: [Self; 3] = [Self::Exact, Self::Thesis, Self::Plain];
+
+    /// An aberration as it is by this rule.
+    fn of(self, placed: &Placed) -> Placed {
+        let mut placed = placed.clone();
+        let it = &mut placed.aberration;
+        match (self, it.sides) {
+            (Self::Exact, _) | (Self::Thesis, Sides::Legacy(_)) => {}
+            // The thesis has no walls that are made by themselves.
+            (Self::Thesis, _) => it.sides = Sides::Legacy(Exit::Original),
+            (Self::Plain, sides) => {
+                placed.squeeze = DMat3::IDENTITY;
+                placed.legacy = DVec3::ZERO;
+                if sides != Sides::Walls {
+                    it.sides = Sides::Soft;
+                }
+            }
+        }
+        placed
+    }
+}
+
+/// All aberrations by a rule.
+pub fn aberrations(scene: &RayScene, rule: Rule) -> Vec<PackedAberration> {
+    let mut first = 0;
+    let mut packed: Vec<_> = scene
+        .aberrations
         .placed()
         .iter()
         .enumerate()
         .map(|(number, placed)| {
-            let first = neighbours.len() as u32;
-            neighbours.extend(placed.neighbours.iter().map(|number| u32::from(*number)));
-            let wall = scene
-                .wall_materials
-                .get(number)
-                .copied()
-                .unwrap_or(WALL_DEFAULT);
+            let own = scene.wall_materials.get(number);
+            let wall = own.copied().unwrap_or(WALL_DEFAULT);
             let is_outlined = scene.outlined.get(number).copied().unwrap_or(false);
-            pack(
-                placed,
-                first,
-                wall.min(scene.materials.len().saturating_sub(1)),
-                is_outlined,
-            )
+            let wall = wall.min(scene.materials.len().saturating_sub(1));
+            let packed = pack(&rule.of(placed), first, wall, is_outlined);
+            first += packed.count;
+            if rule == Rule::Plain {
+                // Its walls stay, and are told by how it was stretched.
+                return PackedAberration {
+                    stretch: Vec3::ONE,
+                    ..packed
+                };
+            }
+            packed
         })
         .collect();
     packed.resize(MAX_ABERRATIONS, PackedAberration::zeroed());
+    packed
+}
+
+/// Lists of neighbours, and where the outermost ones are listed.
+pub fn neighbours(scene: &RayScene) -> (Vec<u32>, PackedWays) {
+    let space = &scene.aberrations;
+    let of_each = space.placed().iter().flat_map(|placed| &placed.neighbours);
+    let mut neighbours: Vec<_> = of_each.map(|number| u32::from(*number)).collect();
     let outermost = space.entrances(&Stack::default());
     let ways = PackedWays {
         outermost: neighbours.len() as u32,
         outermost_count: outermost.len() as u32,
-        has_solids: 0,
+        root: NOTHING,
         room: 0,
         low: Vec4::ZERO,
         high: Vec4::ZERO,
@@ -98,7 +143,7 @@ pub fn aberrations(scene: &RayScene) -> (Vec<PackedAberration>, Vec<u32>, Packed
     neighbours.extend(outermost.iter().map(|number| u32::from(*number)));
     // A buffer may not be empty.
     neighbours.push(0);
-    (packed, neighbours, ways)
+    (neighbours, ways)
 }
 
 fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAberration {

@@ -5,6 +5,8 @@
 //!
 //! There is no window, no file and no adapter here.
 
+mod camera;
+mod figure;
 mod light;
 mod looks;
 mod pick;
@@ -15,6 +17,7 @@ mod solids;
 pub mod tuning;
 mod walk;
 
+pub use figure::RoomFigure;
 pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;
 pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe};

@@ -1,6 +1,7 @@
 //! What is under the crosshair, found by the path that light and walkers take.
 
 use antipode_deformation::{End, Event, EventKind, Traveller, What, trace};
+use antipode_rays::Eye;
 use serde::Serialize;
 
 use crate::scene::RoomScene;
@@ -31,11 +32,11 @@ pub struct PickEvent {
 impl RoomScene {
     /// What the crosshair is on.
     pub fn pick(&self) -> Pick {
-        let eye = self.walker.eye_place(&self.space, self.up());
+        let Eye { place, front, .. } = self.eye();
         let path = trace(
             &self.space,
-            &eye,
-            self.look.front(),
+            &place,
+            front,
             PICK_M,
             &self.solids,
             &Traveller::Body,
@@ -48,7 +49,7 @@ impl RoomScene {
             End::Spent | End::TooManyEvents => None,
         };
         let corners = path.events.iter().map(|event| event.point);
-        let mut from = eye.point;
+        let mut from = place.point;
         let scene = corners.chain([path.place.point]).fold(0.0, |sum, to| {
             let piece = from.distance(to);
             from = to;

@@ -3,16 +3,16 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antipode_rays::{Eye, Instance, Material, Mesh, Pattern, RayScene};
+use antipode_rays::{Instance, Material, Mesh, Pattern, RayScene};
 use antipode_rooms::mesh::{Look, Shape, SolidMesh};
 use antipode_rooms::{Colour, What, poses};
-use glam::{Affine3A, DAffine3, DVec3, Vec2, Vec3};
+use glam::{Affine3A, DAffine3, Vec2, Vec3};
 use image::RgbaImage;
 
 use crate::light::{fog_m, lamps, sky, sun};
 use crate::looks::{Pictures, of_model, of_surface};
 use crate::scene::RoomScene;
-use crate::tuning::{FOV_Y_RAD, SIGN_BRIGHTNESS};
+use crate::tuning::SIGN_BRIGHTNESS;
 
 /// How far what is written on a board lies before it, metres: boards are 4 cm thick.
 const BEFORE_BOARD_M: f32 = 0.022;
@@ -29,12 +29,6 @@ pub struct SignBoard {
 }
 
 impl RoomScene {
-    /// The eye of who walks.
-    pub fn eye(&self) -> Eye {
-        let place = self.walker.eye_place(&self.space, self.up());
-        Eye::looking(place, self.look.front(), DVec3::Y, FOV_Y_RAD)
-    }
-
     /// What pictures are drawn of; `write` makes the picture of what stands on a board.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! An open room: what is worked out of it, and who is in it.
 
+use antipode_frame::motion::Motion;
 use antipode_deformation::{Space, Triangles, Walker};
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
@@ -29,6 +30,8 @@ pub struct RoomScene {
     pub(crate) walker: Walker,
     pub(crate) look: Look,
     pub(crate) time_s: f64,
+    pub(crate) motion: Motion,
+    pub(crate) third_person: bool,
     revision: u64,
 }
 
@@ -48,6 +51,8 @@ impl RoomScene {
             walker: Walker::new(antipode_deformation::Place::default(), SHAPE),
             look: Look::default(),
             time_s: 0.0,
+            motion: Motion::default(),
+            third_person: false,
             revision: 0,
         };
         scene.work_out()?;

@@ -62,7 +62,7 @@ impl Look {
     }
 
     /// What is ahead and to the right along the ground, each of length 1; `up` is across the ground.
-    fn level(&self, up: DVec3) -> (DVec3, DVec3) {
+    pub(crate) fn level(&self, up: DVec3) -> (DVec3, DVec3) {
         let ahead = direction(DVec2::new(self.degrees().x, 0.0));
         let ahead = ahead
             .reject_from_normalized(up)
@@ -87,10 +87,12 @@ impl RoomScene {
             let falls = self.walker.body.velocity.dot(up);
             self.walker.body.velocity += up * (JUMP_SPEED_M_S - falls);
         }
+        let falls_m_s = -self.walker.body.velocity.dot(up);
         self.walker
             .step(&self.space, &self.solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
+        self.hold_figure(falls_m_s);
         let away = self.walker.body.place.point.abs();
         if !away.cmple(DVec3::splat(LOST_M)).all() {
             self.begin_anew();

@@ -9,7 +9,7 @@ use crate::camera::CameraMode;
 use crate::car::{doors, drive};
 use crate::damage::{DamageKind, fall_damage};
 use crate::lens::Lens;
-use crate::motion::Doing;
+use antipode_frame::motion::Doing;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::player::{self, Appearance, Body, Look, Player, Position};

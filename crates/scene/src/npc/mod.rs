@@ -27,7 +27,7 @@ use crate::bot::{self, Bot};
 use crate::drops::Drop;
 use crate::fixture::{self, Fixture};
 use crate::inventory::Stack;
-use crate::motion::Doing;
+use antipode_frame::motion::Doing;
 use crate::outbox::Outbox;
 use crate::player::{self, Body, Player};
 use crate::situation::Situation;
