@@ -32,7 +32,7 @@ struct Ended {
 
 fn path_from(x: vec3<f32>, w: vec3<f32>, stack: vec4<u32>, depth: u32, is_light: bool) -> Path {
     var path = Path(x, w, w, squeeze_of(stack, depth, w, is_light), stack, depth, is_light);
-    if is_light {
+    if HAS_LEGACY && is_light {
         for (var at = 0u; at < depth; at++) {
             let number = stack_get(stack, at);
             if space.boxes[number].sides == SIDES_LEGACY && is_felt(number, w) {

@@ -164,6 +164,7 @@ impl Studio {
         let options = antipode_rays::Options {
             bounces,
             samples: self.options.samples,
+            ..antipode_rays::Options::default()
         };
         let pictures = match &mut self.rooms {
             Some(pictures) => pictures,

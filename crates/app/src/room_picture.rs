@@ -9,6 +9,7 @@ use image::RgbaImage;
 
 use crate::failure::Failure;
 use crate::overlay::Overlay;
+use crate::room_figures::RoomFigures;
 
 /// Pixels across the writing of a sign.
 const SIGN_PX: u32 = 1024;
@@ -20,7 +21,15 @@ pub struct RoomPictures {
     tonemap: Tonemap,
     picture: Picture,
     /// What was drawn last, with what tells it from others.
-    loaded: Option<((u64, u64), RayScene, Loaded)>,
+    loaded: Option<Drawn>,
+}
+
+#[derive(Debug)]
+struct Drawn {
+    look: (u64, u64),
+    scene: RayScene,
+    loaded: Loaded,
+    figures: RoomFigures,
 }
 
 impl RoomPictures {
@@ -49,13 +58,26 @@ impl RoomPictures {
         (room, look): (&RoomScene, (u64, u64)),
         options: &antipode_rays::Options,
     ) -> Result<RgbaImage, Failure> {
-        if self.loaded.as_ref().is_none_or(|(id, ..)| *id != look) {
-            let scene = room.ray_scene(|board| write_sign(gpu, overlay, board))?;
+        if self.loaded.as_ref().is_none_or(|it| it.look != look) {
+            let mut scene = room.ray_scene(|board| write_sign(gpu, overlay, board))?;
+            let figures = RoomFigures::add_to(&mut scene)?;
             let loaded = self.rays.upload(&gpu.device, &gpu.queue, &scene)?;
-            self.loaded = Some((look, scene, loaded));
+            self.loaded = Some(Drawn {
+                look,
+                scene,
+                loaded,
+                figures,
+            });
         }
         let mut encoder = gpu.encoder();
-        if let Some((_, scene, loaded)) = &self.loaded {
+        if let Some(drawn) = &mut self.loaded {
+            let Drawn {
+                scene,
+                loaded,
+                figures,
+                ..
+            } = drawn;
+            figures.show(gpu, loaded, room)?;
             self.rays.draw(
                 (&gpu.device, &gpu.queue),
                 &mut encoder,

@@ -48,7 +48,10 @@ impl Baked {
                 whole.push(first..listed.len());
             }
         }
-        let boxes: Vec<_> = listed.iter().map(|(.., corners)| bounds(*corners)).collect();
+        let boxes: Vec<_> = listed
+            .iter()
+            .map(|(.., corners)| bounds(*corners))
+            .collect();
         let (tree, order, starts, ends) = if sorted {
             by_triangles(&boxes)
         } else {
@@ -158,7 +161,12 @@ impl Movable {
     }
 
     /// With its corners elsewhere.
-    pub fn posed(&mut self, number: usize, places: &[Vec3], normals: &[Vec3]) -> Result<Baked, RaysError> {
+    pub fn posed(
+        &mut self,
+        number: usize,
+        places: &[Vec3],
+        normals: &[Vec3],
+    ) -> Result<Baked, RaysError> {
         let corners = self.mesh.positions.len();
         let lengths = |what| Err(RaysError::Lengths { mesh: number, what });
         if places.len() != corners {
@@ -198,5 +206,7 @@ impl Movable {
 
 fn boxes(mesh: &Mesh, places: &[Vec3]) -> Vec<(Vec3, Vec3)> {
     let numbers = 0..mesh.triangles.len() as u32;
-    numbers.map(|one| bounds(mesh.corners(one, places))).collect()
+    numbers
+        .map(|one| bounds(mesh.corners(one, places)))
+        .collect()
 }

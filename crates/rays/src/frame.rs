@@ -65,7 +65,11 @@ pub fn frame(
         None => (DVec3::Y, Vec4::ZERO),
     };
     let shining = scene.lamps.len().min(MAX_LAMPS);
-    let outlines = if options.outlines { scene.outline.strength } else { 0.0 };
+    let outlines = if options.outlines {
+        scene.outline.strength
+    } else {
+        0.0
+    };
     let mut lamps = [PackedLamp::default(); MAX_LAMPS];
     for (packed, lamp) in lamps.iter_mut().zip(&scene.lamps) {
         *packed = pack_lamp(lamp);
@@ -86,7 +90,12 @@ pub fn frame(
         outline: scene.outline.colour.extend(outlines),
         stack: stack(&eye.place.stack),
         size: [size.0, size.1, options.bounces, options.samples.clamp(1, 4)],
-        counts: [eye.place.stack.len() as u32, shining as u32, columns.start, columns.end],
+        counts: [
+            eye.place.stack.len() as u32,
+            shining as u32,
+            columns.start,
+            columns.end,
+        ],
         marks: [line, 0, 0, 0],
         lamps,
     }

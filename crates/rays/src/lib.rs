@@ -32,7 +32,7 @@ pub use picture::{Picture, Pixel, Seen};
 pub use prober::{Answer, Outcome, ProbeRay, Prober};
 pub use rays::{Options, Rays, View};
 pub use scene::{
-    Eye, Instance, Lamp, MAX_LAMPS, Material, Mover, Outline, Pattern, RayScene, Sky, Sun, TextureImage,
-    WALL_DEFAULT,
+    Eye, Instance, Lamp, MAX_LAMPS, Material, Mover, Outline, Pattern, RayScene, Sky, Sun,
+    TextureImage, WALL_DEFAULT,
 };
 pub use shaders::{PICTURE, PROBE};

@@ -7,7 +7,7 @@ use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 use crate::baked::{Baked, Movable};
 use crate::error::RaysError;
 use crate::mesh::TRIANGLE_TEXELS;
-use crate::packed::{PackedWays, Rule, aberrations, material};
+use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
 use crate::scene::{Mover, RayScene};
 use crate::texels::{ROW, Texels};
 use crate::textures;
@@ -23,6 +23,7 @@ pub struct Loaded {
     pub(crate) instances: Texels,
     pub(crate) neighbours: Buffer,
     spaces: [Buffer; Rule::ALL.len()],
+    kinds: [Kinds; Rule::ALL.len()],
     pub(crate) ways: Buffer,
     pub(crate) materials: Buffer,
     pub(crate) attributes: Buffer,
@@ -46,7 +47,10 @@ impl Loaded {
         sorted: bool,
     ) -> Result<Self, RaysError> {
         let (parts, movables) = bake_all(scene, sorted)?;
-        let placed = movables.iter().zip(&parts[1..]).map(|it| placed(it.0, it.1));
+        let placed = movables
+            .iter()
+            .zip(&parts[1..])
+            .map(|it| placed(it.0, it.1));
         let placed = placed.collect();
         let (neighbours, ways) = crate::packed::neighbours(scene);
         let materials: Vec<_> = scene
@@ -65,7 +69,11 @@ impl Loaded {
         let instances = movers_at + MOST_MOVERS * INSTANCE_TEXELS;
         let sum = |of: fn(&Baked) -> usize| parts.iter().map(of).sum::<usize>();
         let nodes = MOST_MOVERS + sum(|part| part.nodes.len());
-        let attributes: Vec<_> = parts.iter().flat_map(|it| &it.attributes).copied().collect();
+        let attributes: Vec<_> = parts
+            .iter()
+            .flat_map(|it| &it.attributes)
+            .copied()
+            .collect();
         let mut loaded = Self {
             nodes: Texels::new(device, "nodes", NODE_TEXELS * nodes)?,
             triangles: Texels::new(device, "triangles", sum(|part| part.triangles.len()))?,
@@ -73,6 +81,7 @@ impl Loaded {
             attributes: filled(device, queue, "attributes", &attributes, storage)?,
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
             spaces: [exact?, thesis?, plain?],
+            kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
             ways: filled(device, queue, "ways", &[ways], uniform)?,
             materials: filled(device, queue, "materials", &materials, storage)?,
             textures: textures::upload(device, queue, &scene.textures)?,
@@ -146,7 +155,8 @@ impl Loaded {
         let (node, triangle) = movable.bases;
         let texel = TRIANGLE_TEXELS * triangle as usize;
         self.placed[number] = placed(movable, &baked);
-        self.nodes.write(queue, NODE_TEXELS * node as usize, &baked.nodes);
+        self.nodes
+            .write(queue, NODE_TEXELS * node as usize, &baked.nodes);
         self.triangles.write(queue, texel, &baked.triangles);
         queue.write_buffer(
             &self.attributes,
@@ -155,6 +165,11 @@ impl Loaded {
         );
         self.shown = None;
         Ok(())
+    }
+
+    /// What kinds of sides there are by a rule.
+    pub(crate) fn kinds(&self, rule: Rule) -> Kinds {
+        self.kinds[rule as usize]
     }
 
     /// The aberrations by a rule.

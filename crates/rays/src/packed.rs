@@ -1,11 +1,13 @@
 //! Aberrations and materials as the shaders have them.
 
-use antipode_deformation::{Exit, MAX_ABERRATIONS, PictureCorners, Placed, Sides, Stack, Ways};
+use antipode_deformation::{
+    Exit, MAX_ABERRATIONS, PictureCorners, Placed, Sides, Space, Stack, Ways,
+};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
-use crate::tree::NOTHING;
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
+use crate::tree::NOTHING;
 
 /// An aberration, as space.wgsl has it.
 #[repr(C)]
@@ -26,6 +28,7 @@ pub struct PackedAberration {
     rank: u32,
     wall_material: u32,
     room: [u32; 3],
+    heading: Vec4,
 }
 
 /// What a path needs to know of a scene besides its solids, as trace.wgsl has it.
@@ -94,6 +97,39 @@ impl Rule {
             }
         }
         placed
+    }
+}
+
+/// Sides that shaders are told of beforehand: whether there are boxes of *snell* and of *legacy*.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Kinds {
+    pub snell: bool,
+    pub legacy: bool,
+}
+
+impl Kinds {
+    /// Of a space by a rule.
+    pub fn of(space: &Space, rule: Rule) -> Self {
+        let mut kinds = Self::default();
+        for placed in space.placed() {
+            let sides = rule.of(placed).aberration.sides;
+            kinds.snell |= sides == Sides::Snell;
+            kinds.legacy |= matches!(sides, Sides::Legacy(_));
+        }
+        kinds
+    }
+
+    /// A number below 4.
+    pub fn number(self) -> usize {
+        usize::from(self.snell) + 2 * usize::from(self.legacy)
+    }
+
+    /// What the shaders' constants are set to.
+    pub fn constants(self) -> [(&'static str, f64); 2] {
+        [
+            ("HAS_SNELL", f64::from(u8::from(self.snell))),
+            ("HAS_LEGACY", f64::from(u8::from(self.legacy))),
+        ]
     }
 }
 
@@ -167,9 +203,9 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
             },
         ),
     };
-    let way = match aberration.ways {
-        Ways::Both => 0,
-        Ways::Along(axis) => u32::from(axis) + 1,
+    let heading = match aberration.ways {
+        Ways::Both => Vec4::W,
+        Ways::Along(axis) => axis_of(placed, axis).extend(0.0),
     };
     let row = |k: &DMat3, i: usize| k.row(i).as_vec3();
     PackedAberration {
@@ -183,12 +219,17 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
         squeeze_z: row(&placed.squeeze, 2),
         count: placed.neighbours.len() as u32,
         legacy: placed.legacy.as_vec3(),
-        flags: exit | (way << 4) | (u32::from(is_outlined) << 8),
+        flags: exit | (u32::from(is_outlined) << 8),
         stretch: aberration.stretch.as_vec3(),
         rank: placed.rank as u32,
         wall_material: wall as u32,
         room: [0; 3],
+        heading,
     }
+}
+
+fn axis_of(placed: &Placed, axis: u8) -> Vec3 {
+    placed.axes.col(usize::from(axis)).as_vec3()
 }
 
 /// A stack as the shaders have it: a byte for each box.

@@ -1,6 +1,7 @@
 //! The pass that draws a picture.
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use wgpu::{
     BindGroup, BindGroupLayout, BindingType, Buffer, BufferBindingType, CommandEncoder,
@@ -10,7 +11,7 @@ use wgpu::{
 use crate::error::RaysError;
 use crate::frame::{Frame, corners, frame};
 use crate::loaded::Loaded;
-use crate::packed::Rule;
+use crate::packed::{Kinds, Rule};
 use crate::picture::{LIGHT_FORMAT, Picture, SEEN_FORMAT};
 use crate::scene::{Eye, RayScene};
 use crate::shaders::{PICTURE, compile};
@@ -59,7 +60,8 @@ impl Default for Options {
 /// What draws pictures of scenes.
 #[derive(Debug)]
 pub struct Rays {
-    pipeline: ComputePipeline,
+    /// By the number of what kinds of sides there are; compiled when they are asked for.
+    pipelines: [OnceLock<ComputePipeline>; 4],
     scene_layout: BindGroupLayout,
     picture_layout: BindGroupLayout,
     /// One for each part of a picture.
@@ -76,15 +78,8 @@ impl Rays {
         accepted(device, || {
             let scene_layout = scene_layout(device);
             let picture_layout = picture_layout(device);
-            let pipeline = pipeline(
-                device,
-                "rays",
-                &PICTURE,
-                "draw",
-                &[&scene_layout, &picture_layout],
-            );
-            Self {
-                pipeline,
+            let rays = Self {
+                pipelines: Default::default(),
                 scene_layout,
                 picture_layout,
                 frames: [(); 2].map(|()| {
@@ -104,7 +99,16 @@ impl Rays {
                     mipmap_filter: wgpu::MipmapFilterMode::Linear,
                     ..Default::default()
                 }),
-            }
+            };
+            rays.pipeline(device, Kinds::default());
+            rays
+        })
+    }
+
+    fn pipeline(&self, device: &Device, kinds: Kinds) -> &ComputePipeline {
+        self.pipelines[kinds.number()].get_or_init(|| {
+            let layouts = [&self.scene_layout, &self.picture_layout];
+            pipeline(device, ("rays", &PICTURE, "draw"), &layouts, kinds)
         })
     }
 
@@ -118,6 +122,9 @@ impl Rays {
         queue: &Queue,
         scene: &RayScene,
     ) -> Result<Loaded, RaysError> {
+        accepted(device, || {
+            self.pipeline(device, Kinds::of(&scene.aberrations, Rule::Exact));
+        })?;
         Loaded::new(device, queue, scene, true)
     }
 
@@ -157,8 +164,8 @@ impl Rays {
             label: Some("rays"),
             timestamp_writes: None,
         });
-        pass.set_pipeline(&self.pipeline);
         for ((rule, columns), buffer) in parts.into_iter().zip(&self.frames) {
+            pass.set_pipeline(self.pipeline(device, loaded.kinds(rule)));
             let groups = (columns.end - columns.start).div_ceil(GROUP);
             let uniform = frame(scene, eye, picture.size, options, (columns, line));
             queue.write_buffer(buffer, 0, bytemuck::bytes_of(&uniform));
@@ -222,13 +229,12 @@ pub fn accepted<T>(device: &Device, make: impl FnOnce() -> T) -> Result<T, RaysE
     }
 }
 
-/// A compute pipeline of one entry.
+/// A compute pipeline of one entry, for scenes with these kinds of sides.
 pub fn pipeline(
     device: &Device,
-    label: &str,
-    files: &[&str],
-    entry: &str,
+    (label, files, entry): (&str, &[&str], &str),
     layouts: &[&BindGroupLayout],
+    kinds: Kinds,
 ) -> ComputePipeline {
     let module = compile(device, label, files);
     let groups: Vec<_> = layouts.iter().map(|layout| Some(*layout)).collect();
@@ -242,7 +248,10 @@ pub fn pipeline(
         layout: Some(&layout),
         module: &module,
         entry_point: Some(entry),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        compilation_options: wgpu::PipelineCompilationOptions {
+            constants: &kinds.constants(),
+            ..Default::default()
+        },
         cache: None,
     })
 }

@@ -89,7 +89,9 @@ impl Tree {
             };
             if count == 0 {
                 let children = &self.nodes[first..first + 2];
-                children.iter().for_each(|child| grow(child.low, child.high));
+                children
+                    .iter()
+                    .for_each(|child| grow(child.low, child.high));
             } else {
                 for number in &self.order[first..first + count as usize] {
                     let (low, high) = boxes[*number as usize];
@@ -157,15 +159,19 @@ mod tests {
     }
 
     fn place(number: u32) -> (Vec3, Vec3) {
-        let low = Vec3::new((number * 37 % 101) as f32, (number % 7) as f32, number as f32);
+        let low = Vec3::new(
+            (number * 37 % 101) as f32,
+            (number % 7) as f32,
+            number as f32,
+        );
         (low, low + Vec3::ONE)
     }
 
     #[test]
     fn every_box_is_reached_through_boxes_that_hold_it() {
         let moved: Vec<_> = (0..100).map(place).collect();
-        let flat: Vec<_> = (0..100).map(|n| (Vec3::splat(n as f32), Vec3::splat(n as f32 + 0.5)));
-        let mut refitted = Tree::new(&flat.collect::<Vec<_>>(), 1);
+        let along = (0..100).map(|n| (Vec3::splat(n as f32), Vec3::splat(n as f32 + 0.5)));
+        let mut refitted = Tree::new(&along.collect::<Vec<_>>(), 1);
         refitted.refit(&moved);
         for tree in [Tree::new(&moved, 1), refitted] {
             let (root, nodes) = tree.packed(0, |first| TRIANGLES + first);
@@ -180,7 +186,10 @@ mod tests {
     fn few_boxes_need_no_nodes() {
         assert_eq!(Tree::new(&[], 1).packed(5, |first| first).0, NOTHING);
         let one = Tree::new(&[place(3)], 4);
-        assert_eq!(one.packed(5, |first| TRIANGLES + first), (TRIANGLES, vec![]));
+        assert_eq!(
+            one.packed(5, |first| TRIANGLES + first),
+            (TRIANGLES, vec![])
+        );
         assert!(one.ends().eq([0]));
     }
 }

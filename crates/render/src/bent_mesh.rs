@@ -42,7 +42,12 @@ impl BentMesh {
     pub fn new(model: ModelId) -> Result<Self, RenderError> {
         let loaded = models::load(model)?;
         let shape = &loaded.shape;
-        let corners: Vec<u32> = shape.solid.iter().chain(&shape.clear).map(|it| u32::from(*it)).collect();
+        let corners: Vec<u32> = shape
+            .solid
+            .iter()
+            .chain(&shape.clear)
+            .map(|it| u32::from(*it))
+            .collect();
         let triangles = corners.as_chunks::<3>().0.to_vec();
         Ok(Self { loaded, triangles })
     }
@@ -79,7 +84,9 @@ impl BentMesh {
             }
             let by = |v: Vec4| Vec3::from_array(rows.map(|row| row.dot(v)));
             corners.places.push(by(place.extend(1.0)));
-            corners.normals.push(by(normal.extend(0.0)).normalize_or(Vec3::Y));
+            corners
+                .normals
+                .push(by(normal.extend(0.0)).normalize_or(Vec3::Y));
         }
         corners
     }
@@ -126,14 +133,25 @@ mod tests {
     fn the_astronaut_stands_runs_and_lies_on_the_ground() {
         let mesh = BentMesh::new(ModelId::Astronaut).unwrap();
         let (low, high) = limits(&mesh.corners(&Posture::of(Clip::Idle, 0.0)));
-        assert!(low.y.abs() < 0.03 && (high.y - 1.8).abs() < 0.05, "{low} {high}");
+        assert!(
+            low.y.abs() < 0.03 && (high.y - 1.8).abs() < 0.05,
+            "{low} {high}"
+        );
         let wide = high - low;
         let (low, high) = limits(&mesh.corners(&Posture::of(Clip::Run, 0.25)));
-        assert!(high.x - low.x > 1.4 * wide.x, "legs and arms apart: {low} {high}");
+        assert!(
+            high.x - low.x > 1.4 * wide.x,
+            "legs and arms apart: {low} {high}"
+        );
         let lies = limits(&mesh.corners(&Posture::of(Clip::Die, 9.0)));
         assert!(lies.1.y < 0.9, "{lies:?}");
         let corners = mesh.corners(&Posture::default());
-        assert!(corners.normals.iter().all(|it| (it.length() - 1.0).abs() < 1e-4));
+        assert!(
+            corners
+                .normals
+                .iter()
+                .all(|it| (it.length() - 1.0).abs() < 1e-4)
+        );
     }
 
     #[test]
@@ -145,7 +163,10 @@ mod tests {
             assert!((*most as usize) < corners.places.len(), "{model:?}");
             let surfaces = mesh.surfaces();
             assert_eq!(surfaces.len(), mesh.triangles().len());
-            assert!(surfaces.iter().any(|it| it.colour.max_element() > 0.05), "{model:?}");
+            assert!(
+                surfaces.iter().any(|it| it.colour.max_element() > 0.05),
+                "{model:?}"
+            );
         }
         let lamp = BentMesh::new(ModelId::Item(antipode_items::Item::Lamp)).unwrap();
         assert!(lamp.surfaces().iter().any(|it| it.glow > 0.3));

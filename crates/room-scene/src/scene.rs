@@ -1,7 +1,7 @@
 //! An open room: what is worked out of it, and who is in it.
 
-use antipode_frame::motion::Motion;
 use antipode_deformation::{Space, Triangles, Walker};
+use antipode_frame::motion::Motion;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
 use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space};

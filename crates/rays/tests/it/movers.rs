@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_deformation::{
-    End, Place, Sides, Space, Traveller, Triangle, Triangles, What, trace,
-};
+use antipode_deformation::{End, Place, Sides, Space, Traveller, Triangle, Triangles, What, trace};
 use antipode_rays::{Loaded, Material, Mover, Options, Outcome, ProbeRay, Prober, RayScene, Seen};
 use antipode_testing::rooms;
 use fastrand::Rng;
@@ -64,7 +62,9 @@ fn rays_meet_movers_where_the_reference_has_them() {
     for round in 0..3 {
         if round == 1 {
             for triangle in &mut shapes[1] {
-                triangle.corners = triangle.corners.map(|it| it + DVec3::new(0.0, it.x * it.x, 0.5));
+                triangle.corners = triangle
+                    .corners
+                    .map(|it| it + DVec3::new(0.0, it.x * it.x, 0.5));
             }
             let places = mesh(&shapes[1]).positions;
             loaded.pose(&gpu.queue, 1, &places, &[]).unwrap();
@@ -72,7 +72,8 @@ fn rays_meet_movers_where_the_reference_has_them() {
         let mut all = resting.clone();
         let movers: Vec<_> = (0..30_u32)
             .map(|number| {
-                let squeeze = Mat3A::from_diagonal(Vec3::new(1.0, 0.5 + rng.f32(), 2.0 * rng.f32() + 0.1));
+                let squeeze =
+                    Mat3A::from_diagonal(Vec3::new(1.0, 0.5 + rng.f32(), 2.0 * rng.f32() + 0.1));
                 let pose = Affine3A {
                     matrix3: Mat3A::from_quat(Quat::from_rotation_y(7.0 * rng.f32())) * squeeze,
                     translation: rooms::point(&mut rng).as_vec3a(),
@@ -91,11 +92,15 @@ fn rays_meet_movers_where_the_reference_has_them() {
                 longest: 60.0,
             })
             .collect();
-        let answers = prober.trace(&gpu.device, &gpu.queue, &loaded, &rays).unwrap();
+        let answers = prober
+            .trace(&gpu.device, &gpu.queue, &loaded, &rays)
+            .unwrap();
         for (ray, answer) in rays.iter().zip(&answers) {
             let path = trace(&space, &ray.start, ray.w, 60.0, &solids, &Traveller::Body);
             let End::Hit(hit) = path.end else { continue };
-            let What::Object(object, _) = hit.what else { continue };
+            let What::Object(object, _) = hit.what else {
+                continue;
+            };
             hits += u32::from(object >= 1000);
             let same = matches!(answer.outcome, Outcome::Object(it, _) if it == object);
             let near = (f64::from(answer.length) - path.length).abs() < 1e-3 * path.length.max(1.0);
@@ -150,18 +155,31 @@ fn what_moves_looks_as_what_stays() {
     let mut moving = resting.clone();
     moving.movables = vec![moving.meshes[1].clone()];
     moving.instances.truncate(1);
-    let eye = looking(&resting, DVec3::new(-2.0, 2.5, 6.0), DVec3::new(0.0, 0.5, -2.0));
+    let eye = looking(
+        &resting,
+        DVec3::new(-2.0, 2.5, 6.0),
+        DVec3::new(0.0, 0.5, -2.0),
+    );
     let (light, seen) = shown(gpu, &resting, &eye);
     let mut on_adapter = loaded(gpu, &moving);
     let movers = [mover(0, turned, 1)];
-    let (other, also) = draw_with(gpu, (&moving, &mut on_adapter), &movers, &eye, Options::default());
+    let (other, also) = draw_with(
+        gpu,
+        (&moving, &mut on_adapter),
+        &movers,
+        &eye,
+        Options::default(),
+    );
     assert!(seen.iter().filter(|it| it.seen == Seen::Object(1)).count() > 30);
     let apart = seen.iter().zip(&also);
     let apart = apart.filter(|(a, b)| a.seen != b.seen || (a.length_m - b.length_m).abs() > 1e-3);
     assert!(apart.count() <= 1);
     let differ = light.iter().zip(&other);
     let differ = differ.filter(|(a, b)| (0..3).any(|i| (a[i] - b[i]).abs() > 0.02));
-    assert!(differ.count() <= 4, "pixels at the edges of squares and shadows");
+    assert!(
+        differ.count() <= 4,
+        "pixels at the edges of squares and shadows"
+    );
 }
 
 #[test]
@@ -199,7 +217,10 @@ fn who_looks_sees_themselves_in_mirrors_only() {
     };
     let (light, what) = seen(true);
     assert_eq!(what, Seen::Object(0), "the mirror");
-    assert!(light[0] > 0.8 && light[1] < 0.05, "in it oneself: {light:?}");
+    assert!(
+        light[0] > 0.8 && light[1] < 0.05,
+        "in it oneself: {light:?}"
+    );
     assert_eq!(seen(false).1, Seen::Object(9));
 }
 
@@ -212,7 +233,13 @@ fn faulty_movers_are_refused_in_words() {
     let mut refusal = |movers: &[Mover]| loaded.show(&gpu.queue, movers).unwrap_err().to_string();
     let one = mover(0, Affine3A::IDENTITY, 5);
     assert!(refusal(&[Mover { mesh: 1, ..one }]).contains("Object 5 is of a mesh"));
-    assert!(refusal(&[Mover { materials: 7, ..one }]).contains("a material that the room lacks"));
+    assert!(
+        refusal(&[Mover {
+            materials: 7,
+            ..one
+        }])
+        .contains("a material that the room lacks")
+    );
     let flat = Affine3A::from_scale(Vec3::new(1.0, 0.0, 1.0));
     assert!(refusal(&[Mover { pose: flat, ..one }]).contains("has no size"));
     assert!(refusal(&vec![one; 600]).contains("600 things that move"));

@@ -7,7 +7,7 @@ use antipode_rays::{Lamp, RayScene, Seen, Sun};
 use antipode_testing::rooms;
 use glam::{DQuat, DVec3, Vec3};
 
-use crate::common::{Gpu, Light, SIZE, looking, mesh, middle, scene_of, shown, standing};
+use crate::common::{Gpu, Light, looking, mesh, middle, scene_of, shown, standing};
 
 pub fn boxed(stretch: DVec3, sides: Sides) -> Aberration {
     Aberration {

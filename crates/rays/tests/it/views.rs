@@ -8,7 +8,9 @@ use crate::common::{Gpu, Light, SIZE, draw, looking, shown};
 use crate::pictures::{boxed, greatest_gap, yard};
 
 fn column(light: &Light, x: u32) -> Vec<[f32; 3]> {
-    (0..SIZE.1).map(|y| light[(y * SIZE.0 + x) as usize]).collect()
+    (0..SIZE.1)
+        .map(|y| light[(y * SIZE.0 + x) as usize])
+        .collect()
 }
 
 #[test]
@@ -21,7 +23,11 @@ fn each_way_to_look_shows_its_own_rule() {
         scene
     };
     let scene = with(Sides::Soft);
-    let eye = looking(&scene, DVec3::new(-2.0, 2.5, 6.0), DVec3::new(0.0, 0.5, -2.0));
+    let eye = looking(
+        &scene,
+        DVec3::new(-2.0, 2.5, 6.0),
+        DVec3::new(0.0, 0.5, -2.0),
+    );
     let by = |view| {
         let options = Options {
             view,
@@ -44,7 +50,10 @@ fn each_way_to_look_shows_its_own_rule() {
             std::cmp::Ordering::Less => &thesis.0,
             std::cmp::Ordering::Greater => &exact.0,
             std::cmp::Ordering::Equal => {
-                assert!(column(&split, x).iter().flatten().all(|it| *it > 1.0), "the line");
+                assert!(
+                    column(&split, x).iter().flatten().all(|it| *it > 1.0),
+                    "the line"
+                );
                 continue;
             }
         };
@@ -57,7 +66,11 @@ fn walls_of_a_tunnel_are_seen_in_coordinates_of_the_scene_and_not_by_the_thesis_
     let Some(gpu) = Gpu::shared() else { return };
     let mut scene = yard();
     scene.aberrations = Space::new(vec![boxed(DVec3::new(1.0, 1.0, 3.0), Sides::Walls)]).unwrap();
-    let eye = looking(&scene, DVec3::new(-8.0, 3.5, 6.0), DVec3::new(0.0, 0.5, -1.0));
+    let eye = looking(
+        &scene,
+        DVec3::new(-8.0, 3.5, 6.0),
+        DVec3::new(0.0, 0.5, -1.0),
+    );
     let walls = |view| {
         let options = Options {
             view,
@@ -67,7 +80,11 @@ fn walls_of_a_tunnel_are_seen_in_coordinates_of_the_scene_and_not_by_the_thesis_
         seen.iter().filter(|it| it.seen == Seen::Wall(0)).count()
     };
     assert!(walls(View::Exact) > 50);
-    assert_eq!(walls(View::Plain), walls(View::Exact), "from outside they look alike");
+    assert_eq!(
+        walls(View::Plain),
+        walls(View::Exact),
+        "from outside they look alike"
+    );
     assert_eq!(walls(View::Thesis), 0);
 }
 
@@ -76,7 +93,11 @@ fn outlines_have_a_switch_for_all() {
     let Some(gpu) = Gpu::shared() else { return };
     let mut scene = yard();
     scene.aberrations = Space::new(vec![boxed(DVec3::ONE, Sides::Soft)]).unwrap();
-    let eye = looking(&scene, DVec3::new(-6.0, 4.0, 8.0), DVec3::new(0.0, 0.5, -1.0));
+    let eye = looking(
+        &scene,
+        DVec3::new(-6.0, 4.0, 8.0),
+        DVec3::new(0.0, 0.5, -1.0),
+    );
     let without = shown(gpu, &scene, &eye).0;
     scene.outlined = vec![true];
     let with = |outlines| {
