@@ -26,7 +26,8 @@ struct Frame {
     outline: vec4<f32>,     // colour of the outlines of boxes
     stack: vec4<u32>,
     size: vec4<u32>,        // pixels; mirrors and panes in a row; samples a pixel
-    counts: vec4<u32>,      // depth of the eye's stack; lamps
+    counts: vec4<u32>,      // depth of the eye's stack; lamps; columns from and to which are drawn
+    marks: vec4<u32>,       // column that is a line; rows from and to which are drawn
     lamps: array<Lamp, 8>,
 }
 
@@ -39,7 +40,7 @@ struct Material {
 
 @group(1) @binding(0) var<uniform> frame: Frame;
 @group(1) @binding(1) var<storage, read> materials: array<Material>;
-// Three for each triangle: its normals and material; the corners' uv.
+// Three for each triangle: its normals and material; the corners' uv, how long one metre is in it, and its colour.
 @group(1) @binding(2) var<storage, read> attributes: array<vec4<u32>>;
 @group(1) @binding(3) var textures: texture_2d_array<f32>;
 @group(1) @binding(4) var texture_sampler: sampler;

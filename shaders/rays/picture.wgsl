@@ -2,6 +2,8 @@
 
 // Light below this share is not looked for.
 const FAINT: f32 = 0.004;
+// Light of the line between the halves of a picture.
+const LINE: vec3<f32> = vec3<f32>(1.2, 1.2, 1.2);
 
 // A surface as it looks where it is hit.
 struct Surface {
@@ -57,9 +59,15 @@ fn object_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     let path = (*ended).path;
     let instance = found.instance;
     let v = path.k * path.w;
-    let to_mesh = transpose(mat3x3<f32>(instances[instance].row_x.xyz, instances[instance].row_y.xyz, instances[instance].row_z.xyz));
-    let ab = triangles[3u * found.triangle + 1u].xyz;
-    let ac = triangles[3u * found.triangle + 2u].xyz;
+    let rows = to_mesh_of(instance);
+    let to_mesh = transpose(mat3x3<f32>(rows[0].xyz, rows[1].xyz, rows[2].xyz));
+    let about = instance_part(instance, 3u);
+    // What stays has its triangles in the scene.
+    let moves = (about.w & MOVES) != 0u;
+    let one = bitcast<vec3<f32>>(triangle_part(found.triangle, 1u).xyz);
+    let other = bitcast<vec3<f32>>(triangle_part(found.triangle, 2u).xyz);
+    let ab = select(to_mesh * one, one, moves);
+    let ac = select(to_mesh * other, other, moves);
     var flat = normalize(normalize(cross(ab, ac)) * to_mesh);
     let turned = dot(flat, v) > 0.0;
     flat = select(flat, -flat, turned);
@@ -76,15 +84,16 @@ fn object_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     let last = bitcast<vec4<f32>>(attributes[3u * found.triangle + 2u]);
     let uv = share.x * first.xy + share.y * first.zw + share.z * last.xy;
     let uv_for_metre = last.z;
-    let at = vec3<f32>(dot(instances[instance].row_x, vec4<f32>(path.x, 1.0)), dot(instances[instance].row_y, vec4<f32>(path.x, 1.0)), dot(instances[instance].row_z, vec4<f32>(path.x, 1.0)));
-    let scale = instances[instance].scale.xyz;
+    let tint = unpack4x8unorm(bitcast<u32>(last.w)).rgb;
+    let at = vec4<f32>(path.x, 1.0) * rows;
+    let scale = bitcast<vec3<f32>>(instance_part(instance, 4u).xyz);
     let flat_felt = abs(dot(normalize(flat * path.k), path.w));
     let width = cone_in_scene(path.k, felt_width) / max(flat_felt, 0.04);
     let in_mesh = abs_matrix(to_mesh) * width * scale;
-    let material = instances[instance].materials + packed.w;
+    let material = about.z + packed.w;
     let mesh_n = select(1.0, -1.0, turned) * cross(ab, ac);
     let colour = colour_of(material, at * scale, normalize(mesh_n), uv, in_mesh, uv_for_metre * greatest(in_mesh / scale));
-    return Surface(colour, n, flat, material);
+    return Surface(colour * tint * tint, n, flat, material);
 }
 
 fn abs_matrix(m: mat3x3<f32>) -> mat3x3<f32> {
@@ -140,7 +149,7 @@ fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) ->
                 let k = squeeze_of(frame.lamps[light - 1u].stack, frame.lamps[light - 1u].depth, aim.w, false);
                 longest = max(longest - radius / length(k * aim.w), 0.0);
             }
-            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false), longest, true, 0.0);
+            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false), longest, true, false, 0.0);
             if ended.end != END_SPENT {
                 continue;
             }
@@ -195,12 +204,13 @@ fn see(direction: vec3<f32>) -> Seen {
     var in_glass = false;
     var path = path_from(frame.eye.xyz, direction, frame.stack, frame.counts.x, true);
     for (var bounce = 0u; bounce <= frame.size.z; bounce++) {
-        var ended = trace(path, frame.front.w - far, false, select(0.0, frame.eye.w, bounce == 0u));
+        var ended = trace(path, frame.front.w - far, false, bounce == 0u, frame.eye.w);
         path = ended.path;
+        let before = far;
         far += ended.length;
-        if bounce == 0u && ended.outline >= 0.0 {
-            let strength = frame.outline.w * (1.0 - fog_share(ended.outline, frame.zenith.w));
-            seen.light += strength * frame.outline.rgb;
+        if ended.outline >= 0.0 {
+            let strength = frame.outline.w * (1.0 - fog_share(before + ended.outline, frame.zenith.w));
+            seen.light += left * strength * frame.outline.rgb;
             left *= 1.0 - strength;
         }
         if ended.end == END_SPENT || ended.end == END_TOO_MANY {
@@ -211,7 +221,7 @@ fn see(direction: vec3<f32>) -> Seen {
         var what = 0x80000000u + ended.wall;
         if ended.end == END_OBJECT {
             surface = object_surface(&ended, frame.eye.w * far);
-            what = 1u + instances[ended.found.instance].object;
+            what = 1u + instance_part(ended.found.instance, 3u).y;
         } else {
             surface = wall_surface(&ended, frame.eye.w * far);
         }
@@ -262,8 +272,9 @@ fn see(direction: vec3<f32>) -> Seen {
 }
 
 @compute @workgroup_size(8, 8)
-fn draw(@builtin(global_invocation_id) id: vec3<u32>) {
-    if any(id.xy >= frame.size.xy) {
+fn draw(@builtin(global_invocation_id) invocation: vec3<u32>) {
+    let id = invocation.xy + vec2<u32>(frame.counts.z, frame.marks.y);
+    if id.x >= frame.counts.w || id.y >= min(frame.marks.z, frame.size.y) {
         return;
     }
     var light = vec3<f32>(0.0);
@@ -272,13 +283,14 @@ fn draw(@builtin(global_invocation_id) id: vec3<u32>) {
         // Of one sample the middle; of several a turned square's corners.
         let angle = 0.4636 + 1.5707963 * f32(sample);
         let offset = select(vec2<f32>(0.0), 0.3953 * vec2<f32>(cos(angle), sin(angle)), frame.size.w > 1u);
-        let place = 2.0 * (vec2<f32>(id.xy) + 0.5 + offset) / vec2<f32>(frame.size.xy) - 1.0;
+        let place = 2.0 * (vec2<f32>(id) + 0.5 + offset) / vec2<f32>(frame.size.xy) - 1.0;
         let seen = see(normalize(frame.front.xyz + place.x * frame.right.xyz - place.y * frame.up.xyz));
         light += seen.light;
         if sample == 0u {
             first = seen;
         }
     }
-    textureStore(light_out, id.xy, vec4<f32>(light / f32(frame.size.w), 1.0));
-    textureStore(seen_out, id.xy, vec4<u32>(first.what, bitcast<u32>(first.length), 0u, 0u));
+    light = select(light / f32(frame.size.w), LINE, id.x == frame.marks.x);
+    textureStore(light_out, id, vec4<f32>(light, 1.0));
+    textureStore(seen_out, id, vec4<u32>(first.what, bitcast<u32>(first.length), 0u, 0u));
 }

@@ -22,10 +22,10 @@ fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let ray = rays[id.x];
-    let ended = trace(path_from(ray.x.xyz, ray.w.xyz, ray.stack, u32(ray.w.w), false), ray.x.w, false, 0.0);
+    let ended = trace(path_from(ray.x.xyz, ray.w.xyz, ray.stack, u32(ray.w.w), false), ray.x.w, false, false, 0.0);
     var what = vec2<u32>(ended.wall, ended.axis);
     if ended.end == END_OBJECT {
-        what = vec2<u32>(instances[ended.found.instance].object, bitcast<u32>(triangles[3u * ended.found.triangle].w));
+        what = vec2<u32>(instance_part(ended.found.instance, 3u).y, triangle_part(ended.found.triangle, 0u).w);
     }
     answers[id.x] = Answer(
         vec4<f32>(ended.path.x, ended.length),

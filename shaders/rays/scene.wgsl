@@ -1,33 +1,31 @@
-// The solids of a scene: two levels of a hierarchy of boxes, one of each mesh and one of the instances of meshes.
+// The solids of a scene: a hierarchy of boxes over all that stays, one for each mesh that moves, and one over all of these.
 // Follows space.wgsl.
+//
+// What is read at each step lies in textures: software adapters read them many lanes at a time, and buffers lane after lane.
+// They also run both branches of every `if`, so that what is seldom needed stands in a loop further out.
 
 const NOTHING: u32 = 0xffffffffu;
+// What is waiting below all that belongs to the instance that a path is in.
+const LEFT_INSTANCE: u32 = 0xfffffffeu;
+// What a child is: another node, triangles from that one on, or an instance.
+const TRIANGLES: u32 = 0x40000000u;
+const INSTANCE: u32 = 0x80000000u;
 // Levels of both hierarchies together: each has 40 at most and as many more as halving what is left takes (bvh.rs).
-const WAITING_ROOM: u32 = 96u;
+const WAITING_ROOM: u32 = 98u;
+// Flags of instances.
+const MOVES: u32 = 1u;
+const UNSEEN_BY_EYE: u32 = 2u;
+// Texels of a row of the lists: 2 to the power of this.
+const ROW_BITS: u32 = 11u;
 
-// A box of the hierarchies. Those of instances come first, so that the root of all is node 0.
-struct Node {
-    low: vec3<f32>,
-    first: u32,     // the first of two children, or of `count` triangles, or an instance
-    high: vec3<f32>,
-    count: u32,     // 0 where it has children
-}
-
-struct Instance {
-    row_x: vec4<f32>,   // from the scene to the mesh's coordinates
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    root: u32,
-    object: u32,
-    materials: u32,     // added to the mesh's materials
-    room: u32,
-    scale: vec4<f32>,   // metres of the scene for one along each axis of the mesh
-}
-
-@group(0) @binding(2) var<storage, read> nodes: array<Node>;
-// Three for each triangle: a corner, and the two edges from there; w of the first is its number in its mesh.
-@group(0) @binding(3) var<storage, read> triangles: array<vec4<f32>>;
-@group(0) @binding(4) var<storage, read> instances: array<Instance>;
+// Four for each node: the corners of the boxes of its children; w of the first two: what they are.
+@group(0) @binding(2) var nodes: texture_2d<u32>;
+// Three for each triangle: a corner, and the two edges from there; w: its number in its mesh, 1 for the last one of a leaf,
+// and the instance of what stays.
+@group(0) @binding(3) var triangles: texture_2d<u32>;
+// Eight for each instance: rows from the scene to the mesh's coordinates; root, object, materials and flags; metres of the
+// scene for one along each axis of the mesh.
+@group(0) @binding(4) var instances: texture_2d<u32>;
 
 // What a straight path has met.
 struct Found {
@@ -37,88 +35,125 @@ struct Found {
     along: vec2<f32>,   // shares of the second and third corner
 }
 
+fn texel(number: u32) -> vec2<u32> {
+    return vec2<u32>(number & ((1u << ROW_BITS) - 1u), number >> ROW_BITS);
+}
+
+fn triangle_part(triangle: u32, part: u32) -> vec4<u32> {
+    return textureLoad(triangles, texel(3u * triangle + part), 0);
+}
+
+fn instance_part(instance: u32, part: u32) -> vec4<u32> {
+    return textureLoad(instances, texel(8u * instance + part), 0);
+}
+
+// From the scene to an instance's coordinates: to be multiplied from the left by a place with a fourth coordinate of 1.
+fn to_mesh_of(instance: u32) -> mat3x4<f32> {
+    return mat3x4<f32>(bitcast<vec4<f32>>(instance_part(instance, 0u)), bitcast<vec4<f32>>(instance_part(instance, 1u)), bitcast<vec4<f32>>(instance_part(instance, 2u)));
+}
+
 fn inverse_pace(v: vec3<f32>) -> vec3<f32> {
     return signs(v) / max(abs(v), vec3<f32>(1.0e-20));
 }
 
 // When a path is in a box: from x to y. Rounding may not lose what lies in a face.
-fn in_box(low: vec3<f32>, high: vec3<f32>, x: vec3<f32>, pace: vec3<f32>) -> vec2<f32> {
-    let a = (low - x) * pace;
-    let b = (high - x) * pace;
-    return vec2<f32>(greatest(min(a, b)), -greatest(-max(a, b)) * 1.0000006);
+fn in_box(low: vec3<u32>, high: vec3<u32>, x: vec3<f32>, pace: vec3<f32>, ahead: vec3<bool>) -> vec2<f32> {
+    let enters = (bitcast<vec3<f32>>(select(high, low, ahead)) - x) * pace;
+    let leaves = (bitcast<vec3<f32>>(select(low, high, ahead)) - x) * pace;
+    return vec2<f32>(max(enters.x, max(enters.y, enters.z)), min(leaves.x, min(leaves.y, leaves.z)) * 1.0000006);
 }
 
-// What the path x + t v meets first for 0 <= t <= longest; or anything that it meets, where `any` will do.
-fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, any_will_do: bool) -> Found {
+// What the path x + t v meets first for 0 <= t <= longest; or anything that it meets, where `any_will_do`. Light of the eye
+// passes what it does not see.
+fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do: bool, of_eye: bool) -> Found {
     var found = Found(longest, NOTHING, 0u, vec2<f32>(0.0));
     var waiting: array<u32, WAITING_ROOM>;
-    var count = 0u;
-    var floor = NOTHING;        // of the waiting ones that belong to the mesh that is looked at; none in the upper level
+    waiting[0] = NOTHING;
+    var count = 1u;
     var instance = 0u;
     var o = x;
     var d = v;
     var pace = inverse_pace(v);
-    var number = 0u;
+    var ahead = v >= vec3<f32>(0.0);
+    var at = root;
     loop {
-        let first = nodes[number].first;
-        let held = nodes[number].count;
-        var is_next = false;
-        if held == 0u {
-            let near = in_box(nodes[first].low, nodes[first].high, o, pace);
-            let other = in_box(nodes[first + 1u].low, nodes[first + 1u].high, o, pace);
-            let meets = near.x <= near.y && near.y >= 0.0 && near.x <= found.time;
-            let meets_other = other.x <= other.y && other.y >= 0.0 && other.x <= found.time;
-            let other_is_nearer = other.x < near.x;
-            if meets && meets_other {
-                waiting[count] = first + select(1u, 0u, other_is_nearer);
-                count += 1u;
-                number = first + select(0u, 1u, other_is_nearer);
-                is_next = true;
-            } else if meets || meets_other {
-                number = first + select(1u, 0u, meets);
-                is_next = true;
+        loop {
+            // Down to triangles, or whatever is no node.
+            loop {
+                if at >= TRIANGLES {
+                    break;
+                }
+                let place = texel(4u * at);
+                let low = textureLoad(nodes, place, 0);
+                let high = textureLoad(nodes, place + vec2<u32>(1u, 0u), 0);
+                let other_low = textureLoad(nodes, place + vec2<u32>(2u, 0u), 0);
+                let other_high = textureLoad(nodes, place + vec2<u32>(3u, 0u), 0);
+                let one = in_box(low.xyz, high.xyz, o, pace, ahead);
+                let other = in_box(other_low.xyz, other_high.xyz, o, pace, ahead);
+                let meets = one.x <= one.y && one.y >= 0.0 && one.x <= found.time;
+                let meets_other = other.x <= other.y && other.y >= 0.0 && other.x <= found.time;
+                let other_first = meets_other && (other.x < one.x || !meets);
+                if meets && meets_other {
+                    waiting[count] = select(high.w, low.w, other_first);
+                    count += 1u;
+                }
+                at = select(low.w, high.w, other_first);
+                if !meets && !meets_other {
+                    count -= 1u;
+                    at = waiting[count];
+                }
             }
-        } else if floor == NOTHING {
-            instance = first;
-            o = vec3<f32>(dot(instances[first].row_x, vec4<f32>(x, 1.0)), dot(instances[first].row_y, vec4<f32>(x, 1.0)), dot(instances[first].row_z, vec4<f32>(x, 1.0)));
-            d = vec3<f32>(dot(instances[first].row_x.xyz, v), dot(instances[first].row_y.xyz, v), dot(instances[first].row_z.xyz, v));
-            pace = inverse_pace(d);
-            floor = count;
-            number = instances[first].root;
-            is_next = true;
-        } else {
-            for (var triangle = first; triangle < first + held; triangle++) {
-                let corner = triangles[3u * triangle].xyz;
-                let ab = triangles[3u * triangle + 1u].xyz;
-                let ac = triangles[3u * triangle + 2u].xyz;
+            if at >= INSTANCE {
+                break;
+            }
+            var triangle = at - TRIANGLES;
+            loop {
+                let corner = triangle_part(triangle, 0u);
+                let second = triangle_part(triangle, 1u);
+                let third = triangle_part(triangle, 2u);
+                let ab = bitcast<vec3<f32>>(second.xyz);
+                let ac = bitcast<vec3<f32>>(third.xyz);
                 let across = cross(d, ac);
                 let volume = dot(ab, across);
-                let from_corner = o - corner;
+                let from_corner = o - bitcast<vec3<f32>>(corner.xyz);
                 let one = 1.0 / volume;
                 let b = dot(from_corner, across) * one;
                 let turned = cross(from_corner, ab);
                 let c = dot(d, turned) * one;
                 let time = dot(ac, turned) * one;
                 if volume != 0.0 && b >= 0.0 && c >= 0.0 && b + c <= 1.0 && time >= 0.0 && time <= found.time {
-                    found = Found(time, instance, triangle, vec2<f32>(b, c));
+                    found = Found(time, instance + third.w, triangle, vec2<f32>(b, c));
                 }
+                if second.w != 0u {
+                    break;
+                }
+                triangle += 1u;
             }
             if any_will_do && found.instance != NOTHING {
-                break;
-            }
-        }
-        if !is_next {
-            if count == floor {
-                floor = NOTHING;
-                o = x;
-                d = v;
-                pace = inverse_pace(v);
-            }
-            if count == 0u {
-                break;
+                count = 1u;
             }
             count -= 1u;
-            number = waiting[count];
+            at = waiting[count];
+        }
+        if at == NOTHING {
+            break;
+        }
+        let enters = at != LEFT_INSTANCE;
+        instance = select(0u, at - INSTANCE, enters);
+        let to_mesh = to_mesh_of(instance);
+        let about = instance_part(instance, 3u);
+        o = select(x, vec4<f32>(x, 1.0) * to_mesh, enters);
+        d = select(v, vec4<f32>(v, 0.0) * to_mesh, enters);
+        pace = inverse_pace(d);
+        ahead = d >= vec3<f32>(0.0);
+        if enters {
+            waiting[count] = LEFT_INSTANCE;
+            count += 1u;
+            at = about.x;
+        }
+        if !enters || (of_eye && (about.w & UNSEEN_BY_EYE) != 0u) {
+            count -= 1u;
+            at = waiting[count];
         }
     }
     return found;

@@ -28,14 +28,19 @@ struct Aberration {
     squeeze_z: vec3<f32>,
     count: u32,             // of them
     legacy: vec3<f32>,      // d = 1/s - 1
-    flags: u32,             // exit rule; bits 4 and 5: axis + 1 along which alone it is felt; bit 8: outlined
+    flags: u32,             // exit rule; bit 8: outlined
     stretch: vec3<f32>,
     rank: u32,
     wall_material: u32,
     room_x: u32,
     room_y: u32,
     room_z: u32,
+    heading: vec4<f32>,     // the direction with which one must go to feel it, or 0; w: 1 where it is felt whichever way
 }
+
+// Whether there are boxes of those sides: what is not there takes no time.
+override HAS_SNELL: bool = true;
+override HAS_LEGACY: bool = true;
 
 struct Spaces {
     boxes: array<Aberration, 256>,
@@ -121,13 +126,8 @@ fn half_of(number: u32) -> vec3<f32> {
 
 // Whether a box is felt by who goes in felt direction w.
 fn is_felt(number: u32, w: vec3<f32>) -> bool {
-    let axis = (space.boxes[number].flags >> 4u) & 3u;
-    switch axis {
-        case 1u: { return dot(space.boxes[number].x_axis, w) > 0.0; }
-        case 2u: { return dot(space.boxes[number].y_axis, w) > 0.0; }
-        case 3u: { return dot(space.boxes[number].z_axis, w) > 0.0; }
-        default: { return true; }
-    }
+    let heading = space.boxes[number].heading;
+    return dot(heading.xyz, w) + heading.w > 0.0;
 }
 
 // The product of the K of all boxes of a stack, the innermost to the left.
@@ -138,7 +138,7 @@ fn squeeze_of(stack: vec4<u32>, depth: u32, w: vec3<f32>, is_light: bool) -> mat
         if !is_felt(number, w) {
             continue;
         }
-        if space.boxes[number].sides == SIDES_LEGACY {
+        if HAS_LEGACY && space.boxes[number].sides == SIDES_LEGACY {
             if !is_light {
                 let s = vec3<f32>(1.0) + space.boxes[number].legacy;
                 k = mat3x3<f32>(s * k[0], s * k[1], s * k[2]);
@@ -253,7 +253,7 @@ fn cross_face(path: ptr<function, Path>, number: u32, axis: u32, enters: bool, c
         stack_pop(path, number);
     }
     let sides = space.boxes[number].sides;
-    if sides == SIDES_LEGACY && before.is_light && is_felt(number, before.unbent) {
+    if HAS_LEGACY && sides == SIDES_LEGACY && before.is_light && is_felt(number, before.unbent) {
         let d = space.boxes[number].legacy;
         let exit = space.boxes[number].flags & 15u;
         if enters {
@@ -266,7 +266,7 @@ fn cross_face(path: ptr<function, Path>, number: u32, axis: u32, enters: bool, c
         }
     }
     (*path).k = squeeze_of((*path).stack, (*path).depth, (*path).w, before.is_light);
-    if sides == SIDES_SNELL {
+    if HAS_SNELL && sides == SIDES_SNELL {
         let n = axis_of(number, axis);
         let m = n * (*path).k;
         let p = before.w * inverse_of(before.k);

@@ -11,7 +11,7 @@ const END_TOO_MANY: u32 = 3u;
 struct Ways {
     outermost: u32,     // where in `neighbours` the boxes begin that can be entered from outside of all
     outermost_count: u32,
-    has_solids: u32,
+    root: u32,          // of the hierarchy of all solids, or NOTHING
     room: u32,
     corners: Corners,
 }
@@ -32,7 +32,7 @@ struct Ended {
 
 fn path_from(x: vec3<f32>, w: vec3<f32>, stack: vec4<u32>, depth: u32, is_light: bool) -> Path {
     var path = Path(x, w, w, squeeze_of(stack, depth, w, is_light), stack, depth, is_light);
-    if is_light {
+    if HAS_LEGACY && is_light {
         for (var at = 0u; at < depth; at++) {
             let number = stack_get(stack, at);
             if space.boxes[number].sides == SIDES_LEGACY && is_felt(number, w) {
@@ -94,23 +94,21 @@ fn is_at_edge(number: u32, axis: u32, x: vec3<f32>, width: f32) -> bool {
 }
 
 // Goes on for at most `longest` felt metres. Outlines of boxes are told where a pixel is `width` felt metres wide for each
-// metre; none for 0.
-fn trace(start: Path, longest: f32, any_will_do: bool, width: f32) -> Ended {
+// metre; none for 0. Light of the eye passes what it does not see.
+fn trace(start: Path, longest: f32, any_will_do: bool, of_eye: bool, width: f32) -> Ended {
     var ended = Ended(start, END_TOO_MANY, 0.0, Found(0.0, NOTHING, 0u, vec2<f32>(0.0)), 0u, 0u, 0u, -1.0);
     var path = start;
     for (var event = 0u; event < MAX_EVENTS; event++) {
         let v = path.k * path.w;
         let next = next_event(&path, v, max(longest - ended.length, 0.0));
-        if ways.has_solids != 0u {
-            let beyond = ROUNDING * (1.0 + greatest(abs(path.x))) * inverseSqrt(max(dot(v, v), 1.0e-30));
-            let found = scene_first(path.x, v, next.time + beyond, any_will_do);
-            if found.instance != NOTHING {
-                path.x += found.time * v;
-                ended.length += found.time;
-                ended.end = END_OBJECT;
-                ended.found = found;
-                break;
-            }
+        let beyond = ROUNDING * (1.0 + greatest(abs(path.x))) * inverseSqrt(max(dot(v, v), 1.0e-30));
+        let found = scene_first(path.x, v, next.time + beyond, ways.root, any_will_do, of_eye);
+        if found.instance != NOTHING {
+            path.x += found.time * v;
+            ended.length += found.time;
+            ended.end = END_OBJECT;
+            ended.found = found;
+            break;
         }
         path.x += next.time * v;
         ended.length += next.time;

@@ -67,3 +67,12 @@ room-ahead = { $felt } m
 room-ahead-bent = { $felt } m zu Fuß, { $scene } m von außen
 room-smaller = Du bist hier { $times }-mal kleiner als draußen
 room-larger = Du bist hier { $times }-mal größer als draußen
+room-keys = { $look }: anders hinsehen · { $camera }: von hinten · { $gun }: schießen · { $lamp }: Lampe hinstellen oder aufheben · { $ball }: Ball werfen
+# The ways to look at a room, and what differs in the middle of the picture.
+room-look-split = Links nach der Regel der Arbeit, rechts genau
+room-look-thesis = Nach der Regel der Arbeit
+room-look-plain = Wie auf dem Plan: nichts ist gedehnt oder gebogen
+room-half-thesis = Arbeit
+room-half-exact = genau
+room-differs = In der Mitte sieht man { $exact } weit und nach der Arbeit { $thesis }, wo das Licht um { $bent }° gebogen ankommt.
+room-sky = den Himmel

@@ -74,3 +74,12 @@ room-ahead = { $felt } m
 room-ahead-bent = { $felt } m on foot, { $scene } m from outside
 room-smaller = You are { $times } times smaller here than outside
 room-larger = You are { $times } times larger here than outside
+room-keys = { $look }: another way to look · { $camera }: from behind · { $gun }: shoot · { $lamp }: put a lamp down or take it up · { $ball }: throw a ball
+# The ways to look at a room, and what differs in the middle of the picture.
+room-look-split = Left by the rule of the thesis, right exactly
+room-look-thesis = By the rule of the thesis
+room-look-plain = As on the plan: nothing is stretched or bent
+room-half-thesis = thesis
+room-half-exact = exact
+room-differs = In the middle one sees { $exact } far, and by the thesis { $thesis }, where light arrives bent by { $bent }°.
+room-sky = the sky

@@ -67,3 +67,12 @@ room-ahead = { $felt } m
 room-ahead-bent = { $felt } m a pie, { $scene } m desde fuera
 room-smaller = Aquí eres { $times } veces más pequeño que fuera
 room-larger = Aquí eres { $times } veces más grande que fuera
+room-keys = { $look }: mirar de otro modo · { $camera }: desde atrás · { $gun }: disparar · { $lamp }: poner o recoger una lámpara · { $ball }: lanzar una pelota
+# The ways to look at a room, and what differs in the middle of the picture.
+room-look-split = A la izquierda según la tesis, a la derecha exacto
+room-look-thesis = Según la regla de la tesis
+room-look-plain = Como en el plano: nada está estirado ni doblado
+room-half-thesis = tesis
+room-half-exact = exacto
+room-differs = En el centro se ve { $exact } y según la tesis { $thesis }, adonde la luz llega doblada { $bent }°.
+room-sky = el cielo

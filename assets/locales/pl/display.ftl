@@ -73,3 +73,12 @@ room-ahead = { $felt } m
 room-ahead-bent = { $felt } m pieszo, { $scene } m z zewnątrz
 room-smaller = Jesteś tu { $times } razy mniejszy niż na zewnątrz
 room-larger = Jesteś tu { $times } razy większy niż na zewnątrz
+room-keys = { $look }: patrz inaczej · { $camera }: z tyłu · { $gun }: strzelaj · { $lamp }: postaw lub podnieś lampę · { $ball }: rzuć piłkę
+# The ways to look at a room, and what differs in the middle of the picture.
+room-look-split = Po lewej według pracy, po prawej dokładnie
+room-look-thesis = Według reguły pracy
+room-look-plain = Jak na planie: nic nie jest rozciągnięte ani zgięte
+room-half-thesis = praca
+room-half-exact = dokładnie
+room-differs = Pośrodku widać na { $exact }, a według pracy na { $thesis }, dokąd światło dociera zgięte o { $bent }°.
+room-sky = niebo

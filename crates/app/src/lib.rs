@@ -27,7 +27,7 @@ pub mod overlay;
 pub mod pad;
 pub mod perf;
 pub mod picture;
-pub mod room_hud;
+pub mod room_figures;
 pub mod room_picture;
 pub mod rooms;
 pub mod rooms_command;

@@ -159,15 +159,17 @@ impl Studio {
         &mut self,
         room: &RoomScene,
         id: (u64, u64),
-        bounces: u32,
+        (options, bounces): (antipode_rays::Options, u32),
     ) -> Result<RgbaImage, Failure> {
+        let options = antipode_rays::Options {
+            bounces,
+            samples: self.options.samples,
+            ..options
+        };
         let view = RoomView {
             id,
-            eye: room.eye(),
-            options: antipode_rays::Options {
-                bounces,
-                samples: self.options.samples,
-            },
+            moment: room.now(),
+            options,
         };
         let pictures = match &mut self.rooms {
             Some(pictures) => pictures,

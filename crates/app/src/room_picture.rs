@@ -1,14 +1,17 @@
 //! Pictures of rooms: rays into the light of a picture, the tone map of worlds after it, and the writing on signs.
 
-use antipode_rays::{Eye, Loaded, Picture, RayScene, Rays};
+use std::ops::Range;
+
+use antipode_rays::{Loaded, Picture, RayScene, Rays};
 use antipode_render::{Gpu, Offscreen, Options, Shaders, Tonemap};
-use antipode_room_scene::{RoomScene, SignBoard};
+use antipode_room_scene::{Moment, RoomScene, SignBoard};
 use antipode_rooms::Colour;
 use egui::{Align2, Color32, FontId, LayerId, Pos2, Rect, Vec2};
 use image::RgbaImage;
 
 use crate::failure::Failure;
 use crate::overlay::Overlay;
+use crate::room_figures::RoomFigures;
 
 /// The format of the writing on signs.
 const SIGN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -27,6 +30,18 @@ pub struct RoomPainter {
 pub struct Drawable {
     scene: RayScene,
     loaded: Loaded,
+    figures: RoomFigures,
+}
+
+impl Drawable {
+    /// The pictures that follow are of this moment.
+    ///
+    /// # Errors
+    /// As [`RoomFigures::show`].
+    pub fn set(&mut self, gpu: &Gpu, moment: &Moment) -> Result<(), Failure> {
+        self.scene.lamps.clone_from(&moment.lamps);
+        self.figures.show(gpu, &mut self.loaded, moment)
+    }
 }
 
 impl RoomPainter {
@@ -47,31 +62,37 @@ impl RoomPainter {
     /// When the room is too large for the adapter, or that fails.
     pub fn drawable(&self, gpu: &Gpu, room: &RoomScene) -> Result<Drawable, Failure> {
         let mut overlay = Overlay::new(gpu, SIGN_FORMAT);
-        let scene = room.ray_scene(|board| write_sign(gpu, &mut overlay, board))?;
+        let mut scene = room.ray_scene(|board| write_sign(gpu, &mut overlay, board))?;
+        let figures = RoomFigures::add_to(&mut scene)?;
         let loaded = self.rays.upload(&gpu.device, &gpu.queue, &scene)?;
-        Ok(Drawable { scene, loaded })
+        self.rays.prepare(&gpu.device, &loaded);
+        Ok(Drawable {
+            scene,
+            loaded,
+            figures,
+        })
     }
 
-    /// Records a picture, and shows it in a target of any size.
-    pub fn draw(
+    /// Records some rows of a picture.
+    pub fn trace(
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
-        (drawable, picture): (&mut Drawable, &Picture),
+        (drawable, picture): (&Drawable, &Picture),
         view: &RoomView,
-        target: &wgpu::TextureView,
+        rows: Range<u32>,
     ) {
-        self.rays.draw(
+        self.rays.draw_rows(
             (&gpu.device, &gpu.queue),
             encoder,
             (&drawable.scene, &drawable.loaded),
-            (&view.eye, picture),
+            (&view.moment.eye, picture),
             view.options,
+            rows,
         );
-        self.show(gpu, encoder, picture, target);
     }
 
-    /// Shows a picture again.
+    /// Shows a picture in a target of any size.
     pub fn show(
         &self,
         gpu: &Gpu,
@@ -85,12 +106,12 @@ impl RoomPainter {
 }
 
 /// What a picture of a room is of.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RoomView {
     /// Tells the room, as it is now, from others.
     pub id: (u64, u64),
-    /// From where.
-    pub eye: Eye,
+    /// The moment.
+    pub moment: Moment,
     /// How it is made.
     pub options: antipode_rays::Options,
 }
@@ -133,9 +154,12 @@ impl RoomPictures {
         }
         let mut encoder = gpu.encoder();
         if let Some((_, drawable)) = &mut self.drawable {
-            let picture = (drawable, &self.picture);
+            drawable.set(gpu, &view.moment)?;
+            let rows = 0..self.picture.size.1;
             self.painter
-                .draw(gpu, &mut encoder, picture, view, target.view());
+                .trace(gpu, &mut encoder, (drawable, &self.picture), view, rows);
+            self.painter
+                .show(gpu, &mut encoder, &self.picture, target.view());
         }
         gpu.queue.submit([encoder.finish()]);
         Ok(target.read(gpu)?)

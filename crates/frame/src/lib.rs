@@ -8,6 +8,7 @@
 mod hit_shapes;
 mod land;
 mod model;
+pub mod motion;
 mod posture;
 mod quality;
 mod view;

@@ -34,6 +34,7 @@ fn main() -> Result<(), Fault> {
     let whole = Options {
         bounces: 4,
         samples: 4,
+        ..Options::default()
     };
     let names: Vec<_> = std::env::args().skip(2).collect();
     for (name, scene, eye) in pictures()? {

@@ -31,6 +31,12 @@ pub enum RaysError {
         /// Which list.
         what: &'static str,
     },
+    /// A shape is given to a mesh that there is not.
+    #[error("There is no mesh {mesh} that may move. Load the model first.")]
+    NoMovable {
+        /// The mesh, among those that may move.
+        mesh: usize,
+    },
     /// An instance names a mesh or a material that there is not, or has no size.
     #[error("Object {object} {what}.")]
     Instance {

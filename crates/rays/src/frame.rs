@@ -1,5 +1,7 @@
 //! What a picture needs to know, as frame.wgsl has it.
 
+use std::ops::Range;
+
 use antipode_deformation::PictureCorners;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec4};
@@ -19,6 +21,17 @@ struct PackedLamp {
     stack: [u32; 4],
     depth: u32,
     room: [u32; 3],
+}
+
+/// A part of a picture.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// From and to which column.
+    pub columns: Range<u32>,
+    /// From and to which row.
+    pub rows: Range<u32>,
+    /// The column that is a line.
+    pub line: u32,
 }
 
 /// The uniform of a picture.
@@ -41,11 +54,12 @@ pub struct Frame {
     stack: [u32; 4],
     size: [u32; 4],
     counts: [u32; 4],
+    marks: [u32; 4],
     lamps: [PackedLamp; MAX_LAMPS],
 }
 
-/// Of a scene's light, an eye, and a picture of `size` pixels.
-pub fn frame(scene: &RayScene, eye: &Eye, size: (u32, u32), options: Options) -> Frame {
+/// Of a scene's light, an eye, and a part of a picture of `size` pixels.
+pub fn frame(scene: &RayScene, eye: &Eye, size: (u32, u32), options: Options, part: Part) -> Frame {
     let half = (0.5 * eye.fov_y_rad).tan();
     let aspect = f64::from(size.0) / f64::from(size.1.max(1));
     let pixel_angle = 2.0 * half / f64::from(size.1.max(1));
@@ -56,6 +70,11 @@ pub fn frame(scene: &RayScene, eye: &Eye, size: (u32, u32), options: Options) ->
         None => (DVec3::Y, Vec4::ZERO),
     };
     let shining = scene.lamps.len().min(MAX_LAMPS);
+    let outlines = if options.outlines {
+        scene.outline.strength
+    } else {
+        0.0
+    };
     let mut lamps = [PackedLamp::default(); MAX_LAMPS];
     for (packed, lamp) in lamps.iter_mut().zip(&scene.lamps) {
         *packed = pack_lamp(lamp);
@@ -73,10 +92,16 @@ pub fn frame(scene: &RayScene, eye: &Eye, size: (u32, u32), options: Options) ->
         ground: sky.ground.extend(0.0),
         ambient_sky: sky.ambient_sky.extend(0.0),
         ambient_ground: sky.ambient_ground.extend(0.0),
-        outline: scene.outline.colour.extend(scene.outline.strength),
+        outline: scene.outline.colour.extend(outlines),
         stack: stack(&eye.place.stack),
         size: [size.0, size.1, options.bounces, options.samples.clamp(1, 4)],
-        counts: [eye.place.stack.len() as u32, shining as u32, 0, 0],
+        counts: [
+            eye.place.stack.len() as u32,
+            shining as u32,
+            part.columns.start,
+            part.columns.end,
+        ],
+        marks: [part.line, part.rows.start, part.rows.end, 0],
         lamps,
     }
 }

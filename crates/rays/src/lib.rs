@@ -9,6 +9,7 @@
 //! Light goes by the rule of `antipode-deformation`, which `shaders/rays` mirrors in `f32`; [`Prober`] traces lists of rays by
 //! the same text, to compare both. Nothing here opens a window or an adapter.
 
+mod baked;
 mod error;
 mod frame;
 mod loaded;
@@ -19,17 +20,19 @@ mod prober;
 mod rays;
 mod scene;
 mod shaders;
+mod texels;
 mod textures;
 mod top;
+mod tree;
 
 pub use error::RaysError;
 pub use loaded::Loaded;
 pub use mesh::Mesh;
 pub use picture::{Picture, Pixel, Seen};
 pub use prober::{Answer, Outcome, ProbeRay, Prober};
-pub use rays::{Options, Rays};
+pub use rays::{Options, Rays, View};
 pub use scene::{
-    Eye, Instance, Lamp, MAX_LAMPS, Material, Outline, Pattern, RayScene, Sky, Sun, TextureImage,
-    WALL_DEFAULT,
+    Eye, Instance, Lamp, MAX_LAMPS, Material, Mover, Outline, Pattern, RayScene, Sky, Sun,
+    TextureImage, WALL_DEFAULT,
 };
 pub use shaders::{PICTURE, PROBE};

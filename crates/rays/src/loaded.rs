@@ -1,35 +1,41 @@
 //! A scene in the adapter's memory.
 
 use bytemuck::{Pod, bytes_of, cast_slice};
+use glam::Vec3;
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
+use crate::baked::{Baked, Movable};
 use crate::error::RaysError;
-use crate::mesh::{Baked, Node, bake};
-use crate::packed::{PackedWays, aberrations, material};
-use crate::scene::{Instance, RayScene};
+use crate::mesh::TRIANGLE_TEXELS;
+use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
+use crate::scene::{Mover, RayScene};
+use crate::texels::{ROW, Texels};
 use crate::textures;
-use crate::top::{Placed, build};
+use crate::top::{INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, build, pack};
+use crate::tree::NODE_TEXELS;
 
-/// Instances that there is room for at first.
-const FEWEST_INSTANCES: usize = 64;
-
-/// A scene in the adapter's memory. Its meshes, materials, pictures and aberrations stay as they are; its instances may move.
+/// A scene in the adapter's memory. What stays, materials, pictures and aberrations are as they were loaded; movers may be
+/// others in every picture, and meshes that may move may change their shape.
 #[derive(Debug)]
 pub struct Loaded {
-    pub(crate) nodes: Buffer,
-    pub(crate) triangles: Buffer,
-    pub(crate) instances: Buffer,
+    pub(crate) nodes: Texels,
+    pub(crate) triangles: Texels,
+    pub(crate) instances: Texels,
     pub(crate) neighbours: Buffer,
-    pub(crate) space: Buffer,
+    spaces: [Buffer; Rule::ALL.len()],
+    kinds: [Kinds; Rule::ALL.len()],
     pub(crate) ways: Buffer,
     pub(crate) materials: Buffer,
     pub(crate) attributes: Buffer,
     pub(crate) textures: TextureView,
     pub(crate) host_ways: PackedWays,
-    meshes: Vec<Placed>,
-    material_count: usize,
-    /// Instances that there is room for; nodes of meshes begin after twice as many.
-    room: usize,
+    movables: Vec<Movable>,
+    placed: Vec<Placed>,
+    resting: Resting,
+    /// Where instances that move begin.
+    movers_at: usize,
+    /// What was shown last; none where meshes have changed since.
+    shown: Option<Vec<Mover>>,
 }
 
 impl Loaded {
@@ -40,19 +46,13 @@ impl Loaded {
         scene: &RayScene,
         sorted: bool,
     ) -> Result<Self, RaysError> {
-        let room = scene
-            .instances
-            .len()
-            .next_power_of_two()
-            .max(FEWEST_INSTANCES);
-        let (baked, meshes) = bake_all(scene, sorted)?;
-        let base = 2 * room;
-        let mut nodes = vec![Node::default(); base];
-        nodes.extend_from_slice(&baked.nodes);
-        for node in &mut nodes[base..] {
-            node.first += if node.count == 0 { base as u32 } else { 0 };
-        }
-        let (boxes, neighbours, ways) = aberrations(scene);
+        let (parts, movables) = bake_all(scene, sorted)?;
+        let placed = movables
+            .iter()
+            .zip(&parts[1..])
+            .map(|it| placed(it.0, it.1));
+        let placed = placed.collect();
+        let (neighbours, ways) = crate::packed::neighbours(scene);
         let materials: Vec<_> = scene
             .materials
             .iter()
@@ -60,79 +60,148 @@ impl Loaded {
             .collect();
         let storage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
-        let instance_bytes = room * size_of::<crate::top::PackedInstance>();
+        let filled_space = |rule| {
+            let label = "aberrations";
+            filled(device, queue, label, &aberrations(scene, rule), uniform)
+        };
+        let [exact, thesis, plain] = Rule::ALL.map(filled_space);
+        let movers_at = (scene.instances.len() * INSTANCE_TEXELS).next_multiple_of(ROW);
+        let instances = movers_at + MOST_MOVERS * INSTANCE_TEXELS;
+        let sum = |of: fn(&Baked) -> usize| parts.iter().map(of).sum::<usize>();
+        let nodes = MOST_MOVERS + sum(|part| part.nodes.len());
+        let attributes: Vec<_> = parts
+            .iter()
+            .flat_map(|it| &it.attributes)
+            .copied()
+            .collect();
         let mut loaded = Self {
-            nodes: filled(device, queue, "nodes", &nodes, storage)?,
-            triangles: filled(device, queue, "triangles", &baked.triangles, storage)?,
-            attributes: filled(device, queue, "attributes", &baked.attributes, storage)?,
-            instances: empty(device, "instances", instance_bytes as u64, storage)?,
+            nodes: Texels::new(device, "nodes", NODE_TEXELS * nodes)?,
+            triangles: Texels::new(device, "triangles", sum(|part| part.triangles.len()))?,
+            instances: Texels::new(device, "instances", instances)?,
+            attributes: filled(device, queue, "attributes", &attributes, storage)?,
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
-            space: filled(device, queue, "aberrations", &boxes, uniform)?,
+            spaces: [exact?, thesis?, plain?],
+            kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
             ways: filled(device, queue, "ways", &[ways], uniform)?,
             materials: filled(device, queue, "materials", &materials, storage)?,
             textures: textures::upload(device, queue, &scene.textures)?,
             host_ways: ways,
-            meshes,
-            material_count: materials.len(),
-            room,
+            resting: Resting {
+                bounds: parts[0].bounds,
+                root: parts[0].root,
+                instances: (movers_at / INSTANCE_TEXELS) as u32,
+                materials: materials.len(),
+            },
+            movables,
+            placed,
+            movers_at,
+            shown: None,
         };
-        loaded.move_instances(queue, &scene.instances)?;
+        let packed: Vec<_> = scene.instances.iter().map(pack).collect();
+        loaded.instances.write(queue, 0, &packed);
+        loaded.write_parts(queue, &parts);
+        loaded.show(queue, &[])?;
         Ok(loaded)
     }
 
-    /// Puts the instances elsewhere, or others in their place: the upper level of the hierarchy is made anew, everything else
-    /// stays. There may be as many as when the scene was loaded, rounded up to a power of two, and 64 at least.
+    fn write_parts(&self, queue: &Queue, parts: &[Baked]) {
+        let (mut node, mut texel) = (MOST_MOVERS, 0);
+        for part in parts {
+            self.nodes.write(queue, NODE_TEXELS * node, &part.nodes);
+            self.triangles.write(queue, texel, &part.triangles);
+            node += part.nodes.len();
+            texel += part.triangles.len();
+        }
+    }
+
+    /// What moves, where it is now: the upper level of the hierarchy is made anew, everything else stays. Nothing is done
+    /// where all is as it was shown last.
     ///
     /// # Errors
-    /// When there are more, or one is of a mesh or material that the scene lacks, or has no size.
-    pub fn move_instances(
+    /// When there are more than 512, or one is of a mesh or material that the scene lacks, or has no size.
+    pub fn show(&mut self, queue: &Queue, movers: &[Mover]) -> Result<(), RaysError> {
+        if self.shown.as_deref() == Some(movers) {
+            return Ok(());
+        }
+        let Top {
+            root,
+            nodes,
+            instances,
+        } = build(movers, &self.placed, &self.resting)?;
+        self.nodes.write(queue, 0, &nodes);
+        self.instances.write(queue, self.movers_at, &instances);
+        self.host_ways.root = root;
+        queue.write_buffer(&self.ways, 0, bytes_of(&self.host_ways));
+        self.shown = Some(movers.to_vec());
+        Ok(())
+    }
+
+    /// Gives a mesh that may move, by its number among these, another shape: the places of its corners, metres of the mesh,
+    /// and their normals. Its hierarchy keeps its leaves. Its movers are as they were until [`Self::show`].
+    ///
+    /// # Errors
+    /// When there is no such mesh, or it has not as many corners.
+    pub fn pose(
         &mut self,
         queue: &Queue,
-        instances: &[Instance],
+        number: usize,
+        places: &[Vec3],
+        normals: &[Vec3],
     ) -> Result<(), RaysError> {
-        if instances.len() > self.room {
-            return Err(RaysError::TooLarge {
-                what: format!("{} objects", instances.len()),
-                most: self.room as u64,
-            });
-        }
-        let base = 2 * self.room as u32;
-        let (nodes, packed) = build(instances, &self.meshes, self.material_count, base)?;
-        self.host_ways.has_solids = u32::from(!packed.is_empty());
-        queue.write_buffer(&self.nodes, 0, cast_slice(&nodes));
-        queue.write_buffer(&self.instances, 0, cast_slice(&packed));
-        queue.write_buffer(&self.ways, 0, bytes_of(&self.host_ways));
+        let Some(movable) = self.movables.get_mut(number) else {
+            return Err(RaysError::NoMovable { mesh: number });
+        };
+        let baked = movable.posed(number, places, normals)?;
+        let (node, triangle) = movable.bases;
+        let texel = TRIANGLE_TEXELS * triangle as usize;
+        self.placed[number] = placed(movable, &baked);
+        self.nodes
+            .write(queue, NODE_TEXELS * node as usize, &baked.nodes);
+        self.triangles.write(queue, texel, &baked.triangles);
+        queue.write_buffer(
+            &self.attributes,
+            (texel * size_of::<[u32; 4]>()) as u64,
+            cast_slice(&baked.attributes),
+        );
+        self.shown = None;
         Ok(())
+    }
+
+    /// What kinds of sides there are by a rule.
+    pub(crate) fn kinds(&self, rule: Rule) -> Kinds {
+        self.kinds[rule as usize]
+    }
+
+    /// The aberrations by a rule.
+    pub(crate) fn space(&self, rule: Rule) -> &Buffer {
+        &self.spaces[rule as usize]
     }
 }
 
-/// All meshes behind each other, and where each is.
-fn bake_all(scene: &RayScene, sorted: bool) -> Result<(Baked, Vec<Placed>), RaysError> {
-    let mut all = Baked::default();
-    let mut placed = Vec::with_capacity(scene.meshes.len());
-    for (number, mesh) in scene.meshes.iter().enumerate() {
-        let baked = bake(mesh, number, sorted)?;
-        let (node_base, triangle_base) = (all.nodes.len() as u32, all.triangles.len() as u32 / 3);
-        placed.push(Placed {
-            low: baked.low,
-            high: baked.high,
-            root: node_base,
-            most_material: (!mesh.triangles.is_empty())
-                .then(|| mesh.materials.iter().copied().max().unwrap_or(0)),
-        });
-        all.nodes.extend(baked.nodes.iter().map(|node| Node {
-            first: node.first
-                + if node.count == 0 {
-                    node_base
-                } else {
-                    triangle_base
-                },
-            ..*node
-        }));
-        all.triangles.extend(baked.triangles);
-        all.attributes.extend(baked.attributes);
+/// What stays, then each mesh that may move, numbered behind each other.
+fn bake_all(scene: &RayScene, sorted: bool) -> Result<(Vec<Baked>, Vec<Movable>), RaysError> {
+    let mut parts = vec![Baked::room(scene, sorted, MOST_MOVERS as u32)?];
+    let mut movables = Vec::with_capacity(scene.movables.len());
+    let mut bases = (
+        MOST_MOVERS + parts[0].nodes.len(),
+        parts[0].triangles.len() / TRIANGLE_TEXELS,
+    );
+    for (number, mesh) in scene.movables.iter().enumerate() {
+        let movable = Movable::new(mesh, number, (bases.0 as u32, bases.1 as u32))?;
+        let (nodes, triangles) = movable.sizes();
+        bases = (bases.0 + nodes, bases.1 + triangles);
+        parts.push(movable.rest());
+        movables.push(movable);
     }
-    Ok((all, placed))
+    Ok((parts, movables))
+}
+
+fn placed(movable: &Movable, baked: &Baked) -> Placed {
+    Placed {
+        bounds: baked.bounds,
+        root: baked.root,
+        most_material: movable.most_material().unwrap_or(0),
+    }
 }
 
 fn filled<T: Pod>(
@@ -143,34 +212,26 @@ fn filled<T: Pod>(
     usage: BufferUsages,
 ) -> Result<Buffer, RaysError> {
     let bytes: &[u8] = cast_slice(contents);
-    let buffer = empty(device, label, bytes.len() as u64, usage)?;
-    if !bytes.is_empty() {
-        queue.write_buffer(&buffer, 0, bytes);
-    }
-    Ok(buffer)
-}
-
-fn empty(
-    device: &Device,
-    label: &'static str,
-    bytes: u64,
-    usage: BufferUsages,
-) -> Result<Buffer, RaysError> {
     let limits = device.limits();
     let most = limits
         .max_buffer_size
         .min(limits.max_storage_buffer_binding_size);
-    if bytes > most {
+    let size = bytes.len() as u64;
+    if size > most {
         return Err(RaysError::TooLarge {
-            what: format!("{bytes} bytes of {label}"),
+            what: format!("{size} bytes of {label}"),
             most,
         });
     }
-    Ok(device.create_buffer(&wgpu::BufferDescriptor {
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
         // A binding may not be empty.
-        size: bytes.max(256),
+        size: size.max(256),
         usage,
         mapped_at_creation: false,
-    }))
+    });
+    if !bytes.is_empty() {
+        queue.write_buffer(&buffer, 0, bytes);
+    }
+    Ok(buffer)
 }

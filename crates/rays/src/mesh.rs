@@ -1,13 +1,13 @@
-//! Meshes, and how they lie in the adapter's memory: hierarchy, triangles, and what is drawn on them.
+//! Meshes, and how their triangles lie in the adapter's memory.
 
-use antipode_deformation::{Bvh, BvhNode};
-use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
 use crate::error::RaysError;
 
-/// Triangles in a leaf at most.
-const LEAF: u32 = 4;
+/// Texels of a triangle, and of what is drawn on it.
+pub const TRIANGLE_TEXELS: usize = 3;
+/// Marks the last triangle of a leaf.
+const LAST: u32 = 1;
 
 /// Triangles with what is drawn on them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,130 +20,102 @@ pub struct Mesh {
     pub normals: Vec<Vec3>,
     /// Where in a texture the corners lie; empty where there is none.
     pub uvs: Vec<Vec2>,
+    /// What each triangle's material is multiplied by, linear light from 0 to 1; empty for 1.
+    pub colours: Vec<Vec3>,
     /// Number of each triangle's material; empty for 0.
     pub materials: Vec<u32>,
 }
 
-/// A box of a hierarchy, as scene.wgsl has it.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-pub struct Node {
-    pub low: Vec3,
-    pub first: u32,
-    pub high: Vec3,
-    pub count: u32,
-}
-
-impl From<&BvhNode> for Node {
-    fn from(node: &BvhNode) -> Self {
-        Self {
-            low: node.low,
-            first: node.first,
-            high: node.high,
-            count: node.count,
+impl Mesh {
+    /// Refuses what has numbers that are none, or lists that do not fit each other. `number` is what errors call it.
+    pub fn check(&self, number: usize) -> Result<(), RaysError> {
+        let corners = self.positions.len();
+        let lengths = |what| Err(RaysError::Lengths { mesh: number, what });
+        let fits = |found: usize, wanted: usize| found == 0 || found == wanted;
+        if !fits(self.normals.len(), corners) {
+            return lengths("normals");
+        }
+        if !fits(self.uvs.len(), corners) {
+            return lengths("places in a texture");
+        }
+        if !fits(self.materials.len(), self.triangles.len()) {
+            return lengths("materials");
+        }
+        if !fits(self.colours.len(), self.triangles.len()) {
+            return lengths("colours");
+        }
+        if !self.positions.iter().all(|place| place.is_finite()) {
+            return Err(RaysError::Place { mesh: number });
+        }
+        let lacks = |triangle: &[u32; 3]| triangle.iter().any(|corner| *corner as usize >= corners);
+        match self.triangles.iter().position(lacks) {
+            Some(triangle) => Err(RaysError::Corner {
+                mesh: number,
+                triangle,
+            }),
+            None => Ok(()),
         }
     }
-}
 
-/// A mesh ready for the adapter.
-#[derive(Clone, Debug, Default)]
-pub struct Baked {
-    /// Its hierarchy; children and triangles are counted from its own first.
-    pub nodes: Vec<Node>,
-    /// Three for each triangle: a corner with the triangle's number in the mesh, and two edges.
-    pub triangles: Vec<[f32; 4]>,
-    /// Three for each triangle: normals and material, and uv.
-    pub attributes: Vec<[u32; 4]>,
-    /// Its box.
-    pub low: Vec3,
-    /// Its box.
-    pub high: Vec3,
-}
+    /// The greatest number of a material; none without triangles.
+    pub fn most_material(&self) -> Option<usize> {
+        let most = self.materials.iter().copied().max().unwrap_or(0);
+        (!self.triangles.is_empty()).then_some(most as usize)
+    }
 
-/// Checks a mesh and makes its hierarchy; one that is not to be sorted is a single leaf. `number` is what errors call it.
-pub fn bake(mesh: &Mesh, number: usize, sorted: bool) -> Result<Baked, RaysError> {
-    check(mesh, number)?;
-    let corners = |triangle: &[u32; 3]| triangle.map(|corner| mesh.positions[corner as usize]);
-    let boxes: Vec<_> = mesh
-        .triangles
-        .iter()
-        .map(|triangle| {
-            let [a, b, c] = corners(triangle);
-            (a.min(b).min(c), a.max(b).max(c))
-        })
-        .collect();
-    let bvh = Bvh::with_leaves(&boxes, LEAF);
-    let mut baked = Baked {
-        nodes: bvh.nodes().iter().map(Node::from).collect(),
-        ..Baked::default()
-    };
-    if !sorted {
-        baked.nodes.truncate(1);
-        for root in &mut baked.nodes {
-            (root.first, root.count) = (0, mesh.triangles.len() as u32);
-        }
+    /// The corners of a triangle, of a list of places.
+    pub fn corners(&self, triangle: u32, places: &[Vec3]) -> [Vec3; 3] {
+        self.triangles[triangle as usize].map(|corner| places[corner as usize])
     }
-    for triangle in bvh.order() {
-        let [a, b, c] = corners(&mesh.triangles[*triangle as usize]);
-        let edges = [b - a, c - a];
-        baked.triangles.extend([
-            [a.x, a.y, a.z, f32::from_bits(*triangle)],
-            edges[0].extend(0.0).to_array(),
-            edges[1].extend(0.0).to_array(),
-        ]);
-        baked
-            .attributes
-            .extend(attributes(mesh, *triangle as usize));
-    }
-    if let Some(root) = baked.nodes.first() {
-        (baked.low, baked.high) = (root.low, root.high);
-    }
-    Ok(baked)
-}
 
-fn check(mesh: &Mesh, number: usize) -> Result<(), RaysError> {
-    let corners = mesh.positions.len();
-    let lengths = |what| Err(RaysError::Lengths { mesh: number, what });
-    if !mesh.normals.is_empty() && mesh.normals.len() != corners {
-        return lengths("normals");
-    }
-    if !mesh.uvs.is_empty() && mesh.uvs.len() != corners {
-        return lengths("places in a texture");
-    }
-    if !mesh.materials.is_empty() && mesh.materials.len() != mesh.triangles.len() {
-        return lengths("materials");
-    }
-    if !mesh.positions.iter().all(|place| place.is_finite()) {
-        return Err(RaysError::Place { mesh: number });
-    }
-    let lacks = |triangle: &[u32; 3]| triangle.iter().any(|corner| *corner as usize >= corners);
-    match mesh.triangles.iter().position(lacks) {
-        Some(triangle) => Err(RaysError::Corner {
-            mesh: number,
-            triangle,
-        }),
-        None => Ok(()),
+    /// What is drawn on a triangle: its normals and material, and its uv and colour. `places` and `normals` are those of
+    /// the corners.
+    pub fn attributes(&self, number: u32, places: &[Vec3], normals: &[Vec3]) -> [[u32; 4]; 3] {
+        let triangle = self.triangles[number as usize].map(|corner| corner as usize);
+        let [a, b, c] = triangle.map(|corner| places[corner]);
+        let flat = (b - a).cross(c - a);
+        let normals = triangle.map(|corner| {
+            let own = normals.get(corner).copied().unwrap_or(flat);
+            octahedral(own.try_normalize().unwrap_or(Vec3::Y))
+        });
+        let uvs = triangle.map(|corner| self.uvs.get(corner).copied().unwrap_or(Vec2::ZERO));
+        let [u, v] = [uvs[1] - uvs[0], uvs[2] - uvs[0]];
+        let uv_for_metre = (u.perp_dot(v).abs() / flat.length().max(1e-12)).sqrt();
+        let material = self.materials.get(number as usize).copied().unwrap_or(0);
+        let colour = self.colours.get(number as usize).copied();
+        [
+            [normals[0], normals[1], normals[2], material],
+            [uvs[0].x, uvs[0].y, uvs[1].x, uvs[1].y].map(f32::to_bits),
+            [
+                uvs[2].x.to_bits(),
+                uvs[2].y.to_bits(),
+                uv_for_metre.to_bits(),
+                bytes(colour.unwrap_or(Vec3::ONE)),
+            ],
+        ]
     }
 }
 
-fn attributes(mesh: &Mesh, number: usize) -> [[u32; 4]; 3] {
-    let triangle = mesh.triangles[number].map(|corner| corner as usize);
-    let [a, b, c] = triangle.map(|corner| mesh.positions[corner]);
-    let flat = (b - a).cross(c - a);
-    let normals = triangle.map(|corner| {
-        let own = mesh.normals.get(corner).copied().unwrap_or(flat);
-        octahedral(own.try_normalize().unwrap_or(Vec3::Y))
-    });
-    let uvs = triangle.map(|corner| mesh.uvs.get(corner).copied().unwrap_or(Vec2::ZERO));
-    let [u, v] = [uvs[1] - uvs[0], uvs[2] - uvs[0]];
-    let uv_for_metre = (u.perp_dot(v).abs() / flat.length().max(1e-12)).sqrt();
-    let material = mesh.materials.get(number).copied().unwrap_or(0);
-    let bits = |v: [f32; 4]| v.map(f32::to_bits);
+/// The box of a triangle.
+pub fn bounds([a, b, c]: [Vec3; 3]) -> (Vec3, Vec3) {
+    (a.min(b).min(c), a.max(b).max(c))
+}
+
+/// A triangle as scene.wgsl has it: a corner with the triangle's number in its mesh, and two edges with whether a leaf ends
+/// here and with the number of its instance.
+pub fn triangle([a, b, c]: [Vec3; 3], number: u32, ends: bool, instance: u32) -> [[u32; 4]; 3] {
+    let texel = |v: Vec3, word: u32| [v.x.to_bits(), v.y.to_bits(), v.z.to_bits(), word];
     [
-        [normals[0], normals[1], normals[2], material],
-        bits([uvs[0].x, uvs[0].y, uvs[1].x, uvs[1].y]),
-        bits([uvs[2].x, uvs[2].y, uv_for_metre, 0.0]),
+        texel(a, number),
+        texel(b - a, if ends { LAST } else { 0 }),
+        texel(c - a, instance),
     ]
+}
+
+/// Linear light in bytes of its root, so that dark colours keep their shades.
+fn bytes(colour: Vec3) -> u32 {
+    let byte = |light: f32| (255.0 * light.clamp(0.0, 1.0).sqrt()).round() as u32;
+    byte(colour.x) | (byte(colour.y) << 8) | (byte(colour.z) << 16)
 }
 
 /// A direction folded onto a square, each coordinate in 16 bits (Q. Meyer and others, 2010).

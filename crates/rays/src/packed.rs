@@ -1,10 +1,13 @@
 //! Aberrations and materials as the shaders have them.
 
-use antipode_deformation::{Exit, MAX_ABERRATIONS, PictureCorners, Placed, Sides, Stack, Ways};
+use antipode_deformation::{
+    Exit, MAX_ABERRATIONS, PictureCorners, Placed, Sides, Space, Stack, Ways,
+};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
+use crate::tree::NOTHING;
 
 /// An aberration, as space.wgsl has it.
 #[repr(C)]
@@ -25,6 +28,7 @@ pub struct PackedAberration {
     rank: u32,
     wall_material: u32,
     room: [u32; 3],
+    heading: Vec4,
 }
 
 /// What a path needs to know of a scene besides its solids, as trace.wgsl has it.
@@ -33,7 +37,8 @@ pub struct PackedAberration {
 pub struct PackedWays {
     pub outermost: u32,
     pub outermost_count: u32,
-    pub has_solids: u32,
+    /// What the root of all solids is.
+    pub root: u32,
     pub room: u32,
     pub low: Vec4,
     pub high: Vec4,
@@ -60,37 +65,113 @@ pub struct PackedMaterial {
     optics: Vec4,
 }
 
-/// Aberrations, lists of neighbours, and where the outermost ones are listed.
-pub fn aberrations(scene: &RayScene) -> (Vec<PackedAberration>, Vec<u32>, PackedWays) {
-    let space = &scene.aberrations;
-    let mut neighbours = Vec::new();
-    let mut packed: Vec<_> = space
+/// By which rule light goes through aberrations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// That of `antipode-deformation`.
+    Exact,
+    /// The thesis's, for all of them.
+    Thesis,
+    /// As if they were not stretched: coordinates of the scene.
+    Plain,
+}
+
+impl Rule {
+    /// All, by number.
+    pub const ALL: [Self; 3] = [Self::Exact, Self::Thesis, Self::Plain];
+
+    /// An aberration as it is by this rule.
+    fn of(self, placed: &Placed) -> Placed {
+        let mut placed = placed.clone();
+        let it = &mut placed.aberration;
+        match (self, it.sides) {
+            (Self::Exact, _) | (Self::Thesis, Sides::Legacy(_)) => {}
+            // The thesis has no walls that are made by themselves.
+            (Self::Thesis, _) => it.sides = Sides::Legacy(Exit::Original),
+            (Self::Plain, sides) => {
+                placed.squeeze = DMat3::IDENTITY;
+                placed.legacy = DVec3::ZERO;
+                if sides != Sides::Walls {
+                    it.sides = Sides::Soft;
+                }
+            }
+        }
+        placed
+    }
+}
+
+/// Sides that shaders are told of beforehand: whether there are boxes of *snell* and of *legacy*.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Kinds {
+    pub snell: bool,
+    pub legacy: bool,
+}
+
+impl Kinds {
+    /// Of a space by a rule.
+    pub fn of(space: &Space, rule: Rule) -> Self {
+        let mut kinds = Self::default();
+        for placed in space.placed() {
+            let sides = rule.of(placed).aberration.sides;
+            kinds.snell |= sides == Sides::Snell;
+            kinds.legacy |= matches!(sides, Sides::Legacy(_));
+        }
+        kinds
+    }
+
+    /// A number below 4.
+    pub fn number(self) -> usize {
+        usize::from(self.snell) + 2 * usize::from(self.legacy)
+    }
+
+    /// What the shaders' constants are set to.
+    pub fn constants(self) -> [(&'static str, f64); 2] {
+        [
+            ("HAS_SNELL", f64::from(u8::from(self.snell))),
+            ("HAS_LEGACY", f64::from(u8::from(self.legacy))),
+        ]
+    }
+}
+
+/// All aberrations by a rule.
+pub fn aberrations(scene: &RayScene, rule: Rule) -> Vec<PackedAberration> {
+    let mut first = 0;
+    let mut packed: Vec<_> = scene
+        .aberrations
         .placed()
         .iter()
         .enumerate()
         .map(|(number, placed)| {
-            let first = neighbours.len() as u32;
-            neighbours.extend(placed.neighbours.iter().map(|number| u32::from(*number)));
-            let wall = scene
-                .wall_materials
-                .get(number)
-                .copied()
-                .unwrap_or(WALL_DEFAULT);
+            let own = scene.wall_materials.get(number);
+            let wall = own.copied().unwrap_or(WALL_DEFAULT);
             let is_outlined = scene.outlined.get(number).copied().unwrap_or(false);
-            pack(
-                placed,
-                first,
-                wall.min(scene.materials.len().saturating_sub(1)),
-                is_outlined,
-            )
+            let wall = wall.min(scene.materials.len().saturating_sub(1));
+            let packed = pack(&rule.of(placed), first, wall, is_outlined);
+            first += packed.count;
+            if rule == Rule::Plain {
+                // Its walls stay, and are told by how it was stretched.
+                return PackedAberration {
+                    stretch: Vec3::ONE,
+                    ..packed
+                };
+            }
+            packed
         })
         .collect();
     packed.resize(MAX_ABERRATIONS, PackedAberration::zeroed());
+    packed
+}
+
+/// Lists of neighbours, and where the outermost ones are listed.
+pub fn neighbours(scene: &RayScene) -> (Vec<u32>, PackedWays) {
+    let space = &scene.aberrations;
+    let of_each = space.placed().iter().flat_map(|placed| &placed.neighbours);
+    let mut neighbours: Vec<_> = of_each.map(|number| u32::from(*number)).collect();
     let outermost = space.entrances(&Stack::default());
     let ways = PackedWays {
         outermost: neighbours.len() as u32,
         outermost_count: outermost.len() as u32,
-        has_solids: 0,
+        root: NOTHING,
         room: 0,
         low: Vec4::ZERO,
         high: Vec4::ZERO,
@@ -98,7 +179,7 @@ pub fn aberrations(scene: &RayScene) -> (Vec<PackedAberration>, Vec<u32>, Packed
     neighbours.extend(outermost.iter().map(|number| u32::from(*number)));
     // A buffer may not be empty.
     neighbours.push(0);
-    (packed, neighbours, ways)
+    (neighbours, ways)
 }
 
 fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAberration {
@@ -122,9 +203,9 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
             },
         ),
     };
-    let way = match aberration.ways {
-        Ways::Both => 0,
-        Ways::Along(axis) => u32::from(axis) + 1,
+    let heading = match aberration.ways {
+        Ways::Both => Vec4::W,
+        Ways::Along(axis) => axis_of(placed, axis).extend(0.0),
     };
     let row = |k: &DMat3, i: usize| k.row(i).as_vec3();
     PackedAberration {
@@ -138,12 +219,17 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
         squeeze_z: row(&placed.squeeze, 2),
         count: placed.neighbours.len() as u32,
         legacy: placed.legacy.as_vec3(),
-        flags: exit | (way << 4) | (u32::from(is_outlined) << 8),
+        flags: exit | (u32::from(is_outlined) << 8),
         stretch: aberration.stretch.as_vec3(),
         rank: placed.rank as u32,
         wall_material: wall as u32,
         room: [0; 3],
+        heading,
     }
+}
+
+fn axis_of(placed: &Placed, axis: u8) -> Vec3 {
+    placed.axes.col(usize::from(axis)).as_vec3()
 }
 
 /// A stack as the shaders have it: a byte for each box.

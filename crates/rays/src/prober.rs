@@ -7,7 +7,7 @@ use wgpu::{BindGroupLayout, BufferBindingType, BufferUsages, ComputePipeline, De
 
 use crate::error::RaysError;
 use crate::loaded::Loaded;
-use crate::packed::{stack, vector};
+use crate::packed::{Kinds, Rule, stack, vector};
 use crate::picture::mapped;
 use crate::rays::{READ, accepted, buffer, group, layout, pipeline, scene_group, scene_layout};
 use crate::shaders::PROBE;
@@ -92,10 +92,12 @@ impl Prober {
             Self {
                 pipeline: pipeline(
                     device,
-                    "probe of rays",
-                    &PROBE,
-                    "probe",
+                    ("probe of rays", &PROBE, "probe"),
                     &[&scene_layout, &list_layout],
+                    Kinds {
+                        snell: true,
+                        legacy: true,
+                    },
                 ),
                 scene_layout,
                 list_layout,
@@ -138,7 +140,11 @@ impl Prober {
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &scene_group(device, &self.scene_layout, loaded), &[]);
+            pass.set_bind_group(
+                0,
+                &scene_group(device, &self.scene_layout, loaded, Rule::Exact),
+                &[],
+            );
             let resources = [asked.as_entire_binding(), answers.as_entire_binding()];
             pass.set_bind_group(
                 1,

@@ -1,13 +1,17 @@
 //! The pass that draws a picture.
 
+use std::ops::Range;
+use std::sync::OnceLock;
+
 use wgpu::{
     BindGroup, BindGroupLayout, BindingType, Buffer, BufferBindingType, CommandEncoder,
     ComputePipeline, Device, Queue, ShaderStages,
 };
 
 use crate::error::RaysError;
-use crate::frame::{Frame, corners, frame};
+use crate::frame::{Frame, Part, corners, frame};
 use crate::loaded::Loaded;
+use crate::packed::{Kinds, Rule};
 use crate::picture::{LIGHT_FORMAT, Picture, SEEN_FORMAT};
 use crate::scene::{Eye, RayScene};
 use crate::shaders::{PICTURE, compile};
@@ -22,6 +26,24 @@ pub struct Options {
     pub bounces: u32,
     /// Samples a pixel, 1 to 4.
     pub samples: u32,
+    /// By which rule one looks.
+    pub view: View,
+    /// Whether the outlines of aberrations are drawn that have one.
+    pub outlines: bool,
+}
+
+/// By which rule a picture shows aberrations. Who walks goes by the exact one always.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum View {
+    /// As light goes.
+    #[default]
+    Exact,
+    /// By the rule of J. L. Redondo Tello's thesis for all of them, with its faults.
+    Thesis,
+    /// The left half by the thesis's rule, the right half exact, and a line between.
+    Split,
+    /// In coordinates of the scene: aberrations are not felt, and only their walls are seen.
+    Plain,
 }
 
 impl Default for Options {
@@ -29,6 +51,8 @@ impl Default for Options {
         Self {
             bounces: 0,
             samples: 1,
+            view: View::Exact,
+            outlines: true,
         }
     }
 }
@@ -36,10 +60,12 @@ impl Default for Options {
 /// What draws pictures of scenes.
 #[derive(Debug)]
 pub struct Rays {
-    pipeline: ComputePipeline,
+    /// By the number of what kinds of sides there are; compiled when they are asked for.
+    pipelines: [OnceLock<ComputePipeline>; 4],
     scene_layout: BindGroupLayout,
     picture_layout: BindGroupLayout,
-    frame: Buffer,
+    /// One for each part of a picture.
+    frames: [Buffer; 2],
     sampler: wgpu::Sampler,
 }
 
@@ -52,22 +78,17 @@ impl Rays {
         accepted(device, || {
             let scene_layout = scene_layout(device);
             let picture_layout = picture_layout(device);
-            let pipeline = pipeline(
-                device,
-                "rays",
-                &PICTURE,
-                "draw",
-                &[&scene_layout, &picture_layout],
-            );
-            Self {
-                pipeline,
+            let rays = Self {
+                pipelines: Default::default(),
                 scene_layout,
                 picture_layout,
-                frame: device.create_buffer(&wgpu::BufferDescriptor {
-                    label: Some("frame of rays"),
-                    size: size_of::<Frame>() as u64,
-                    usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-                    mapped_at_creation: false,
+                frames: [(); 2].map(|()| {
+                    device.create_buffer(&wgpu::BufferDescriptor {
+                        label: Some("frame of rays"),
+                        size: size_of::<Frame>() as u64,
+                        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                        mapped_at_creation: false,
+                    })
                 }),
                 sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                     label: Some("room textures"),
@@ -78,7 +99,16 @@ impl Rays {
                     mipmap_filter: wgpu::MipmapFilterMode::Linear,
                     ..Default::default()
                 }),
-            }
+            };
+            rays.pipeline(device, Kinds::default());
+            rays
+        })
+    }
+
+    fn pipeline(&self, device: &Device, kinds: Kinds) -> &ComputePipeline {
+        self.pipelines[kinds.number()].get_or_init(|| {
+            let layouts = [&self.scene_layout, &self.picture_layout];
+            pipeline(device, ("rays", &PICTURE, "draw"), &layouts, kinds)
         })
     }
 
@@ -92,6 +122,9 @@ impl Rays {
         queue: &Queue,
         scene: &RayScene,
     ) -> Result<Loaded, RaysError> {
+        accepted(device, || {
+            self.pipeline(device, Kinds::of(&scene.aberrations, Rule::Exact));
+        })?;
         Loaded::new(device, queue, scene, true)
     }
 
@@ -109,44 +142,78 @@ impl Rays {
         Loaded::new(device, queue, scene, false)
     }
 
-    /// Records the pass. Of `scene`, light, sky, fog and the look of outlines are those of this moment; the rest is as it was
-    /// loaded and moved since. One picture a submission, since all share a uniform.
+    /// Compiles what a scene is drawn with by any of the rules, which takes a while, so that no picture waits for it.
+    pub fn prepare(&self, device: &Device, loaded: &Loaded) {
+        for rule in Rule::ALL {
+            self.pipeline(device, loaded.kinds(rule));
+        }
+    }
+
+    /// Records the pass for a whole picture, as [`Self::draw_rows`] does.
     pub fn draw(
+        &self,
+        gpu: (&Device, &Queue),
+        encoder: &mut CommandEncoder,
+        what: (&RayScene, &Loaded),
+        (eye, picture): (&Eye, &Picture),
+        options: Options,
+    ) {
+        let rows = 0..picture.size.1;
+        self.draw_rows(gpu, encoder, what, (eye, picture), options, rows);
+    }
+
+    /// Records the pass for some rows of a picture, so that one which takes long can be made bit by bit. Of `scene`, light, sky, fog and the look of outlines are those of this moment; the rest is as it was
+    /// loaded and moved since. One picture a submission, since all share a uniform.
+    pub fn draw_rows(
         &self,
         (device, queue): (&Device, &Queue),
         encoder: &mut CommandEncoder,
         (scene, loaded): (&RayScene, &Loaded),
         (eye, picture): (&Eye, &Picture),
         options: Options,
+        rows: Range<u32>,
     ) {
         let options = Options {
             bounces: options.bounces.min(4),
             ..options
         };
-        let uniform = frame(scene, eye, picture.size, options);
-        queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
+        let width = picture.size.0;
+        let lines = rows.end.saturating_sub(rows.start).div_ceil(GROUP);
         let ways = loaded.host_ways.with_corners(&corners(eye, picture.size));
         queue.write_buffer(&loaded.ways, 0, bytemuck::bytes_of(&ways));
-        let groups = [
-            scene_group(device, &self.scene_layout, loaded),
-            self.picture_group(device, loaded, picture),
-        ];
+        let (parts, line) = parts(options.view, width);
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
             label: Some("rays"),
             timestamp_writes: None,
         });
-        pass.set_pipeline(&self.pipeline);
-        for (number, group) in groups.iter().enumerate() {
-            pass.set_bind_group(number as u32, group, &[]);
+        for ((rule, columns), buffer) in parts.into_iter().zip(&self.frames) {
+            pass.set_pipeline(self.pipeline(device, loaded.kinds(rule)));
+            let groups = (columns.end - columns.start).div_ceil(GROUP);
+            let part = Part {
+                columns,
+                rows: rows.clone(),
+                line,
+            };
+            let uniform = frame(scene, eye, picture.size, options, part);
+            queue.write_buffer(buffer, 0, bytemuck::bytes_of(&uniform));
+            let scene = scene_group(device, &self.scene_layout, loaded, rule);
+            pass.set_bind_group(0, &scene, &[]);
+            let picture = self.picture_group(device, loaded, picture, buffer);
+            pass.set_bind_group(1, &picture, &[]);
+            pass.dispatch_workgroups(groups, lines, 1);
         }
-        let (width, height) = picture.size;
-        pass.dispatch_workgroups(width.div_ceil(GROUP), height.div_ceil(GROUP), 1);
     }
 
-    fn picture_group(&self, device: &Device, loaded: &Loaded, picture: &Picture) -> BindGroup {
+    fn picture_group(
+        &self,
+        device: &Device,
+        loaded: &Loaded,
+        picture: &Picture,
+        frame: &Buffer,
+    ) -> BindGroup {
         use wgpu::BindingResource::{Sampler, TextureView};
         let resources = [
-            self.frame.as_entire_binding(),
+            frame.as_entire_binding(),
             loaded.materials.as_entire_binding(),
             loaded.attributes.as_entire_binding(),
             TextureView(&loaded.textures),
@@ -155,6 +222,21 @@ impl Rays {
             TextureView(&picture.seen),
         ];
         group(device, "picture of rays", &self.picture_layout, resources)
+    }
+}
+
+/// Columns of a picture by their rules, and the column of the line between them.
+fn parts(view: View, width: u32) -> (Vec<(Rule, Range<u32>)>, u32) {
+    let whole = |rule| (vec![(rule, 0..width)], u32::MAX);
+    let middle = width / 2;
+    match view {
+        View::Exact => whole(Rule::Exact),
+        View::Thesis => whole(Rule::Thesis),
+        View::Plain => whole(Rule::Plain),
+        View::Split => (
+            vec![(Rule::Thesis, 0..middle), (Rule::Exact, middle..width)],
+            middle,
+        ),
     }
 }
 
@@ -174,13 +256,12 @@ pub fn accepted<T>(device: &Device, make: impl FnOnce() -> T) -> Result<T, RaysE
     }
 }
 
-/// A compute pipeline of one entry.
+/// A compute pipeline of one entry, for scenes with these kinds of sides.
 pub fn pipeline(
     device: &Device,
-    label: &str,
-    files: &[&str],
-    entry: &str,
+    (label, files, entry): (&str, &[&str], &str),
     layouts: &[&BindGroupLayout],
+    kinds: Kinds,
 ) -> ComputePipeline {
     let module = compile(device, label, files);
     let groups: Vec<_> = layouts.iter().map(|layout| Some(*layout)).collect();
@@ -194,7 +275,10 @@ pub fn pipeline(
         layout: Some(&layout),
         module: &module,
         entry_point: Some(entry),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        compilation_options: wgpu::PipelineCompilationOptions {
+            constants: &kinds.constants(),
+            ..Default::default()
+        },
         cache: None,
     })
 }
@@ -252,30 +336,35 @@ pub const READ: BufferBindingType = BufferBindingType::Storage { read_only: true
 /// What every pass knows of a scene.
 pub fn scene_layout(device: &Device) -> BindGroupLayout {
     let uniform = buffer(BufferBindingType::Uniform);
-    let read = buffer(READ);
+    let texels = BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Uint,
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
     layout(
         device,
         "scene of rays",
-        &[uniform, read, read, read, read, uniform],
+        &[uniform, buffer(READ), texels, texels, texels, uniform],
     )
 }
 
-/// Binds a scene.
-pub fn scene_group(device: &Device, layout: &BindGroupLayout, loaded: &Loaded) -> BindGroup {
-    let buffers = [
-        &loaded.space,
-        &loaded.neighbours,
-        &loaded.nodes,
-        &loaded.triangles,
-        &loaded.instances,
-        &loaded.ways,
+/// Binds a scene whose aberrations go by a rule.
+pub fn scene_group(
+    device: &Device,
+    layout: &BindGroupLayout,
+    loaded: &Loaded,
+    rule: Rule,
+) -> BindGroup {
+    use wgpu::BindingResource::TextureView;
+    let resources = [
+        loaded.space(rule).as_entire_binding(),
+        loaded.neighbours.as_entire_binding(),
+        TextureView(&loaded.nodes.view),
+        TextureView(&loaded.triangles.view),
+        TextureView(&loaded.instances.view),
+        loaded.ways.as_entire_binding(),
     ];
-    group(
-        device,
-        "scene of rays",
-        layout,
-        buffers.map(Buffer::as_entire_binding),
-    )
+    group(device, "scene of rays", layout, resources)
 }
 
 fn picture_layout(device: &Device) -> BindGroupLayout {

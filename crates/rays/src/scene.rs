@@ -15,13 +15,15 @@ pub const WALL_DEFAULT: usize = 0;
 /// All of a room.
 #[derive(Clone, Debug, Default)]
 pub struct RayScene {
-    /// Meshes, by number.
+    /// Meshes of what stays where it is, by number.
     pub meshes: Vec<Arc<Mesh>>,
+    /// Meshes that may be elsewhere and have another shape in each picture, by a number of their own.
+    pub movables: Vec<Arc<Mesh>>,
     /// Materials, by number; there must be one at least.
     pub materials: Vec<Material>,
     /// Pictures on surfaces, by number.
     pub textures: Vec<Arc<TextureImage>>,
-    /// Meshes where they stand.
+    /// Meshes where they stand, as long as the scene is loaded.
     pub instances: Vec<Instance>,
     /// Aberrations.
     pub aberrations: Space,
@@ -52,6 +54,21 @@ pub struct Instance {
     pub object: u32,
     /// Added to the numbers of the mesh's materials.
     pub materials: usize,
+}
+
+/// A mesh that may move, where it is in a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mover {
+    /// Number of its mesh among those that may move.
+    pub mesh: usize,
+    /// From the mesh's coordinates to the scene's: any that has an inverse, as that of who is squeezed by an aberration.
+    pub pose: Affine3A,
+    /// What it is called where it is seen.
+    pub object: u32,
+    /// Added to the numbers of the mesh's materials.
+    pub materials: usize,
+    /// Whether the eye looks through it: it is seen in mirrors only, and throws a shadow.
+    pub unseen_by_eye: bool,
 }
 
 /// How a surface looks.
@@ -149,7 +166,7 @@ pub struct Outline {
 }
 
 /// Whoever looks.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eye {
     /// Where the eye is.
     pub place: Place,

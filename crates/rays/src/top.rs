@@ -1,12 +1,20 @@
-//! The upper level of the hierarchy: a box for each instance, made anew whenever they move.
+//! Instances as the shaders have them, and the upper level of the hierarchy: a box for all that stays, and one for each mover,
+//! made anew whenever they move.
 
-use antipode_deformation::Bvh;
 use bytemuck::{Pod, Zeroable};
-use glam::{Mat3A, Vec3, Vec4};
+use glam::{Affine3A, Mat3A, Vec3, Vec4};
 
 use crate::error::RaysError;
-use crate::mesh::Node;
-use crate::scene::Instance;
+use crate::scene::{Instance, Mover};
+use crate::tree::{INSTANCE, NOTHING, Node, Tree};
+
+/// What instances take up in their texture.
+pub const INSTANCE_TEXELS: usize = 8;
+/// Instances of meshes that move there may be at most; `MOVES` of scene.wgsl.
+pub const MOST_MOVERS: usize = 512;
+/// Flags of an instance: its triangles are in its own coordinates; light of the eye passes it.
+const MOVES: u32 = 1;
+const UNSEEN: u32 = 2;
 
 /// An instance, as scene.wgsl has it.
 #[repr(C)]
@@ -16,100 +24,145 @@ pub struct PackedInstance {
     root: u32,
     object: u32,
     materials: u32,
-    room: u32,
+    flags: u32,
     scale: Vec4,
+    room: [Vec4; 3],
 }
 
-/// What is known of a mesh that lies in the adapter's memory.
+/// A mesh that may move and lies in the adapter's memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed {
-    /// Its box.
-    pub low: Vec3,
-    /// Its box.
-    pub high: Vec3,
-    /// Number of its root, from the first node of all meshes.
+    /// Its box; none of a mesh without triangles.
+    pub bounds: Option<(Vec3, Vec3)>,
+    /// What the root of its hierarchy is.
     pub root: u32,
-    /// The greatest number of a material, or none for a mesh without triangles.
-    pub most_material: Option<u32>,
+    /// The greatest number of a material.
+    pub most_material: usize,
 }
 
-/// Nodes of the upper level and the instances in the order of its leaves. `base` is the number that the first node of all
-/// meshes has.
-pub fn build(
-    instances: &[Instance],
-    meshes: &[Placed],
-    materials: usize,
-    base: u32,
-) -> Result<(Vec<Node>, Vec<PackedInstance>), RaysError> {
-    let mut boxes = Vec::with_capacity(instances.len());
-    let mut packed = Vec::with_capacity(instances.len());
-    for instance in instances {
-        let refuse = |what| {
-            Err(RaysError::Instance {
-                object: instance.object,
-                what,
-            })
-        };
-        let Some(mesh) = meshes.get(instance.mesh) else {
-            return refuse("is of a mesh that the room lacks. Load the model first");
-        };
-        let Some(most) = mesh.most_material else {
-            continue;
-        };
-        if instance.materials + most as usize >= materials {
-            return refuse("has a material that the room lacks. Give it another");
-        }
-        let inverse = instance.pose.inverse();
-        if !inverse.is_finite() || !instance.pose.is_finite() {
-            return refuse("has no size. Make it larger than nought along every axis");
-        }
-        boxes.push(bounds(instance, mesh));
-        packed.push(pack(instance, mesh, base));
+/// What stays.
+#[derive(Clone, Copy, Debug)]
+pub struct Resting {
+    /// Its box; none where there is nothing.
+    pub bounds: Option<(Vec3, Vec3)>,
+    /// What the root of its hierarchy is.
+    pub root: u32,
+    /// Instances that stay; the numbers of those that move come after theirs.
+    pub instances: u32,
+    /// Materials of the scene.
+    pub materials: usize,
+}
+
+/// The upper level.
+#[derive(Clone, Debug, Default)]
+pub struct Top {
+    /// What a path begins with.
+    pub root: u32,
+    /// Nodes, numbered from 0.
+    pub nodes: Vec<Node>,
+    /// The movers, in their order.
+    pub instances: Vec<PackedInstance>,
+}
+
+/// Puts movers beside what stays.
+pub fn build(movers: &[Mover], meshes: &[Placed], resting: &Resting) -> Result<Top, RaysError> {
+    if movers.len() > MOST_MOVERS {
+        return Err(RaysError::TooLarge {
+            what: format!("{} things that move", movers.len()),
+            most: MOST_MOVERS as u64,
+        });
     }
-    let bvh = Bvh::with_leaves(&boxes, 1);
-    let nodes = bvh.nodes().iter().map(Node::from).collect();
-    let ordered = bvh
-        .order()
-        .iter()
-        .map(|number| packed[*number as usize])
-        .collect();
-    Ok((nodes, ordered))
+    let mut top = Top::default();
+    let (mut boxes, mut leaves) = (Vec::new(), Vec::new());
+    if let Some(bounds) = resting.bounds {
+        boxes.push(bounds);
+        leaves.push(resting.root);
+    }
+    for (number, mover) in movers.iter().enumerate() {
+        let mesh = checked(mover, meshes, resting)?;
+        top.instances.push(pack_mover(mover, mesh.root));
+        if let Some(limits) = mesh.bounds {
+            boxes.push(bounds(&mover.pose, limits));
+            leaves.push(INSTANCE | (resting.instances + number as u32));
+        }
+    }
+    let tree = Tree::new(&boxes, 1);
+    let leaf = |first: u32| {
+        let number = tree.order().get(first as usize);
+        number.map_or(NOTHING, |number| leaves[*number as usize])
+    };
+    (top.root, top.nodes) = tree.packed(0, leaf);
+    Ok(top)
 }
 
-/// The box of an instance in the scene, a little too large rather than too small.
-fn bounds(instance: &Instance, mesh: &Placed) -> (Vec3, Vec3) {
-    let matrix = instance.pose.matrix3;
-    let middle = instance.pose.transform_point3(0.5 * (mesh.low + mesh.high));
-    let half = 0.5 * (mesh.high - mesh.low);
+fn checked<'a>(
+    mover: &Mover,
+    meshes: &'a [Placed],
+    resting: &Resting,
+) -> Result<&'a Placed, RaysError> {
+    let refuse = |what| {
+        let object = mover.object;
+        Err(RaysError::Instance { object, what })
+    };
+    let Some(mesh) = meshes.get(mover.mesh) else {
+        return refuse("is of a mesh that the room lacks. Load the model first");
+    };
+    if mover.materials + mesh.most_material >= resting.materials {
+        return refuse("has a material that the room lacks. Give it another");
+    }
+    if !mover.pose.is_finite() || !mover.pose.inverse().is_finite() {
+        return refuse("has no size. Make it larger than nought along every axis");
+    }
+    Ok(mesh)
+}
+
+/// The box of a posed box in the scene, a little too large rather than too small.
+fn bounds(pose: &Affine3A, (low, high): (Vec3, Vec3)) -> (Vec3, Vec3) {
+    let matrix = pose.matrix3;
+    let middle = pose.transform_point3(0.5 * (low + high));
     let reach = Mat3A::from_cols(
         matrix.x_axis.abs(),
         matrix.y_axis.abs(),
         matrix.z_axis.abs(),
-    ) * half;
+    ) * (0.5 * (high - low));
     let spare = 1e-6 * (middle.abs() + reach) + 1e-6;
     (middle - reach - spare, middle + reach + spare)
 }
 
-fn pack(instance: &Instance, mesh: &Placed, base: u32) -> PackedInstance {
-    let inverse = instance.pose.inverse();
+/// An instance that stays: its triangles are in metres of the scene.
+pub fn pack(instance: &Instance) -> PackedInstance {
+    packed(&instance.pose, instance.object, instance.materials)
+}
+
+fn pack_mover(mover: &Mover, root: u32) -> PackedInstance {
+    PackedInstance {
+        root,
+        flags: MOVES | if mover.unseen_by_eye { UNSEEN } else { 0 },
+        ..packed(&mover.pose, mover.object, mover.materials)
+    }
+}
+
+fn packed(pose: &Affine3A, object: u32, materials: usize) -> PackedInstance {
+    let inverse = pose.inverse();
     let rows = inverse.matrix3.transpose();
     let offset = inverse.translation;
-    let matrix = instance.pose.matrix3;
+    let matrix = pose.matrix3;
     PackedInstance {
         rows: [
             rows.x_axis.extend(offset.x),
             rows.y_axis.extend(offset.y),
             rows.z_axis.extend(offset.z),
         ],
-        root: base + mesh.root,
-        object: instance.object,
-        materials: instance.materials as u32,
-        room: 0,
+        root: NOTHING,
+        object,
+        materials: materials as u32,
+        flags: 0,
         scale: Vec4::new(
             matrix.x_axis.length(),
             matrix.y_axis.length(),
             matrix.z_axis.length(),
             0.0,
         ),
+        room: [Vec4::ZERO; 3],
     }
 }

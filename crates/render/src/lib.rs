@@ -8,6 +8,7 @@
 //! brings the shader text of its map.
 
 mod ball;
+mod bent_mesh;
 mod blend;
 mod celestial;
 mod charts;
@@ -52,6 +53,7 @@ mod tonemap;
 mod touched;
 mod uniforms;
 
+pub use bent_mesh::{BentCorners, BentMesh, BentSurface};
 pub use error::RenderError;
 pub use gpu::{AdapterChoice, Gpu};
 pub use offscreen::{Offscreen, PictureReading};

@@ -170,7 +170,11 @@ pub fn load_all() -> Result<Vec<Loaded>, RenderError> {
     ModelId::ALL.into_iter().map(load).collect()
 }
 
-fn load(model: ModelId) -> Result<Loaded, RenderError> {
+/// Reads one model.
+///
+/// # Errors
+/// When its file cannot be read.
+pub fn load(model: ModelId) -> Result<Loaded, RenderError> {
     let look = if model.shines() {
         Look::Lamp
     } else if model.is_switched() {

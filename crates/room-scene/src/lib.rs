@@ -5,9 +5,13 @@
 //!
 //! There is no window, no file and no adapter here.
 
+mod camera;
+mod difference;
+mod figure;
 mod hands;
 mod light;
 mod looks;
+mod moment;
 mod pick;
 mod picture;
 mod probe;
@@ -17,6 +21,9 @@ mod things;
 pub mod tuning;
 mod walk;
 
+pub use difference::Difference;
+pub use figure::RoomFigure;
+pub use moment::{Moment, ShownThing, Turn};
 pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;
 pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe};

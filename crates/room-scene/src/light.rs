@@ -2,7 +2,7 @@
 
 use antipode_deformation::{Place, Space};
 use antipode_rays::{Lamp, Sky, Sun};
-use antipode_rooms::{Room, What, direction, poses};
+use antipode_rooms::{Colour, Room, What, direction, poses};
 use glam::{DVec3, Vec3};
 
 use crate::looks::linear;
@@ -42,18 +42,23 @@ pub fn fog_m(room: &Room) -> f32 {
     room.fog.map_or(NO_FOG_M, |fog| fog.reach as f32)
 }
 
+/// A lamp of that power, in noon suns at a felt metre.
+pub fn lamp(place: Place, colour: Colour, power: f32) -> Lamp {
+    Lamp {
+        place,
+        colour: linear(colour) * (power * LAMP_SHARE * DAYLIGHT),
+        reach_m: (power / LAMP_FAINT).sqrt().max(1.0),
+        radius_m: LAMP_RADIUS_M,
+    }
+}
+
 /// The lamps, where they are in the space.
 pub fn lamps(room: &Room, space: &Space) -> Vec<Lamp> {
     let all = room.objects.iter().zip(poses(room));
     all.filter_map(|(object, pose)| match object.what {
         What::Light { colour, power } => {
-            let power = power as f32;
-            Some(Lamp {
-                place: Place::at(space, pose.translation),
-                colour: linear(colour) * (power * LAMP_SHARE * DAYLIGHT),
-                reach_m: (power / LAMP_FAINT).sqrt().max(1.0),
-                radius_m: LAMP_RADIUS_M,
-            })
+            let place = Place::at(space, pose.translation);
+            Some(lamp(place, colour, power as f32))
         }
         _ => None,
     })

@@ -1,6 +1,8 @@
 //! What is under the crosshair, found by the path that light and walkers take.
 
-use antipode_deformation::{End, Event, EventKind, Traveller, What, trace};
+use antipode_deformation::{End, Event, EventKind, Space, Traveller, What, trace};
+use antipode_rays::Eye;
+use glam::DVec3;
 use serde::Serialize;
 
 use crate::scene::RoomScene;
@@ -31,32 +33,31 @@ pub struct PickEvent {
 impl RoomScene {
     /// What the crosshair is on.
     pub fn pick(&self) -> Pick {
-        let eye = self.walker.eye_place(&self.space, self.up());
-        let path = trace(
-            &self.space,
-            &eye,
-            self.look.front(),
-            PICK_M,
-            &self.solids,
-            &Traveller::Body,
-        );
+        self.pick_by(&self.space, &Traveller::Body).0
+    }
+
+    /// What it would be on in another space of the same boxes, and the felt direction in which one arrives there.
+    pub(crate) fn pick_by(&self, space: &Space, who: &Traveller) -> (Pick, DVec3) {
+        let Eye { place, front, .. } = self.eye();
+        let path = trace(space, &place, front, PICK_M, &self.solids, who);
         let hit = match path.end {
             End::Hit(hit) => Some(self.object_of(hit.what)),
             End::Spent | End::TooManyEvents => None,
         };
         let corners = path.events.iter().map(|event| event.point);
-        let mut from = eye.point;
+        let mut from = place.point;
         let scene = corners.chain([path.place.point]).fold(0.0, |sum, to| {
             let piece = from.distance(to);
             from = to;
             sum + piece
         });
-        Pick {
+        let pick = Pick {
             object: hit.map(|index| self.room().objects[index].name.clone()),
             felt: hit.map(|_| path.length),
             scene: hit.map(|_| scene),
             events: path.events.iter().map(|it| self.told(it)).collect(),
-        }
+        };
+        (pick, path.w)
     }
 
     /// The object that something belongs to.

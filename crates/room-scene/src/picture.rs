@@ -3,16 +3,16 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antipode_rays::{Eye, Instance, Material, Mesh, Pattern, RayScene};
+use antipode_rays::{Instance, Material, Mesh, Pattern, RayScene};
 use antipode_rooms::mesh::{Look, Shape, SolidMesh};
 use antipode_rooms::{Colour, What, poses};
-use glam::{Affine3A, DAffine3, DVec3, Vec2, Vec3};
+use glam::{Affine3A, DAffine3, Vec2, Vec3};
 use image::RgbaImage;
 
 use crate::light::{fog_m, lamps, sky, sun};
 use crate::looks::{Pictures, of_model, of_surface};
 use crate::scene::RoomScene;
-use crate::tuning::{FOV_Y_RAD, SIGN_BRIGHTNESS};
+use crate::tuning::SIGN_BRIGHTNESS;
 
 /// How far what is written on a board lies before it, metres: boards are 4 cm thick.
 const BEFORE_BOARD_M: f32 = 0.022;
@@ -29,12 +29,6 @@ pub struct SignBoard {
 }
 
 impl RoomScene {
-    /// The eye of who walks.
-    pub fn eye(&self) -> Eye {
-        let place = self.walker.eye_place(&self.space, self.up());
-        Eye::looking(place, self.look.front(), DVec3::Y, FOV_Y_RAD)
-    }
-
     /// What pictures are drawn of; `write` makes the picture of what stands on a board.
     ///
     /// # Errors
@@ -59,6 +53,9 @@ impl RoomScene {
             let surface = &room.objects[*index].surface;
             let material = of_surface(surface, &self.assets, &mut pictures);
             scene.materials.push(material);
+            let what = &room.objects[*index].what;
+            let outlined = matches!(what, What::Aberration(it) if it.outline);
+            scene.outlined.push(outlined);
         }
         self.add_solids(&mut scene, &mut pictures);
         self.add_writing(&mut scene, &mut pictures, &mut write)?;
@@ -139,6 +136,7 @@ fn mesh_of(shape: &Shape) -> Mesh {
         normals: shape.normals.iter().map(|it| it.as_vec3()).collect(),
         uvs: shape.uvs.iter().map(|it| it.as_vec2()).collect(),
         materials: Vec::new(),
+        colours: Vec::new(),
     }
 }
 
@@ -158,5 +156,6 @@ fn face(size: Vec2) -> Mesh {
             .map(|(right, up)| Vec2::new(0.5 + 0.5 * right, 0.5 - 0.5 * up))
             .collect(),
         materials: Vec::new(),
+        colours: Vec::new(),
     }
 }

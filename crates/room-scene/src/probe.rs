@@ -78,7 +78,7 @@ pub struct PlayerProbe {
 pub struct CameraProbe {
     /// Eye.
     pub pos: [f64; 3],
-    /// `first`.
+    /// `first` or `third`.
     pub mode: &'static str,
 }
 
@@ -144,12 +144,12 @@ impl RoomScene {
                 grounded: self.walker.grounded,
             },
             camera: CameraProbe {
-                pos: self
-                    .walker
-                    .eye_place(&self.space, self.up())
-                    .point
-                    .to_array(),
-                mode: "first",
+                pos: self.eye().place.point.to_array(),
+                mode: if self.third_person() {
+                    "third"
+                } else {
+                    "first"
+                },
             },
         }
     }

@@ -1,6 +1,7 @@
 //! An open room: what is worked out of it, and who is in it.
 
 use antipode_deformation::{Space, Triangles, Walker};
+use antipode_frame::motion::Motion;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
 use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space};
@@ -36,6 +37,8 @@ pub struct RoomScene {
     pub(crate) hands: Hands,
     pub(crate) things: Things,
     pub(crate) time_s: f64,
+    pub(crate) motion: Motion,
+    pub(crate) third_person: bool,
     revision: u64,
 }
 
@@ -59,6 +62,8 @@ impl RoomScene {
             hands: Hands::default(),
             things: Things::default(),
             time_s: 0.0,
+            motion: Motion::default(),
+            third_person: false,
             revision: 0,
         };
         scene.work_out()?;

@@ -20,6 +20,14 @@ pub const TERMINAL_SPEED_M_S: f64 = 60.0;
 pub const EYE_M: f64 = 1.62;
 /// Felt radius of who walks, metres.
 pub const RADIUS_M: f64 = 0.35;
+/// How far behind the eye and above it the camera of the third person feels, metres; as in worlds.
+pub const THIRD_PERSON_BACK_M: f64 = 5.2;
+/// See [`THIRD_PERSON_BACK_M`].
+pub const THIRD_PERSON_UP_M: f64 = 0.45;
+/// Felt metres by which a camera stays off what it cannot go through.
+pub const CAMERA_RADIUS_M: f64 = 0.25;
+/// From this many felt metres behind the head on the camera shows who walks.
+pub const FIGURE_SEEN_FROM_M: f64 = 2.2;
 /// The greatest pitch of the view, radians.
 pub const PITCH_LIMIT_RAD: f64 = 89.0 * PI / 180.0;
 /// Angle between the top and the bottom of a picture, radians.
@@ -99,3 +107,5 @@ pub const LAMP_BODY_M: f64 = 0.1;
 pub const LAMP_GRIP_M: f64 = 0.25;
 /// Power of a lamp that is put down, in noon suns at one felt metre, and its colour.
 pub const PUT_LAMP: (f64, [u8; 3]) = (8.0, [0xff, 0xf0, 0xd0]);
+/// How thick a mark is, as a share of its radius.
+pub const MARK_THICKNESS: f64 = 0.15;

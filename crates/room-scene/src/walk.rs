@@ -1,9 +1,8 @@
 //! Who walks in a room: what is asked of them in a step, and what comes of it.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use antipode_deformation::{Place, Traveller, Void, Walker, felt_gravity, trace};
-use antipode_rays::Eye;
 use antipode_rooms::direction;
 use glam::{DVec2, DVec3};
 
@@ -11,8 +10,8 @@ use crate::hands::Hands;
 use crate::scene::RoomScene;
 use crate::things::{Thing, Things};
 use crate::tuning::{
-    ACCELERATIONS_M_S2, COYOTE_S, FOV_Y_RAD, JUMP_BUFFER_S, JUMP_SPEED_M_S, LOST_M,
-    PITCH_LIMIT_RAD, RADIUS_M, SHAPE, SPRINT_FACTOR, STEP_S, TERMINAL_SPEED_M_S, WALK_SPEED_M_S,
+    ACCELERATIONS_M_S2, COYOTE_S, JUMP_BUFFER_S, JUMP_SPEED_M_S, LOST_M, PITCH_LIMIT_RAD, RADIUS_M,
+    SHAPE, SPRINT_FACTOR, STEP_S, TERMINAL_SPEED_M_S, WALK_SPEED_M_S,
 };
 
 /// What is asked of who walks, for one step.
@@ -61,14 +60,6 @@ impl Look {
         self.pitch_rad = (self.pitch_rad + up_rad).clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD);
     }
 
-    /// At a share of the shorter way from another to this.
-    pub fn between(&self, from: &Self, share: f64) -> Self {
-        let turn = (self.yaw_rad - from.yaw_rad + PI).rem_euclid(TAU) - PI;
-        let mut look = *from;
-        look.turn(turn * share, (self.pitch_rad - from.pitch_rad) * share);
-        look
-    }
-
     /// In degrees, yaw from -180 to 180.
     pub fn degrees(&self) -> DVec2 {
         let yaw = (self.yaw_rad.to_degrees() + 180.0).rem_euclid(360.0) - 180.0;
@@ -81,7 +72,7 @@ impl Look {
     }
 
     /// What is ahead and to the right along the ground, each of length 1; `up` is across the ground.
-    fn level(&self, up: DVec3) -> (DVec3, DVec3) {
+    pub(crate) fn level(&self, up: DVec3) -> (DVec3, DVec3) {
         let ahead = direction(DVec2::new(self.degrees().x, 0.0));
         let ahead = ahead
             .reject_from_normalized(up)
@@ -139,12 +130,14 @@ impl RoomScene {
             let falls = self.walker.body.velocity.dot(up);
             self.walker.body.velocity += up * (JUMP_SPEED_M_S - falls);
         }
+        let falls_m_s = -self.walker.body.velocity.dot(up);
         self.walker
             .step(&self.space, &self.solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
         self.things.step(&self.space, &self.solids, gravity, LOST_M);
         self.use_hands(steer);
+        self.hold_figure(falls_m_s);
         let away = self.walker.body.place.point.abs();
         if !away.cmple(DVec3::splat(LOST_M)).all() {
             self.begin_anew();
@@ -186,7 +179,7 @@ impl RoomScene {
     }
 
     /// So many felt metres above a place, or below it.
-    fn above(&self, place: &Place, felt_m: f64) -> Place {
+    pub(crate) fn above(&self, place: &Place, felt_m: f64) -> Place {
         let w = self.felt_up(place) * felt_m.signum();
         trace(&self.space, place, w, felt_m.abs(), &Void, &Traveller::Body).place
     }
@@ -211,20 +204,6 @@ impl RoomScene {
         let up = self.up();
         let k = self.space.squeeze(&place.stack, up, &Traveller::Body);
         felt_gravity(k, up).normalize_or(up)
-    }
-
-    /// The eye at a share of the way of the last step, 0 at its beginning and 1 at its end, along the way that was gone.
-    pub fn eye_between(&self, share: f64) -> Eye {
-        let (place, _) = self.walker.between(&self.space, self.up(), share);
-        let front = self.look.between(&self.looked, share).front();
-        Eye::looking(place, front, DVec3::Y, FOV_Y_RAD)
-    }
-
-    /// The place of the feet at a share of the way of the last step, and where one looks there, degrees of yaw and pitch.
-    pub fn feet_between(&self, share: f64) -> (Place, DVec2) {
-        let (_, middle) = self.walker.between(&self.space, self.up(), share);
-        let look = self.look.between(&self.looked, share);
-        (self.above(&middle, -RADIUS_M), look.degrees())
     }
 
     /// Bullets, their marks, balls that were thrown and lamps that were put down, the oldest first.

@@ -40,7 +40,6 @@ mod lamp;
 pub mod lens;
 mod light;
 mod moment;
-pub mod motion;
 pub mod notice;
 mod npc;
 mod orders;

@@ -12,9 +12,9 @@ use crate::damage::Condition;
 use crate::frame::ModelId;
 use crate::inventory::Inventory;
 use crate::lens::Lens;
-use crate::motion::{Doing, Motion};
 use crate::tool::ToolMark;
 use crate::tuning::{BRUSH_RADIUS_M, FULL_HEALTH, PITCH_LIMIT_RAD};
+use antipode_frame::motion::{Doing, Motion};
 
 /// What the player alone has and does, besides the components of a figure.
 pub(crate) struct Player {

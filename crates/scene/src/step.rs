@@ -9,7 +9,6 @@ use crate::camera::CameraMode;
 use crate::car::{doors, drive};
 use crate::damage::{DamageKind, fall_damage};
 use crate::lens::Lens;
-use crate::motion::Doing;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::player::{self, Appearance, Body, Look, Player, Position};
@@ -18,6 +17,7 @@ use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, STEP_S};
 use crate::world::World;
 use crate::{body, circumnavigation, damage, drops, fixture, gun, npc, tool};
+use antipode_frame::motion::Doing;
 
 /// All that a step changes: a world, its actors, the player and what is to be told of them.
 pub(crate) struct Simulation {

@@ -1,5 +1,6 @@
 //! Figures of play that belong to no other crate, in one place, with their units.
 
+pub use antipode_frame::motion::{LANDS_FROM_M_S, RUN_STRIDE_M, RUNS_FROM_M_S, WALK_STRIDE_M};
 use antipode_physics::{BallTuning, CharacterTuning};
 
 /// Length of one simulation step in seconds.
@@ -48,14 +49,6 @@ pub const VIEW_DISTANCE_CHUNKS: (u32, u32, u32) = (1, 16, 4);
 pub const BODIES_WITHIN_CHUNKS: u16 = 4;
 /// What changed is committed at least this often, in simulated seconds.
 pub const AUTOSAVE_S: f64 = 3.0;
-/// Metres that a cycle of the walk covers, two steps: the speed at which the clip's feet stand still, times its length.
-pub const WALK_STRIDE_M: f64 = 1.4 * 0.78;
-/// Metres that a cycle of the run covers.
-pub const RUN_STRIDE_M: f64 = 4.5 * 0.54;
-/// Speeds from which a walk becomes a run, and at which nothing is left of it, in metres per second.
-pub const RUNS_FROM_M_S: (f64, f64) = (1.8, 3.2);
-/// Slowest fall whose end bends the knees, in metres per second.
-pub const LANDS_FROM_M_S: f64 = 2.5;
 /// How long the flash of a shot is seen, in seconds.
 pub const FLASH_S: f64 = 0.05;
 /// How long it takes to take another thing in hand, in seconds.

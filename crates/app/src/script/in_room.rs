@@ -72,5 +72,10 @@ mod tests {
         assert!((tuning::JUMP_SPEED_M_S - jump).abs() < 1e-6, "{jump}");
         assert_eq!(tuning::TERMINAL_SPEED_M_S, worlds.terminal_speed_m_s);
         assert_eq!(tuning::STEP_S, antipode_scene::tuning::STEP_S);
+        use antipode_scene::tuning as world;
+        assert_eq!(tuning::THIRD_PERSON_BACK_M, world::THIRD_PERSON_BACK_M);
+        assert_eq!(tuning::THIRD_PERSON_UP_M, world::THIRD_PERSON_UP_M);
+        assert_eq!(tuning::CAMERA_RADIUS_M, world::CAMERA_RADIUS_M);
+        assert_eq!(tuning::FIGURE_SEEN_FROM_M, world::FIGURE_SEEN_FROM_M);
     }
 }

@@ -326,7 +326,10 @@ impl Runner {
         let (Some(studio), Some(room)) = (self.studio.as_mut(), self.rooms.scene()) else {
             return Ok(());
         };
-        write_picture(&studio.shoot_room(room, look, bounces)?, path)
+        write_picture(
+            &studio.shoot_room(room, look, (antipode_rays::Options::default(), bounces))?,
+            path,
+        )
     }
 
     pub(super) fn open_studio(&mut self) -> Result<(), Failure> {

@@ -3,16 +3,16 @@
 use antipode_language::Texts;
 use antipode_scene::Scene;
 use antipode_scene::frame::Frame;
-use antipode_settings::Settings;
+use antipode_settings::Config;
 use antipode_ui::HudModel;
 
 use super::framerate::FrameRate;
 use super::phase::Phase;
 use super::play::Play;
+use super::room_hud;
 use crate::drawn::Drawn;
 use crate::hud;
 use crate::navigator::{Navigator, SurveyOrder, columns_for};
-use crate::room_hud;
 
 /// What the player looks at besides the world.
 #[derive(Debug, Default)]
@@ -30,12 +30,13 @@ pub struct Display {
 
 impl Display {
     /// What it shows of a world or room that is played.
-    pub fn model(&mut self, texts: &Texts, settings: &Settings, play: &Play) -> Option<HudModel> {
+    pub fn model(&mut self, texts: &Texts, config: &Config, play: &Play) -> Option<HudModel> {
+        let settings = &config.settings;
         let fps = self.fps.value();
         let session = match &play.phase {
             Phase::Playing(session) if !self.hidden => session,
             Phase::InRoom(visit) if !self.hidden => {
-                return Some(room_hud::model(texts, &visit.room, visit.is_new(), fps));
+                return Some(room_hud::model(texts, &config.profiles, visit, fps));
             }
             _ => return None,
         };

@@ -24,6 +24,7 @@ use super::visit::RoomId;
 use super::waits::Waits;
 use crate::common::Common;
 use crate::pad::Feel;
+use crate::room_picture::RoomView;
 use crate::screenshots::Album;
 use crate::session::Worlds;
 
@@ -273,6 +274,14 @@ impl Game {
         crate::options::fit_mirror(&mut frame, &self.options.config.settings, software);
         self.display.apply_to(&mut frame, &session.scene, is_played);
         Some(frame)
+    }
+
+    /// What a picture of that width over height is of, if a room is open.
+    pub fn room_view(&mut self, aspect: f64) -> Option<RoomView> {
+        let shutter = self.shutter();
+        let visit = self.play.phase.visit_mut()?;
+        visit.aspect = aspect;
+        Some(visit.view(shutter))
     }
 
     /// The open room, with what tells its picture from others.

@@ -48,8 +48,8 @@ impl Game {
 
     /// Shows the display. Returns where its instruments are.
     fn show_display(&mut self, context: &egui::Context) -> egui::Rect {
-        let (texts, settings) = (&self.menus.texts, &self.options.config.settings);
-        let model = self.display.model(texts, settings, &self.play);
+        let texts = &self.menus.texts;
+        let model = self.display.model(texts, &self.options.config, &self.play);
         let Some(mut model) = model.filter(|_| !self.overlays.is_photographing()) else {
             return egui::Rect::NOTHING;
         };

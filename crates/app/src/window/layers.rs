@@ -54,7 +54,10 @@ impl Game {
         match action {
             Action::Menu => self.pause(),
             Action::HideDisplay => display.hidden = !display.hidden,
-            Action::HitShapes => display.hit_shapes = !display.hit_shapes,
+            Action::HitShapes => match self.play.phase.visit_mut() {
+                Some(visit) => visit.toggle_outlines(),
+                None => display.hit_shapes = !display.hit_shapes,
+            },
             Action::FrameFigures => display.figures = !display.figures,
             Action::Fullscreen => {
                 let value = !self.options.config.settings.fullscreen;

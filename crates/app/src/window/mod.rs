@@ -33,6 +33,7 @@ mod pointer;
 mod portrait;
 mod press;
 mod redraw;
+mod room_hud;
 mod shots;
 mod shown;
 mod stage;

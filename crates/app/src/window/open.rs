@@ -13,7 +13,6 @@ use super::press::Down;
 use super::redraw::{REST, Redraw};
 use super::shown::Shown;
 use super::stage::{SceneShown, Showing, Stage};
-use super::visit::Visit;
 use super::waits::Part;
 use super::wheel::Wheel;
 use crate::failure::Failure;
@@ -130,7 +129,7 @@ impl Open {
         self.game.waits.spent_on(Part::Input);
         self.prepare_room();
         let frame = self.game.frame(self.stage.aspect(), self.stage.height_px());
-        let room = self.game.play.phase.visit().map(Visit::view);
+        let room = self.game.room_view(self.stage.aspect());
         self.game.waits.spent_on(Part::Scene);
         let output = self.interface();
         self.game.waits.spent_on(Part::Interface);

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use antipode_room_scene::RoomScene;
-use antipode_scene::Actions;
+use antipode_rays::View;
+use antipode_room_scene::{Difference, RoomScene};
+use antipode_scene::{Actions, Shutter};
 
 use super::devices::Devices;
 use super::pace::Pace;
@@ -28,6 +29,21 @@ pub struct Visit {
     time_s: f64,
     /// Whether a picture of it is there.
     pub(super) is_drawn: bool,
+    /// By which rule it is looked at.
+    pub(super) look: View,
+    outlines: bool,
+    /// Width over height of its pictures.
+    pub(super) aspect: f64,
+}
+
+/// The ways to look at a room, one after another.
+fn next_look(look: View) -> View {
+    match look {
+        View::Exact => View::Split,
+        View::Split => View::Thesis,
+        View::Thesis => View::Plain,
+        View::Plain => View::Exact,
+    }
 }
 
 impl Visit {
@@ -38,6 +54,9 @@ impl Visit {
             number,
             time_s: 0.0,
             is_drawn: false,
+            look: View::Exact,
+            outlines: true,
+            aspect: 16.0 / 9.0,
         }
     }
 
@@ -81,15 +100,37 @@ impl Visit {
     }
 
     fn step(&mut self, actions: &Actions) {
-        self.room.scene.step(&steer(actions));
+        if actions.turn_map {
+            self.look = next_look(self.look);
+        }
+        let scene = &mut self.room.scene;
+        if actions.toggle_camera {
+            scene.set_third_person(!scene.third_person());
+        }
+        scene.step(&steer(actions));
     }
 
-    /// What a picture of this moment is of.
-    pub fn view(&self) -> RoomView {
+    /// What a picture of this moment is of: a share of the way of the last step, and turned as no step knows yet.
+    pub fn view(&self, shutter: Shutter) -> RoomView {
+        let turn = (shutter.turned.right_rad, shutter.turned.up_rad);
         RoomView {
             id: self.id(),
-            eye: self.scene().eye(),
-            options: antipode_rays::Options::default(),
+            moment: self.scene().moment(shutter.share, turn),
+            options: antipode_rays::Options {
+                view: self.look,
+                outlines: self.outlines,
+                ..antipode_rays::Options::default()
+            },
         }
+    }
+
+    /// What the middle of the picture shows by the exact rule and by that of the thesis.
+    pub fn difference(&self) -> Option<Difference> {
+        self.scene().difference(self.aspect)
+    }
+
+    /// Shows or hides the outlines of aberrations.
+    pub fn toggle_outlines(&mut self) {
+        self.outlines = !self.outlines;
     }
 }

@@ -3,7 +3,9 @@
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use antipode_deformation::{Place, Triangle};
-use antipode_rays::{Eye, Instance, Material, Mesh, Options, Picture, Pixel, RayScene, Rays};
+use antipode_rays::{
+    Eye, Instance, Loaded, Material, Mesh, Mover, Options, Picture, Pixel, RayScene, Rays,
+};
 use glam::{Affine3A, DVec3, Vec3};
 
 /// An open adapter with compiled shaders.
@@ -99,17 +101,28 @@ pub const SIZE: (u32, u32) = (64, 36);
 pub type Light = Vec<[f32; 3]>;
 
 pub fn draw(gpu: &Gpu, scene: &RayScene, eye: &Eye, options: Options) -> (Light, Vec<Pixel>) {
-    let rays = &gpu.rays;
+    let mut loaded = gpu.rays.upload(&gpu.device, &gpu.queue, scene).unwrap();
+    draw_with(gpu, (scene, &mut loaded), &[], eye, options)
+}
+
+/// The same with movers.
+pub fn draw_with(
+    gpu: &Gpu,
+    (scene, loaded): (&RayScene, &mut Loaded),
+    movers: &[Mover],
+    eye: &Eye,
+    options: Options,
+) -> (Light, Vec<Pixel>) {
     let _held = gpu.drawing.lock().unwrap_or_else(PoisonError::into_inner);
-    let loaded = rays.upload(&gpu.device, &gpu.queue, scene).unwrap();
+    loaded.show(&gpu.queue, movers).unwrap();
     let picture = Picture::new(&gpu.device, SIZE);
     let mut encoder = gpu
         .device
         .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    rays.draw(
+    gpu.rays.draw(
         (&gpu.device, &gpu.queue),
         &mut encoder,
-        (scene, &loaded),
+        (scene, loaded),
         (eye, &picture),
         options,
     );

@@ -8,6 +8,8 @@
 
 mod agreement;
 mod common;
+mod movers;
 mod pictures;
 mod shaders;
 mod surfaces;
+mod views;

@@ -1,15 +1,15 @@
 //! What pictures show.
 
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 use antipode_deformation::{Aberration, Place, Sides, Space, Ways};
-use antipode_rays::{Instance, Lamp, Options, Picture, RayScene, Seen, Sun};
+use antipode_rays::{Lamp, RayScene, Seen, Sun};
 use antipode_testing::rooms;
-use glam::{Affine3A, DQuat, DVec3, Vec3};
+use glam::{DQuat, DVec3, Vec3};
 
-use crate::common::{Gpu, Light, SIZE, looking, mesh, middle, scene_of, shown, standing};
+use crate::common::{Gpu, Light, looking, mesh, middle, scene_of, shown, standing};
 
-fn boxed(stretch: DVec3, sides: Sides) -> Aberration {
+pub fn boxed(stretch: DVec3, sides: Sides) -> Aberration {
     Aberration {
         name: "box".to_owned(),
         centre: DVec3::new(0.3, 0.2, -1.0),
@@ -22,7 +22,7 @@ fn boxed(stretch: DVec3, sides: Sides) -> Aberration {
 }
 
 /// A floor, a pillar on it and a sun.
-fn yard() -> RayScene {
+pub fn yard() -> RayScene {
     let mut solids = rooms::cuboid(
         DVec3::new(0.0, -1.0, 0.0),
         DQuat::IDENTITY,
@@ -43,7 +43,7 @@ fn yard() -> RayScene {
     scene
 }
 
-fn greatest_gap(one: &Light, other: &Light) -> f32 {
+pub fn greatest_gap(one: &Light, other: &Light) -> f32 {
     let gaps = one.iter().flatten().zip(other.iter().flatten());
     gaps.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
 }
@@ -97,46 +97,6 @@ fn a_pixel_knows_what_it_shows_and_how_far_off_it_feels() {
     assert!(seen.iter().any(|pixel| pixel.seen == Seen::Wall(0)));
     let away = looking(&scene, DVec3::ZERO, DVec3::Z);
     assert_eq!(middle(&shown(gpu, &scene, &away).1).seen, Seen::Nothing);
-}
-
-#[test]
-fn shadows_fall_and_instances_move() {
-    let Some(gpu) = Gpu::shared() else {
-        return;
-    };
-    let scene = yard();
-    // Where the pillar's shadow falls on the floor.
-    let eye = looking(
-        &scene,
-        DVec3::new(-0.6, 3.0, -2.3),
-        DVec3::new(-0.6, 0.0, -2.35),
-    );
-    let rays = &gpu.rays;
-    let _held = gpu.drawing.lock().unwrap_or_else(PoisonError::into_inner);
-    let mut loaded = rays.upload(&gpu.device, &gpu.queue, &scene).unwrap();
-    let picture = Picture::new(&gpu.device, SIZE);
-    let mut brightness = |instances: &[Instance]| {
-        loaded.move_instances(&gpu.queue, instances).unwrap();
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        rays.draw(
-            (&gpu.device, &gpu.queue),
-            &mut encoder,
-            (&scene, &loaded),
-            (&eye, &picture),
-            Options::default(),
-        );
-        gpu.queue.submit([encoder.finish()]);
-        middle(&picture.read_light(&gpu.device, &gpu.queue).unwrap())[1]
-    };
-    let in_shadow = brightness(&scene.instances);
-    let mut moved = scene.instances.clone();
-    moved[1].pose = Affine3A::from_translation(Vec3::new(8.0, 0.0, 0.0));
-    let in_sun = brightness(&moved);
-    assert!(in_sun > 2.0 * in_shadow, "{in_sun} {in_shadow}");
-    assert!((brightness(&scene.instances) - in_shadow).abs() < 1e-6);
-    assert!(brightness(&moved[..1]) > 2.0 * in_shadow);
 }
 
 #[test]

@@ -48,7 +48,7 @@ fn mirrors_show_what_stands_before_them() {
                 &eye,
                 Options {
                     bounces,
-                    samples: 1,
+                    ..Options::default()
                 },
             )
             .0,
@@ -99,7 +99,7 @@ fn panes_are_looked_through() {
             &eye,
             Options {
                 bounces: 4,
-                samples: 1,
+                ..Options::default()
             },
         )
         .0,

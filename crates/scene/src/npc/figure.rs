@@ -14,10 +14,10 @@ use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
 use crate::bot::{Bot, BotView};
 use crate::damage::fall_damage;
 use crate::frame::ModelId;
-use crate::motion::Doing;
 use crate::pick::over;
 use crate::player::{self, Appearance, Body, Health, Look, Position, wrap_angle};
 use crate::tuning::{BOT_HEALTH, STEP_S};
+use antipode_frame::motion::Doing;
 
 /// Ground within this distance must be there before one moves, in metres.
 const NEEDED_AROUND_M: f64 = 2.0;

@@ -29,15 +29,15 @@ const STEP: (f32, f32) = (0.5, 1.2);
 const LEAST_SHARE: f32 = 0.125;
 
 /// What a room is drawn with, or why it cannot be.
-type Made = Result<(Arc<RoomPainter>, Drawable), Failure>;
+type Prepared = Result<(Arc<RoomPainter>, Drawable), Failure>;
 
 /// What draws rooms.
 #[derive(Debug, Default)]
 pub struct Rooms {
     painter: Option<Arc<RoomPainter>>,
     shown: Option<(RoomId, Drawable)>,
-    coming: Option<(RoomId, Task<Made>)>,
-    picture: Option<Picture>,
+    coming: Option<(RoomId, Task<Prepared>)>,
+    pictures: Pictures,
     fineness: Fineness,
 }
 
@@ -83,6 +83,7 @@ impl Rooms {
             Progress::Done(Ok((painter, drawable))) => {
                 self.painter = Some(painter);
                 self.shown = Some((*id, drawable));
+                self.pictures.view = None;
                 self.coming = None;
                 None
             }
@@ -101,11 +102,14 @@ impl Rooms {
 
     /// Whether what is drawn is about to change.
     pub fn is_busy(&self) -> bool {
-        self.coming.is_some()
+        self.coming.is_some() || self.pictures.is_coming()
     }
 
     /// Records the picture of a room into a target of the window's size. `most`: the greatest share of the window's pixels
     /// along each side. Returns whether there is a picture, be it of the room before it was changed.
+    ///
+    /// # Errors
+    /// When what moves is not as the room has it.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
@@ -113,23 +117,27 @@ impl Rooms {
         view: &RoomView,
         target: &wgpu::TextureView,
         (size, most): ((u32, u32), f32),
-    ) -> bool {
+    ) -> Result<bool, Failure> {
         let (Some(painter), Some((id, drawable))) = (&self.painter, &mut self.shown) else {
-            return false;
+            return Ok(false);
         };
         if id.0 != view.id.0 {
-            return false;
+            return Ok(false);
         }
         let share = self.fineness.share(most, Instant::now());
-        let along = |pixels: u32| ((pixels as f32 * share).round() as u32).max(1);
-        let wanted = (along(size.0), along(size.1));
-        if self.picture.as_ref().is_none_or(|it| it.size != wanted) {
-            self.picture = Some(Picture::new(&gpu.device, wanted));
+        let tracer = Tracer {
+            gpu,
+            painter,
+            drawable,
+            view,
+        };
+        if !self.pictures.trace(tracer, encoder, (size, share))? {
+            self.fineness.rest();
         }
-        if let Some(picture) = &self.picture {
-            painter.draw(gpu, encoder, (drawable, picture), view, target);
+        if let Some(picture) = self.pictures.best() {
+            painter.show(gpu, encoder, picture, target);
         }
-        true
+        Ok(true)
     }
 
     /// Records the same picture into another target.
@@ -139,10 +147,107 @@ impl Rooms {
         encoder: &mut wgpu::CommandEncoder,
         target: &wgpu::TextureView,
     ) {
-        if let (Some(painter), Some(picture)) = (&self.painter, &self.picture) {
+        if let (Some(painter), Some(picture)) = (&self.painter, self.pictures.best()) {
             painter.show(gpu, encoder, picture, target);
         }
     }
+}
+
+/// What traces a view.
+struct Tracer<'a> {
+    gpu: &'a Gpu,
+    painter: &'a RoomPainter,
+    drawable: &'a mut Drawable,
+    view: &'a RoomView,
+}
+
+/// The picture while something moves, and a finer one that is made bit by bit while nothing does.
+#[derive(Debug, Default)]
+struct Pictures {
+    quick: Option<Picture>,
+    fine: Option<Picture>,
+    /// What they show.
+    view: Option<RoomView>,
+    /// Of how many pixels the window is.
+    size: (u32, u32),
+    progress: Made,
+}
+
+/// What there is of the pictures of a view.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Made {
+    /// The quick one, and nothing is to be made finer.
+    #[default]
+    Quick,
+    /// The quick one, and so many rows of the fine one.
+    Rows(u32),
+    /// The fine one, too.
+    Fine,
+}
+
+impl Pictures {
+    /// Traces a view that has changed, or goes on with the fine picture of one that has not. Returns whether there was
+    /// anything to trace.
+    fn trace(
+        &mut self,
+        tracer: Tracer<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+        (size, share): ((u32, u32), f32),
+    ) -> Result<bool, Failure> {
+        let device = &tracer.gpu.device;
+        let along = |pixels: u32| ((pixels as f32 * share).round() as u32).max(1);
+        let quick = (along(size.0), along(size.1));
+        let finer = |rows: u32| match rows {
+            _ if quick == size => Made::Quick,
+            rows if rows < size.1 => Made::Rows(rows),
+            _ => Made::Fine,
+        };
+        let (picture, rows) = match self.progress {
+            _ if self.view.as_ref() != Some(tracer.view) || self.size != size => {
+                tracer.drawable.set(tracer.gpu, &tracer.view.moment)?;
+                self.view = Some(tracer.view.clone());
+                self.size = size;
+                self.progress = finer(0);
+                (sized(&mut self.quick, device, quick), 0..quick.1)
+            }
+            Made::Rows(from) => {
+                // As many pixels as the quick one has.
+                let rows = (size.1 as f32 * share * share).ceil() as u32;
+                let to = (from + rows.max(1)).min(size.1);
+                self.progress = finer(to);
+                (sized(&mut self.fine, device, size), from..to)
+            }
+            Made::Quick | Made::Fine => return Ok(false),
+        };
+        let whole = (&*tracer.drawable, &*picture);
+        tracer
+            .painter
+            .trace(tracer.gpu, encoder, whole, tracer.view, rows);
+        Ok(true)
+    }
+
+    /// The finest picture of the view that there is.
+    fn best(&self) -> Option<&Picture> {
+        match self.progress {
+            Made::Fine => self.fine.as_ref(),
+            Made::Quick | Made::Rows(_) => self.quick.as_ref(),
+        }
+    }
+
+    /// Whether the next frame of the same view would show more.
+    fn is_coming(&self) -> bool {
+        matches!(self.progress, Made::Rows(_))
+    }
+}
+
+/// A picture of that size, the one that is there if it has it.
+fn sized<'a>(
+    picture: &'a mut Option<Picture>,
+    device: &wgpu::Device,
+    size: (u32, u32),
+) -> &'a mut Picture {
+    let fits = picture.take().filter(|it| it.size == size);
+    picture.insert(fits.unwrap_or_else(|| Picture::new(device, size)))
 }
 
 /// How many of the window's pixels are traced: as many as frames of a bearable length allow.
@@ -174,6 +279,11 @@ impl Fineness {
             self.note(now.saturating_duration_since(last), most);
         }
         self.share.min(most)
+    }
+
+    /// Nothing is traced in this frame, which tells nothing.
+    fn rest(&mut self) {
+        (self.last, self.frames, self.spent) = (None, 0, Duration::ZERO);
     }
 
     fn note(&mut self, passed: Duration, most: f32) {

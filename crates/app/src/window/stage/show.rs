@@ -134,7 +134,10 @@ impl Stage {
             .rooms
             .draw(&self.gpu, encoder, view, sheets.target, size);
         Painted {
-            room: drawn,
+            room: drawn.unwrap_or_else(|why| {
+                tracing::error!("the room could not be drawn: {why}");
+                false
+            }),
             ..Painted::default()
         }
     }

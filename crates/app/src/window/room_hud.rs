@@ -1,20 +1,28 @@
 //! Fills the model of the heads-up display from an open room.
 
 use antipode_language::{Texts, Value};
+use antipode_rays::View;
 use antipode_room_scene::{Pick, RoomScene};
-use antipode_ui::{HudModel, RoomModel};
+use antipode_settings::Profiles;
+use antipode_ui::{HudModel, RoomModel, first_input_label};
 
-use crate::rooms::OpenRoom;
+use super::visit::Visit;
+use crate::bindings::Action;
 use crate::wording;
 
 /// What differs less is not told, as a share.
 const NOTICED: f64 = 0.02;
 
-/// What the display shows of a room. `is_new`: whether what is strange in it is told.
-pub fn model(texts: &Texts, open: &OpenRoom, is_new: bool, fps: f32) -> HudModel {
-    let words = wording::open_room(texts, open);
-    let scene = &open.scene;
+/// What the display shows of a room.
+pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> HudModel {
+    let words = wording::open_room(texts, &visit.room);
+    let scene = visit.scene();
+    let is_new = visit.is_new();
     let told = |text: &String| Some(text.clone()).filter(|text| is_new && !text.is_empty());
+    let mut state = state(texts, scene);
+    if is_new {
+        state.push(keys(texts, profiles));
+    }
     HudModel {
         fps,
         geometry: words.name.clone(),
@@ -22,13 +30,54 @@ pub fn model(texts: &Texts, open: &OpenRoom, is_new: bool, fps: f32) -> HudModel
         room: Some(RoomModel {
             title: told(&words.name),
             sentence: told(&words.sentence),
-            ahead: ahead(texts, &scene.pick()),
-            look: None,
-            halves: None,
-            state: state(texts, scene),
+            ahead: ahead(texts, &scene.pick()).filter(|_| visit.look == View::Exact),
+            look: look(texts, visit),
+            halves: (visit.look == View::Split)
+                .then(|| ["room-half-thesis", "room-half-exact"].map(|key| texts.say(key))),
+            state,
         }),
         ..HudModel::default()
     }
+}
+
+/// What the keys do that are for rooms in another way than for worlds.
+fn keys(texts: &Texts, profiles: &Profiles) -> String {
+    let values = [
+        ("look", Action::OtherMap),
+        ("camera", Action::Camera),
+        ("gun", Action::Use),
+        ("lamp", Action::SecondUse),
+        ("ball", Action::Drop),
+    ]
+    .map(|(name, action)| (name, first_input_label(texts, profiles, action).into()));
+    texts.say_with("room-keys", &values)
+}
+
+/// By which rule the picture is made, if not by the game's own, and what the middle of it shows by either.
+fn look(texts: &Texts, visit: &Visit) -> Option<String> {
+    let key = match visit.look {
+        View::Exact => return None,
+        View::Split => "room-look-split",
+        View::Thesis => "room-look-thesis",
+        View::Plain => return Some(texts.say("room-look-plain")),
+    };
+    let differs = visit.difference().map(|it| {
+        let far = |length: Option<f64>| match length {
+            Some(length) => {
+                let metres = Value::decimals(length, usize::from(length < 10.0));
+                texts.say_with("room-ahead", &[("felt", metres)])
+            }
+            None => texts.say("room-sky"),
+        };
+        let values = [
+            ("exact", far(it.exact.felt).into()),
+            ("thesis", far(it.thesis.felt).into()),
+            ("bent", Value::decimals(it.bent_deg, 0)),
+        ];
+        texts.say_with("room-differs", &values)
+    });
+    let lines = [Some(texts.say(key)), differs];
+    Some(lines.into_iter().flatten().collect::<Vec<_>>().join("\n"))
 }
 
 /// How far off what is under the crosshair feels, and how far that is in the scene where it differs.

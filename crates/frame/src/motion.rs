@@ -1,14 +1,20 @@
 //! What a body does becomes how it is held: which clips move it, from where to where they fade, and how far its feet
-//! have walked. Advanced with the scene's steps, so that the same steps give the same picture.
+//! have walked. Advanced with the steps of a world or a room, so that the same steps give the same picture.
 
 use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use crate::frame::{Clip, Posture};
-use crate::player::wrap_angle;
-use crate::tuning::{LANDS_FROM_M_S, RUN_STRIDE_M, RUNS_FROM_M_S, WALK_STRIDE_M};
+use crate::posture::{Clip, Posture};
 
+/// Metres that a cycle of the walk covers, two steps: the speed at which the clip's feet stand still, times its length.
+pub const WALK_STRIDE_M: f64 = 1.4 * 0.78;
+/// Metres that a cycle of the run covers.
+pub const RUN_STRIDE_M: f64 = 4.5 * 0.54;
+/// Speeds from which a walk becomes a run, and at which nothing is left of it, in metres per second.
+pub const RUNS_FROM_M_S: (f64, f64) = (1.8, 3.2);
+/// Slowest fall whose end bends the knees, in metres per second.
+pub const LANDS_FROM_M_S: f64 = 2.5;
 /// Slower than this, in m/s, the feet stand.
 const STANDS_M_S: f64 = 0.15;
 /// From this speed on, in m/s, nothing is left of standing.
@@ -166,7 +172,7 @@ impl Motion {
             let angle_rad = doing.way.y.atan2(doing.way.x);
             let backwards = angle_rad.abs() > BACKWARDS_RAD;
             goal_rad = if backwards {
-                wrap_angle(angle_rad - PI)
+                angle_rad - PI.copysign(angle_rad)
             } else {
                 angle_rad
             };

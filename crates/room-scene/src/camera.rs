@@ -1,0 +1,83 @@
+//! From where one sees a room: from the head, or from behind. The camera goes by `trace` as everything does, so that it is as
+//! far behind as it feels, and never behind a wall.
+
+use antipode_deformation::{Place, Traveller, trace};
+use antipode_rays::Eye;
+use glam::DVec3;
+
+use crate::scene::RoomScene;
+use crate::tuning::{
+    CAMERA_RADIUS_M, FIGURE_SEEN_FROM_M, FOV_Y_RAD, THIRD_PERSON_BACK_M, THIRD_PERSON_UP_M,
+};
+
+/// A camera: its place, the felt direction into its picture, and how far behind the head it feels.
+pub(crate) struct Camera {
+    place: Place,
+    front: DVec3,
+    behind_m: f64,
+}
+
+impl Camera {
+    /// The eye that it is.
+    pub(crate) fn eye(&self) -> Eye {
+        Eye::looking(self.place, self.front, DVec3::Y, FOV_Y_RAD)
+    }
+
+    /// Whether it is far enough from who walks to see them.
+    pub(crate) fn sees_who_walks(&self) -> bool {
+        self.behind_m >= FIGURE_SEEN_FROM_M
+    }
+}
+
+impl RoomScene {
+    /// Whether one sees who walks from behind.
+    pub fn third_person(&self) -> bool {
+        self.third_person
+    }
+
+    /// Looks from behind, or from the head.
+    pub fn set_third_person(&mut self, third_person: bool) {
+        self.third_person = third_person;
+    }
+
+    /// The eye of the picture: in the head of who walks, or behind it.
+    pub fn eye(&self) -> Eye {
+        let head = self.walker.eye_place(&self.space, self.up());
+        self.camera_of(head, self.look.front()).eye()
+    }
+
+    /// The camera of who has the head there and looks that way.
+    pub(crate) fn camera_of(&self, head: Place, front: DVec3) -> Camera {
+        if !self.third_person {
+            return Camera {
+                place: head,
+                front,
+                behind_m: 0.0,
+            };
+        }
+        let (above, _, _) = self.leg(&head, self.up(), THIRD_PERSON_UP_M);
+        let (place, back, behind_m) = self.leg(&above, -front, THIRD_PERSON_BACK_M);
+        // What it sees in its middle comes by the way that it went.
+        Camera {
+            place,
+            front: -back,
+            behind_m,
+        }
+    }
+
+    /// Goes on for a felt length, and stops short of what is in the way. Where that is, the direction there, and how long it was.
+    fn leg(&self, from: &Place, way: DVec3, length_m: f64) -> (Place, DVec3, f64) {
+        let go = |longest: f64| {
+            let who = Traveller::Body;
+            trace(&self.space, from, way, longest, &self.solids, &who)
+        };
+        let path = go(length_m + CAMERA_RADIUS_M);
+        let free_m = path.hit().map_or(length_m, |hit| {
+            // A ball touches a plane that it goes towards at that angle so much sooner.
+            let cosine = hit.felt_normal.dot(path.w).abs().max(0.2);
+            (path.length - CAMERA_RADIUS_M / cosine).clamp(0.0, length_m)
+        });
+        let path = go(free_m);
+        (path.place, path.w, free_m)
+    }
+}
