@@ -74,5 +74,6 @@ room-look-thesis = Nach der Regel der Arbeit
 room-look-plain = Wie auf dem Plan: nichts ist gedehnt oder gebogen
 room-half-thesis = Arbeit
 room-half-exact = genau
-room-differs = In der Mitte sieht man { $exact } weit und nach der Arbeit { $thesis }, wo das Licht um { $bent }° gebogen ankommt.
+room-differs = In der Mitte sieht man { $exact } weit, und nach der Arbeit { $thesis }.
+room-differs-elsewhere = In der Mitte sieht man { $exact } weit, und nach der Arbeit { $thesis }: einen anderen Ort, { $apart } m daneben.
 room-sky = den Himmel

@@ -74,5 +74,6 @@ room-look-thesis = Según la regla de la tesis
 room-look-plain = Como en el plano: nada está estirado ni doblado
 room-half-thesis = tesis
 room-half-exact = exacto
-room-differs = En el centro se ve { $exact } y según la tesis { $thesis }, adonde la luz llega doblada { $bent }°.
+room-differs = En el centro se ve a { $exact }, y según la tesis a { $thesis }.
+room-differs-elsewhere = En el centro se ve a { $exact }, y según la tesis a { $thesis }: otro lugar, { $apart } m al lado.
 room-sky = el cielo

@@ -80,5 +80,6 @@ room-look-thesis = Według reguły pracy
 room-look-plain = Jak na planie: nic nie jest rozciągnięte ani zgięte
 room-half-thesis = praca
 room-half-exact = dokładnie
-room-differs = Pośrodku widać na { $exact }, a według pracy na { $thesis }, dokąd światło dociera zgięte o { $bent }°.
+room-differs = Pośrodku widać na { $exact }, a według pracy na { $thesis }.
+room-differs-elsewhere = Pośrodku widać na { $exact }, a według pracy na { $thesis }: inne miejsce, { $apart } m obok.
 room-sky = niebo

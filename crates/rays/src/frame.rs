@@ -59,7 +59,13 @@ pub struct Frame {
 }
 
 /// Of a scene's light, an eye, and a part of a picture of `size` pixels.
-pub fn frame(scene: &RayScene, eye: &Eye, size: (u32, u32), options: Options, part: Part) -> Frame {
+pub fn frame(
+    scene: &RayScene,
+    eye: &Eye,
+    size: (u32, u32),
+    options: Options,
+    part: &Part,
+) -> Frame {
     let half = (0.5 * eye.fov_y_rad).tan();
     let aspect = f64::from(size.0) / f64::from(size.1.max(1));
     let pixel_angle = 2.0 * half / f64::from(size.1.max(1));

@@ -194,7 +194,7 @@ impl Rays {
                 rows: rows.clone(),
                 line,
             };
-            let uniform = frame(scene, eye, picture.size, options, part);
+            let uniform = frame(scene, eye, picture.size, options, &part);
             queue.write_buffer(buffer, 0, bytemuck::bytes_of(&uniform));
             let scene = scene_group(device, &self.scene_layout, loaded, rule);
             pass.set_bind_group(0, &scene, &[]);

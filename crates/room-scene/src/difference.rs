@@ -12,8 +12,8 @@ pub struct Difference {
     pub exact: Pick,
     /// By the thesis's, for all aberrations; its lengths are those of the scene.
     pub thesis: Pick,
-    /// By how much its light is bent on the way, degrees.
-    pub bent_deg: f64,
+    /// How far apart in the scene both places are, metres; none where either is the sky.
+    pub apart_m: Option<f64>,
 }
 
 impl RoomScene {
@@ -25,12 +25,13 @@ impl RoomScene {
             eye.direction(1.0, 1.0, aspect),
         );
         let space = by_the_thesis(&self.space)?;
-        let (exact, _) = self.pick_by(&self.space, &Traveller::Body);
-        let (thesis, end) = self.pick_by(&space, &Traveller::Light(corners));
+        let (exact, here) = self.pick_by(&self.space, &Traveller::Body);
+        let (thesis, there) = self.pick_by(&space, &Traveller::Light(corners));
+        let are_hits = exact.object.is_some() && thesis.object.is_some();
         Some(Difference {
+            apart_m: are_hits.then(|| here.distance(there)),
             exact,
             thesis,
-            bent_deg: end.angle_between(eye.front).to_degrees(),
         })
     }
 }

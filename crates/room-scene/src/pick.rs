@@ -36,7 +36,7 @@ impl RoomScene {
         self.pick_by(&self.space, &Traveller::Body).0
     }
 
-    /// What it would be on in another space of the same boxes, and the felt direction in which one arrives there.
+    /// What it would be on in another space of the same boxes, and where that is.
     pub(crate) fn pick_by(&self, space: &Space, who: &Traveller) -> (Pick, DVec3) {
         let Eye { place, front, .. } = self.eye();
         let path = trace(space, &place, front, PICK_M, &self.solids, who);
@@ -57,7 +57,7 @@ impl RoomScene {
             scene: hit.map(|_| scene),
             events: path.events.iter().map(|it| self.told(it)).collect(),
         };
-        (pick, path.w)
+        (pick, path.place.point)
     }
 
     /// The object that something belongs to.

@@ -13,6 +13,9 @@ use crate::wording;
 /// What differs less is not told, as a share.
 const NOTICED: f64 = 0.02;
 
+/// Places that are nearer to one another are told as one, metres.
+const APART_M: f64 = 0.05;
+
 /// What the display shows of a room.
 pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> HudModel {
     let words = wording::open_room(texts, &visit.room);
@@ -69,12 +72,17 @@ fn look(texts: &Texts, visit: &Visit) -> Option<String> {
             }
             None => texts.say("room-sky"),
         };
-        let values = [
+        let mut values = vec![
             ("exact", far(it.exact.felt).into()),
             ("thesis", far(it.thesis.felt).into()),
-            ("bent", Value::decimals(it.bent_deg, 0)),
         ];
-        texts.say_with("room-differs", &values)
+        match it.apart_m {
+            Some(apart_m) if apart_m >= APART_M => {
+                values.push(("apart", Value::decimals(apart_m, 1)));
+                texts.say_with("room-differs-elsewhere", &values)
+            }
+            _ => texts.say_with("room-differs", &values),
+        }
     });
     let lines = [Some(texts.say(key)), differs];
     Some(lines.into_iter().flatten().collect::<Vec<_>>().join("\n"))

@@ -25,6 +25,8 @@ const BEGUN: u32 = 2;
 const JUDGED: u32 = 4;
 /// Greatest change at once.
 const STEP: (f32, f32) = (0.5, 1.2);
+/// How long a figure is seen to move after it has come to stand.
+const SETTLES: Duration = Duration::from_millis(700);
 /// Least share of the window's pixels along each side.
 const LEAST_SHARE: f32 = 0.125;
 
@@ -170,7 +172,33 @@ struct Pictures {
     view: Option<RoomView>,
     /// Of how many pixels the window is.
     size: (u32, u32),
+    /// When the view changed last, but for how a figure is held.
+    since: Option<Instant>,
     progress: Made,
+}
+
+/// How a view differs from the one before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Change {
+    Nothing,
+    /// In how a figure is held that is seen.
+    Posture,
+    /// In more.
+    Place,
+}
+
+fn change(before: &RoomView, after: &RoomView) -> Change {
+    if before == after {
+        return Change::Nothing;
+    }
+    let mut held = after.clone();
+    held.moment.figure.posture = before.moment.figure.posture;
+    match *before == held {
+        false => Change::Place,
+        // The sway of a shadow tells nothing.
+        true if after.moment.figure.unseen_by_eye => Change::Nothing,
+        true => Change::Posture,
+    }
 }
 
 /// What there is of the pictures of a view.
@@ -202,8 +230,26 @@ impl Pictures {
             rows if rows < size.1 => Made::Rows(rows),
             _ => Made::Fine,
         };
+        let now = Instant::now();
+        let change = self
+            .view
+            .as_ref()
+            .map_or(Change::Place, |it| change(it, tracer.view));
+        if change == Change::Place || self.size != size {
+            self.since = Some(now);
+        }
+        let rests = self
+            .since
+            .is_some_and(|since| now.saturating_duration_since(since) > SETTLES);
+        let is_new = match change {
+            _ if self.size != size => true,
+            Change::Place => true,
+            // Who stands sways a little, and would never be seen sharply.
+            Change::Posture => quick == size || !rests,
+            Change::Nothing => false,
+        };
         let (picture, rows) = match self.progress {
-            _ if self.view.as_ref() != Some(tracer.view) || self.size != size => {
+            _ if is_new => {
                 tracer.drawable.set(tracer.gpu, &tracer.view.moment)?;
                 self.view = Some(tracer.view.clone());
                 self.size = size;
