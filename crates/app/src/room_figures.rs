@@ -67,20 +67,21 @@ impl RoomFigures {
             pose,
             object,
             unseen_by_eye,
-        } = room.figure();
+        } = room.figure_between(share);
         if self.posture != Some(posture) {
             let corners = self.astronaut.corners(&posture);
             loaded.pose(&gpu.queue, self.mesh, &corners.places, &corners.normals)?;
             self.posture = Some(posture);
         }
-        let who = Mover {
+        let mut movers = room.movers_between(share);
+        movers.push(Mover {
             mesh: self.mesh,
             pose,
             object,
             materials: self.materials,
             unseen_by_eye,
-        };
-        Ok(loaded.show(&gpu.queue, &[who])?)
+        });
+        Ok(loaded.show(&gpu.queue, &movers)?)
     }
 }
 

@@ -77,7 +77,8 @@ impl RoomPictures {
                 figures,
                 ..
             } = drawn;
-            figures.show(gpu, loaded, room)?;
+            scene.lamps = room.lamps_between(1.0);
+            figures.show(gpu, loaded, (room, 1.0))?;
             self.rays.draw(
                 (&gpu.device, &gpu.queue),
                 &mut encoder,

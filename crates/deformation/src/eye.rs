@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
-use crate::scene::Void;
+use crate::gravity::felt_gravity;
+use crate::scene::{SceneQuery, Void};
 use crate::space::{Space, Traveller};
 use crate::trace::{Place, trace};
-use crate::tuning::EYE_GLIDE_S;
+use crate::tuning::{EYE_CLEAR_M, EYE_GLIDE_S};
 
 /// The felt height of a walker's eye above its middle. A box that is stretched upwards moves the eye in the scene when the
 /// middle enters it; the eye stays where it was and glides to its felt height instead.
@@ -17,6 +18,8 @@ pub struct EyeHeight {
     off_m: f64,
     /// Of the glide, seconds that are left.
     left_s: f64,
+    /// Something is above: no higher than this, metres.
+    most_m: f64,
 }
 
 impl EyeHeight {
@@ -26,6 +29,7 @@ impl EyeHeight {
             rest_m,
             off_m: 0.0,
             left_s: 0.0,
+            most_m: f64::INFINITY,
         }
     }
 
@@ -33,7 +37,19 @@ impl EyeHeight {
     pub fn height_m(&self) -> f64 {
         // Begins and ends without a jump of speed.
         let share = (self.left_s / EYE_GLIDE_S).clamp(0.0, 1.0);
-        self.rest_m + self.off_m * share * share * (3.0 - 2.0 * share)
+        let height = self.rest_m + self.off_m * share * share * (3.0 - 2.0 * share);
+        height.min(self.most_m)
+    }
+
+    /// Looks what is above: an eye that was higher up before its walker came into a box comes down sooner under a lintel.
+    pub fn duck(&mut self, space: &Space, scene: &dyn SceneQuery, middle: &Place, up: DVec3) {
+        self.most_m = f64::INFINITY;
+        let reach = self.height_m() + EYE_CLEAR_M;
+        let w = felt_up(space, middle, up);
+        let path = trace(space, middle, w, reach, scene, &Traveller::Body);
+        if path.hit().is_some() {
+            self.most_m = (path.length - EYE_CLEAR_M).max(0.0);
+        }
     }
 
     /// Time passes.
@@ -67,6 +83,13 @@ impl EyeHeight {
     }
 
     fn above(space: &Space, middle: &Place, up: DVec3, felt_m: f64) -> Place {
-        trace(space, middle, up, felt_m, &Void, &Traveller::Body).place
+        let w = felt_up(space, middle, up);
+        trace(space, middle, w, felt_m, &Void, &Traveller::Body).place
     }
+}
+
+/// Against felt gravity, of length 1.
+fn felt_up(space: &Space, place: &Place, up: DVec3) -> DVec3 {
+    let k = space.squeeze(&place.stack, up, &Traveller::Body);
+    felt_gravity(k, up).normalize_or(up)
 }

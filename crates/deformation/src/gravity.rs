@@ -9,7 +9,7 @@ use glam::{DMat3, DVec3};
 use crate::face::{Crossing, State, cross};
 use crate::scene::SceneQuery;
 use crate::space::{Space, Traveller};
-use crate::trace::{Hit, MAX_EVENTS, Next, Place, What, felt_normal, next_event};
+use crate::trace::{Hit, MAX_EVENTS, Next, Place, What, beyond, felt_normal, next_event};
 use crate::tuning::LONGEST_PART_S;
 
 /// Felt acceleration inside of boxes of product K, of gravity `g` of the scene, m/s^2.
@@ -66,7 +66,9 @@ impl Flyer {
             }
             let v = k * (chord / length);
             let (mut way, next) = next_event(space, &self.place.stack, self.place.point, v, length);
-            let hit = scene.first(self.place.point, v, way);
+            // As in `trace`: solids that lie on a face belong to the near side.
+            let beyond = beyond(space, self.place.point, v, next);
+            let hit = scene.first(self.place.point, v, way + beyond);
             way = hit.map_or(way, |hit| hit.time);
             self.place.point += v * way;
             if next == Next::Spent && hit.is_none() {

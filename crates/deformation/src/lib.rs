@@ -11,7 +11,10 @@
 //! `event.rs`, `face.rs` and `trace.rs` in `f32`. There is no input, no output and no GPU here.
 
 mod aberration;
+mod air;
+mod ball;
 mod bvh;
+mod column;
 mod error;
 mod event;
 mod eye;
@@ -24,11 +27,14 @@ mod scene;
 mod space;
 mod stack;
 mod trace;
+mod triangle;
 mod triangles;
 mod tuning;
+mod walk;
 mod walker;
 
 pub use aberration::{Aberration, Exit, Sides, Ways, stretch_of_legacy};
+pub use ball::{Ball, BallShape};
 pub use bvh::{Bvh, BvhNode};
 pub use error::SpaceError;
 pub use event::{crossing_in, crossing_out};

@@ -2,6 +2,8 @@
 
 use glam::{DMat3, DVec3};
 
+use crate::space::MAX_ABERRATIONS;
+
 /// Boxes that overlap by less than this only touch, metres.
 const TOUCH_M: f64 = 1e-7;
 /// Cosines within this of 0 or 1 make axes parallel.
@@ -61,72 +63,107 @@ impl Bounds {
             .iter()
             .all(|cosine| cosine.abs() < PARALLEL || (cosine.abs() - 1.0).abs() < PARALLEL)
     }
-
-    /// What both have in common, where it is more than a face. For boxes of which one contains the other, or whose axes
-    /// are parallel.
-    fn common(&self, other: &Self) -> Option<Self> {
-        if !self.overlaps(other) {
-            return None;
-        }
-        if other.contains(self) {
-            return Some(*self);
-        }
-        if self.contains(other) {
-            return Some(*other);
-        }
-        let away = self.axes.transpose() * (other.centre - self.centre);
-        let reach = DVec3::from_array([0, 1, 2].map(|i| other.reach(self.axes.col(i))));
-        let low = (-self.half).max(away - reach);
-        let high = self.half.min(away + reach);
-        Some(Self {
-            centre: self.centre + self.axes * ((low + high) * 0.5),
-            half: (high - low) * 0.5,
-            ..*self
-        })
-    }
 }
 
-/// Sets of boxes that have a place in common, looked at before it is given up.
+/// Sets of boxes looked at before it is given up.
 const MOST_SETS: usize = 200_000;
+/// Words of 64 bits for the numbers of all boxes.
+const WORDS: usize = MAX_ABERRATIONS / 64;
+
+/// A set of boxes, a bit for each.
+type Set = [u64; WORDS];
+
+fn first_of(set: &Set) -> Option<usize> {
+    let word = set.iter().position(|word| *word != 0)?;
+    Some(word * 64 + set[word].trailing_zeros() as usize)
+}
+
+fn common(one: &Set, other: &Set) -> Set {
+    std::array::from_fn(|word| one[word] & other[word])
+}
+
+fn change(set: &mut Set, number: usize) {
+    set[number / 64] ^= 1 << (number % 64);
+}
 
 /// More than `most` boxes that have a place in common, if there are; an error names the box at which there were too many
-/// sets to look at.
+/// sets to look at. Of boxes that overlap, those that are not parallel have to lie within each other.
+///
+/// Boxes of which each two overlap have a place in common, so that it is enough to look at pairs: parallel ones since
+/// intervals do, axis by axis (E. Helly). Of those that are turned otherwise, a box either lies in all of the parallel ones,
+/// and so in what they have in common, or it contains one of them, and so what they have in common.
 pub fn too_deep(boxes: &[Bounds], most: usize) -> Result<Option<Vec<usize>>, usize> {
-    let mut seen = 0;
-    for (first, bounds) in boxes.iter().enumerate() {
-        let mut chain = vec![(first, *bounds)];
-        if let Some(found) = deepen(boxes, most, &mut chain, &mut seen)? {
-            return Ok(Some(found));
+    let mut search = Search {
+        overlaps: vec![Set::default(); boxes.len()],
+        most,
+        chain: Vec::new(),
+        seen: 0,
+    };
+    let mut all = Set::default();
+    for (number, bounds) in boxes.iter().enumerate() {
+        change(&mut all, number);
+        for (other, against) in boxes[..number].iter().enumerate() {
+            if bounds.overlaps(against) {
+                change(&mut search.overlaps[number], other);
+                change(&mut search.overlaps[other], number);
+            }
         }
     }
-    Ok(None)
+    let found = search.deepen(all)?;
+    search.chain.sort_unstable();
+    Ok(found.then_some(search.chain))
 }
 
-fn deepen(
-    boxes: &[Bounds],
+/// A search for a set of boxes of which each two overlap.
+struct Search {
+    /// Those that overlap each.
+    overlaps: Vec<Set>,
     most: usize,
-    chain: &mut Vec<(usize, Bounds)>,
-    seen: &mut usize,
-) -> Result<Option<Vec<usize>>, usize> {
-    let Some(&(last, place)) = chain.last() else {
-        return Ok(None);
-    };
-    if chain.len() > most {
-        return Ok(Some(chain.iter().map(|(number, _)| *number).collect()));
-    }
-    for next in last + 1..boxes.len() {
-        if let Some(common) = place.common(&boxes[next]) {
-            *seen += 1;
-            if *seen > MOST_SETS {
-                return Err(next);
+    chain: Vec<usize>,
+    seen: usize,
+}
+
+impl Search {
+    /// Puts more boxes on the chain, of those that overlap all that are on it, until there are more than may be.
+    ///
+    /// Boxes that overlap each other cannot share a group in which none overlaps another: so there are at most as many more
+    /// as groups (E. Tomita, 2003). Boxes are tried from the last group on, and given up when there are too few groups.
+    fn deepen(&mut self, among: Set) -> Result<bool, usize> {
+        let mut left = among;
+        for (number, groups) in self.grouped(&among).into_iter().rev() {
+            if self.chain.len() + groups <= self.most {
+                return Ok(false);
             }
-            chain.push((next, common));
-            let found = deepen(boxes, most, chain, seen)?;
-            if found.is_some() {
-                return Ok(found);
+            self.seen += 1;
+            if self.seen > MOST_SETS {
+                return Err(number);
             }
-            chain.pop();
+            self.chain.push(number);
+            let more = common(&left, &self.overlaps[number]);
+            if self.chain.len() > self.most || self.deepen(more)? {
+                return Ok(true);
+            }
+            self.chain.pop();
+            change(&mut left, number);
         }
+        Ok(false)
     }
-    Ok(None)
+
+    /// Boxes in groups in which none overlaps another, each with the number of its group, from 1.
+    fn grouped(&self, among: &Set) -> Vec<(usize, usize)> {
+        let mut left = *among;
+        let mut grouped = Vec::new();
+        let mut group = 0;
+        while left != Set::default() {
+            group += 1;
+            let mut free = left;
+            while let Some(number) = first_of(&free) {
+                grouped.push((number, group));
+                change(&mut left, number);
+                change(&mut free, number);
+                free = std::array::from_fn(|word| free[word] & !self.overlaps[number][word]);
+            }
+        }
+        grouped
+    }
 }

@@ -13,6 +13,8 @@ use crate::stack::Stack;
 pub const MAX_EVENTS: usize = 64;
 /// Solids that lie on a face belong to the near side: a share of the place's numbers by which one looks beyond it.
 const ON_FACE: f64 = 1e-12;
+/// And as a length of way at most, metres.
+const LONGEST_BEYOND_M: f64 = 1e-6;
 
 /// A point of the scene and the boxes that contain it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,6 +32,38 @@ impl Place {
             point,
             stack: space.stack_at(point),
         }
+    }
+
+    /// A place at a share of the straight line from one place to another near by, 0 to 1. A box that only one of them is
+    /// in is entered or left where the line meets its faces.
+    pub fn between(space: &Space, from: &Self, to: &Self, share: f64) -> Self {
+        let way = to.point - from.point;
+        let point = from.point + way * share;
+        if from.stack == to.stack {
+            return Self { point, ..*from };
+        }
+        if share <= 0.0 || share >= 1.0 {
+            return if share <= 0.0 { *from } else { *to };
+        }
+        let mut stack = from.stack;
+        let crossed = |number: usize, place: &Self, way: DVec3| {
+            let placed = &space.placed()[number];
+            let u = placed.axes.transpose() * way;
+            let leaves = crossing_out(placed.local(place.point), u, placed.aberration.half).0;
+            leaves.min(1.0)
+        };
+        for number in from.stack.iter().filter(|it| !to.stack.contains(*it)) {
+            if share >= crossed(number, from, way) {
+                stack.remove(number);
+            }
+        }
+        for number in to.stack.iter().filter(|it| !from.stack.contains(*it)) {
+            // Entered on the way there is left on the way back.
+            if 1.0 - share < crossed(number, to, -way) {
+                space.push(&mut stack, number);
+            }
+        }
+        Self { point, stack }
     }
 }
 
@@ -162,7 +196,7 @@ pub fn trace(
             v,
             longest - path.length,
         );
-        let beyond = ON_FACE * (1.0 + path.place.point.abs().max_element()) / v.length();
+        let beyond = beyond(space, path.place.point, v, next);
         if let Some(hit) = scene.first(path.place.point, v, time + beyond) {
             path.advance(hit.time, v);
             path.end = End::Hit(struck(k, v, hit.normal, What::Object(hit.object, hit.part)));
@@ -189,6 +223,17 @@ pub fn trace(
         (path.place.stack, path.w) = (state.stack, state.w);
     }
     path
+}
+
+/// For how long after an event solids are still met before it: those that lie on its face, to rounding. A face that is grazed
+/// is come to that much later, up to a micrometre of way.
+pub fn beyond(space: &Space, x: DVec3, v: DVec3, next: Next) -> f64 {
+    let near = ON_FACE * (1.0 + x.abs().max_element());
+    let across = match next {
+        Next::Face { number, axis, .. } => space.placed()[number].axes.col(axis).dot(v).abs(),
+        Next::Spent => v.length(),
+    };
+    (near / across.max(1e-200)).min(LONGEST_BEYOND_M.max(near) / v.length())
 }
 
 impl Trace {

@@ -1,36 +1,61 @@
-//! A walker: a ball of felt radius that goes by `trace`, slides along solids and stands on gentle slopes.
+//! Somebody who walks: a column of balls of felt size that goes by `trace`, climbs low steps, stands on gentle slopes,
+//! slides along walls and bumps its head.
 //!
-//! Solids are met in felt metres about the ball's middle: corners are carried there by A = K^-1, K being that of the boxes
-//! that the middle is in, and the ball is a ball there. Inside of a box it is therefore s times smaller in the scene.
+//! It changes its size at the middle of its lowest ball, about its feet: inside of a box it is s times smaller in the scene.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
+use crate::air::fly_part;
+use crate::column::Around;
 use crate::eye::EyeHeight;
-use crate::gravity::{Flyer, felt_gravity};
-use crate::scene::{SceneQuery, Void};
-use crate::space::{Space, Traveller};
-use crate::trace::{Place, trace};
-use crate::tuning::{LONGEST_PART_S, STEEPEST_RAD, STRIDE};
+use crate::gravity::Flyer;
+use crate::scene::SceneQuery;
+use crate::space::Space;
+use crate::trace::Place;
+use crate::tuning::{LEAVES_M_S, LONGEST_PART_S, STRIDE};
+use crate::walk::{Walked, walk_part};
 
-/// What a walker is like.
+/// What a walker is like; lengths are felt metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WalkerShape {
-    /// Felt radius, metres.
+    /// Radius of its balls.
     pub radius_m: f64,
-    /// Felt height of the eye above the ball's middle, metres.
+    /// From the feet to the crown, at least twice the radius.
+    pub height_m: f64,
+    /// Height of the eye above the middle of the lowest ball.
     pub eye_m: f64,
+    /// Highest step that is climbed, and deepest that is followed down.
+    pub step_m: f64,
+    /// Slopes up to this angle carry, radians.
+    pub steepest_rad: f64,
+}
+
+impl WalkerShape {
+    /// From the middle of the lowest ball to that of the highest.
+    pub fn axis_m(&self) -> f64 {
+        (self.height_m - 2.0 * self.radius_m).max(0.0)
+    }
+
+    /// Whether a contact carries: its own direction is gentle enough, as on a ridge, or it is the lip of a gentle face
+    /// under the lowest ball, as on a step. Both are told by how upright they are, 0 to 1.
+    pub(crate) fn carries(&self, normal_up: f64, face_up: f64, least_lip_up: f64) -> bool {
+        let least_up = self.steepest_rad.cos();
+        normal_up >= least_up || (face_up >= least_up && normal_up > least_lip_up)
+    }
 }
 
 /// Somebody who walks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Walker {
-    /// Its middle and its felt velocity.
+    /// The middle of its lowest ball and its felt velocity.
     pub body: Flyer,
-    /// Felt normal of the ground that it stands on.
-    pub ground: Option<DVec3>,
+    /// Whether it stands or walks on something.
+    pub grounded: bool,
     /// Where its eye is.
     pub eye: EyeHeight,
     shape: WalkerShape,
+    /// Places of the eye and of the middle at the ends of the parts of the last step, its beginning first.
+    way: Vec<(Place, Place)>,
 }
 
 impl Walker {
@@ -41,15 +66,43 @@ impl Walker {
                 place,
                 velocity: DVec3::ZERO,
             },
-            ground: None,
+            grounded: false,
             eye: EyeHeight::new(shape.eye_m),
             shape,
+            way: Vec::new(),
         }
+    }
+
+    /// What it is like.
+    pub fn shape(&self) -> &WalkerShape {
+        &self.shape
     }
 
     /// The place of the eye; `up` is the scene's.
     pub fn eye_place(&self, space: &Space, up: DVec3) -> Place {
         self.eye.place(space, &self.body.place, up)
+    }
+
+    /// Places of the eye and of the middle of the lowest ball at a share of the way of the last step, 0 at its beginning
+    /// and 1 at its end; between two parts of it along the line from one to the other, through faces too.
+    pub fn between(&self, space: &Space, up: DVec3, share: f64) -> (Place, Place) {
+        let last = (self.eye_place(space, up), self.body.place);
+        let Some(parts) = self.way.len().checked_sub(1).filter(|parts| *parts > 0) else {
+            return last;
+        };
+        let along = share.clamp(0.0, 1.0) * parts as f64;
+        let part = (along.floor() as usize).min(parts - 1);
+        let (from, to) = (&self.way[part], &self.way[part + 1]);
+        let share = along - part as f64;
+        (
+            Place::between(space, &from.0, &to.0, share),
+            Place::between(space, &from.1, &to.1, share),
+        )
+    }
+
+    /// Forgets the way of the last step, as when the space has changed.
+    pub fn stay(&mut self) {
+        self.way.clear();
     }
 
     /// Goes on for `time` seconds at felt velocity `wish`, m/s along the ground, under gravity `g` of the scene, m/s^2.
@@ -65,136 +118,52 @@ impl Walker {
         let by_way = time * speed / (self.shape.radius_m * STRIDE);
         let parts = (time / LONGEST_PART_S).max(by_way).ceil().clamp(1.0, 1e4);
         let up = -g.normalize_or(DVec3::NEG_Y);
+        let mut eye = self.eye_place(space, up);
+        self.way.clear();
+        self.way.push((eye, self.body.place));
         for _ in 0..parts as usize {
-            let before = (self.body, self.eye_place(space, up).point);
-            self.go(space, wish, g, time / parts);
-            if !self.clear(space, scene, g) {
-                // Too big for what it came into.
-                self.body = Flyer {
-                    velocity: DVec3::ZERO,
-                    ..before.0
-                };
-            }
-            self.eye.glide(time / parts);
-            if self.body.place.stack != before.0.place.stack {
-                self.eye.keep(space, &self.body.place, up, before.1);
-            }
-        }
-    }
-
-    /// Moves as if there were no solids.
-    fn go(&mut self, space: &Space, wish: DVec3, g: DVec3, time: f64) {
-        let k = space.squeeze(&self.body.place.stack, self.body.velocity, &Traveller::Body);
-        let up = -felt_gravity(k, g).normalize_or(DVec3::NEG_Y);
-        match self.ground {
-            // On the ground nothing pulls along it.
-            Some(normal) if self.body.velocity.dot(normal) < 0.1 => {
-                let along = wish - wish.dot(normal) * normal;
-                self.body.velocity = along - normal * (felt_gravity(k, g).length() * time);
-                self.body.fly(space, &Void, DVec3::ZERO, time);
-            }
-            _ => {
-                let fall = self.body.velocity.dot(up);
-                self.body.velocity = wish - wish.dot(up) * up + fall * up;
-                self.body.fly(space, &Void, g, time);
-            }
-        }
-    }
-
-    /// Moves out of all solids and keeps what it has of velocity along them; whether it could.
-    fn clear(&mut self, space: &Space, scene: &dyn SceneQuery, g: DVec3) -> bool {
-        let slack = 1e-6 * self.shape.radius_m;
-        self.ground = None;
-        for _ in 0..12 {
-            let k = space.squeeze(&self.body.place.stack, self.body.velocity, &Traveller::Body);
-            let Some(out) = self
-                .deepest(space, scene, k)
-                .filter(|out| out.length() > slack)
-            else {
-                return true;
+            let heading = if wish == DVec3::ZERO {
+                self.body.velocity
+            } else {
+                wish
             };
-            let normal = out.normalize();
-            let up = -felt_gravity(k, g).normalize_or(DVec3::NEG_Y);
-            if normal.dot(up) > STEEPEST_RAD.cos() {
-                self.ground = Some(normal);
-            }
-            self.body.velocity -= self.body.velocity.dot(normal).min(0.0) * normal;
-            let path = trace(
+            let around = Around {
                 space,
-                &self.body.place,
-                normal,
-                out.length(),
-                &Void,
-                &Traveller::Body,
-            );
-            self.body.place = path.place;
-        }
-        false
-    }
-
-    /// How far and which way, in felt metres, it must go to be out of the solid that it is deepest in.
-    fn deepest(&self, space: &Space, scene: &dyn SceneQuery, k: DMat3) -> Option<DVec3> {
-        let (centre, radius) = (self.body.place.point, self.shape.radius_m);
-        let into_felt = k.inverse();
-        let rows = k.transpose();
-        let reach = radius
-            * DVec3::new(
-                rows.x_axis.length(),
-                rows.y_axis.length(),
-                rows.z_axis.length(),
-            );
-        let mut nearest = (radius, None);
-        let mut look = |corners: [DVec3; 3]| {
-            let felt = corners.map(|corner| into_felt * (corner - centre));
-            let closest = closest_to_origin(felt);
-            let away = closest.length();
-            if away < nearest.0 {
-                let normal = if away > 1e-9 * radius {
-                    -closest / away
-                } else {
-                    (felt[1] - felt[0])
-                        .cross(felt[2] - felt[0])
-                        .normalize_or(DVec3::Y)
-                };
-                nearest = (away, Some(normal));
+                scene,
+                g,
+                heading,
+            };
+            let stack = self.body.place.stack;
+            self.go(&around, wish, time / parts);
+            self.eye.glide(time / parts);
+            if self.body.place.stack != stack {
+                self.eye.keep(space, &self.body.place, up, eye.point);
             }
-        };
-        scene.near(centre - reach, centre + reach, &mut look);
-        space.walls_near(centre - reach, centre + reach, &mut look);
-        nearest.1.map(|normal| normal * (radius - nearest.0))
+            self.eye.duck(space, scene, &self.body.place, up);
+            eye = self.eye_place(space, up);
+            self.way.push((eye, self.body.place));
+        }
     }
-}
 
-/// The point of a triangle next to the origin (C. Ericson, Real-Time Collision Detection, 5.1.5).
-fn closest_to_origin([a, b, c]: [DVec3; 3]) -> DVec3 {
-    let (ab, ac) = (b - a, c - a);
-    let (d1, d2) = (-ab.dot(a), -ac.dot(a));
-    if d1 <= 0.0 && d2 <= 0.0 {
-        return a;
+    /// Walks while there is ground, else flies.
+    fn go(&mut self, around: &Around<'_>, wish: DVec3, time: f64) {
+        let up = around.up(&self.body.place);
+        let wish = wish - wish.dot(up) * up;
+        let rises = self.body.velocity.dot(up);
+        if self.grounded && rises < LEAVES_M_S {
+            let from = Walked {
+                place: self.body.place,
+                velocity: wish,
+            };
+            if let Some(walked) = walk_part(around, &self.shape, &from, time) {
+                self.body = Flyer {
+                    place: walked.place,
+                    velocity: walked.velocity,
+                };
+                return;
+            }
+        }
+        self.body.velocity = wish + rises * up;
+        self.grounded = fly_part(around, &self.shape, &mut self.body, time);
     }
-    let (d3, d4) = (-ab.dot(b), -ac.dot(b));
-    if d3 >= 0.0 && d4 <= d3 {
-        return b;
-    }
-    let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        return a + ab * (d1 / (d1 - d3));
-    }
-    let (d5, d6) = (-ab.dot(c), -ac.dot(c));
-    if d6 >= 0.0 && d5 <= d6 {
-        return c;
-    }
-    let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        return a + ac * (d2 / (d2 - d6));
-    }
-    let va = d3 * d6 - d5 * d4;
-    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
-        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-    }
-    let whole = va + vb + vc;
-    if whole == 0.0 {
-        return a;
-    }
-    a + ab * (vb / whole) + ac * (vc / whole)
 }

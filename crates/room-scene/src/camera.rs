@@ -30,18 +30,23 @@ impl RoomScene {
 
     /// The eye of the picture: in the head of who walks, or behind it.
     pub fn eye(&self) -> Eye {
-        let camera = self.camera();
+        self.eye_between(1.0)
+    }
+
+    /// The eye at a share of the way of the last step, 0 at its beginning and 1 at its end, along the way that was gone.
+    pub fn eye_between(&self, share: f64) -> Eye {
+        let camera = self.camera(share);
         Eye::looking(camera.place, camera.front, DVec3::Y, FOV_Y_RAD)
     }
 
     /// Whether the eye is far enough from who walks to see them.
-    pub(crate) fn sees_who_walks(&self) -> bool {
-        self.camera().behind_m >= FIGURE_SEEN_FROM_M
+    pub(crate) fn sees_who_walks(&self, share: f64) -> bool {
+        self.camera(share).behind_m >= FIGURE_SEEN_FROM_M
     }
 
-    fn camera(&self) -> Camera {
-        let head = self.walker.eye_place(&self.space, self.up());
-        let front = self.look.front();
+    fn camera(&self, share: f64) -> Camera {
+        let (head, _) = self.walker.between(&self.space, self.up(), share);
+        let front = self.look.between(&self.looked, share).front();
         if !self.third_person {
             return Camera {
                 place: head,
@@ -49,7 +54,7 @@ impl RoomScene {
                 behind_m: 0.0,
             };
         }
-        let (above, _, _) = self.leg(&head, self.up(), THIRD_PERSON_UP_M);
+        let (above, _, _) = self.leg(&head, self.felt_up(&head), THIRD_PERSON_UP_M);
         let (place, back, behind_m) = self.leg(&above, -front, THIRD_PERSON_BACK_M);
         // What it sees in its middle comes by the way that it went.
         Camera {
@@ -59,7 +64,7 @@ impl RoomScene {
         }
     }
 
-    /// Goes on for a felt length, and stops short of what is in the way. Where that is, the direction there, and how long it was.
+    /// Goes on for a felt length and stops short of what is in the way: where that is, the direction there, and how far it was.
     fn leg(&self, from: &Place, way: DVec3, length_m: f64) -> (Place, DVec3, f64) {
         let go = |longest: f64| {
             let who = Traveller::Body;

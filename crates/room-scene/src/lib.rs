@@ -7,6 +7,7 @@
 
 mod camera;
 mod figure;
+mod hands;
 mod light;
 mod looks;
 mod pick;
@@ -14,6 +15,7 @@ mod picture;
 mod probe;
 mod scene;
 mod solids;
+mod things;
 pub mod tuning;
 mod walk;
 
@@ -22,4 +24,5 @@ pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;
 pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe};
 pub use scene::{NoSuchPlace, RoomScene};
+pub use things::{Struck, Thing, ThingKind};
 pub use walk::Steer;

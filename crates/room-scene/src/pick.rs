@@ -42,10 +42,7 @@ impl RoomScene {
             &Traveller::Body,
         );
         let hit = match path.end {
-            End::Hit(hit) => Some(match hit.what {
-                What::Object(object, _) => object as usize,
-                What::Wall(number, _) => self.boxes[number],
-            }),
+            End::Hit(hit) => Some(self.object_of(hit.what)),
             End::Spent | End::TooManyEvents => None,
         };
         let corners = path.events.iter().map(|event| event.point);
@@ -60,6 +57,14 @@ impl RoomScene {
             felt: hit.map(|_| path.length),
             scene: hit.map(|_| scene),
             events: path.events.iter().map(|it| self.told(it)).collect(),
+        }
+    }
+
+    /// The object that something belongs to.
+    pub(crate) fn object_of(&self, what: What) -> usize {
+        match what {
+            What::Object(object, _) => object as usize,
+            What::Wall(number, _) => self.boxes[number],
         }
     }
 

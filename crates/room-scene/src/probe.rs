@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::pick::Pick;
 use crate::scene::RoomScene;
+use crate::things::{Struck, Thing, ThingKind};
 
 /// The state of an open room. Places are metres of the scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -22,6 +23,12 @@ pub struct RoomProbe {
     pub felt_speed: f64,
     /// How large the player is in the scene, to what it is outside: the cube root of what a felt cubic metre takes up there.
     pub scale: f64,
+    /// Bullets in flight.
+    pub bullets: usize,
+    /// Bullets, marks, balls and lamps, the oldest first.
+    pub things: Vec<ThingProbe>,
+    /// What the last bullet that hit something has hit; null if none has.
+    pub hit: Option<Struck>,
     /// The player.
     pub player: PlayerProbe,
     /// The camera.
@@ -36,6 +43,17 @@ pub struct ObjectProbe {
     /// What it is: `box`, `aberration` and so on.
     pub kind: &'static str,
     /// Where it is.
+    pub pos: [f64; 3],
+}
+
+/// Something that was shot, thrown or put down.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ThingProbe {
+    /// Its own number.
+    pub id: u64,
+    /// What it is: `bullet`, `mark`, `ball` or `lamp`.
+    pub kind: ThingKind,
+    /// Where its middle is.
     pub pos: [f64; 3],
 }
 
@@ -63,7 +81,26 @@ pub struct CameraProbe {
     pub mode: &'static str,
 }
 
+impl ThingProbe {
+    fn of(thing: &Thing) -> Self {
+        Self {
+            id: thing.id,
+            kind: thing.kind,
+            pos: thing.place.point.to_array(),
+        }
+    }
+}
+
 impl RoomScene {
+    /// What the last bullet that hit something has hit.
+    fn struck(&self) -> Option<Struck> {
+        let (what, felt) = self.things.struck?;
+        Some(Struck {
+            object: self.room().objects[self.object_of(what)].name.clone(),
+            felt,
+        })
+    }
+
     /// The state of the room.
     pub fn probe(&self) -> RoomProbe {
         let body = &self.walker.body;
@@ -86,12 +123,15 @@ impl RoomScene {
             pick: self.pick(),
             felt_speed: body.velocity.length(),
             scale: k.determinant().abs().cbrt(),
+            bullets: self.things.count(ThingKind::Bullet),
+            things: self.things().iter().map(ThingProbe::of).collect(),
+            hit: self.struck(),
             player: PlayerProbe {
                 pos: self.feet().to_array(),
                 vel: (k * body.velocity).to_array(),
                 yaw: aim.x,
                 pitch: aim.y,
-                grounded: self.walker.ground.is_some(),
+                grounded: self.walker.grounded,
             },
             camera: CameraProbe {
                 pos: self.eye().place.point.to_array(),

@@ -8,9 +8,11 @@ use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space
 use glam::DVec3;
 use thiserror::Error;
 
+use crate::hands::Hands;
 use crate::solids::{standing, triangles};
+use crate::things::Things;
 use crate::tuning::{PITCH_LIMIT_RAD, SHAPE};
-use crate::walk::Look;
+use crate::walk::{Jumps, Look};
 
 /// A place that is not in any room.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
@@ -28,7 +30,12 @@ pub struct RoomScene {
     pub(crate) meshes: Vec<SolidMesh>,
     pub(crate) solids: Triangles,
     pub(crate) walker: Walker,
+    pub(crate) jumps: Jumps,
     pub(crate) look: Look,
+    /// Where one looked before the last step.
+    pub(crate) looked: Look,
+    pub(crate) hands: Hands,
+    pub(crate) things: Things,
     pub(crate) time_s: f64,
     pub(crate) motion: Motion,
     pub(crate) third_person: bool,
@@ -49,7 +56,11 @@ impl RoomScene {
             meshes: Vec::new(),
             solids: Triangles::default(),
             walker: Walker::new(antipode_deformation::Place::default(), SHAPE),
+            jumps: Jumps::default(),
             look: Look::default(),
+            looked: Look::default(),
+            hands: Hands::default(),
+            things: Things::default(),
             time_s: 0.0,
             motion: Motion::default(),
             third_person: false,
@@ -108,6 +119,8 @@ impl RoomScene {
         self.solids = triangles(&self.meshes);
         let place = &mut self.walker.body.place;
         place.stack = self.space.stack_at(place.point);
+        self.walker.stay();
+        self.things.wake(&self.space);
         self.revision += 1;
         Ok(())
     }
@@ -120,6 +133,7 @@ impl RoomScene {
                 .to_radians()
                 .clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD),
         };
+        self.looked = self.look;
     }
 
     /// Puts the feet of who walks there, at rest.

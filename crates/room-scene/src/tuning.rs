@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use antipode_deformation::WalkerShape;
+use antipode_deformation::{BallShape, WalkerShape};
 
 /// Length of a step, seconds.
 pub const STEP_S: f64 = 1.0 / 60.0;
@@ -55,8 +55,55 @@ pub const GLASS: f32 = 1.5;
 /// Share of light that a mirror throws back.
 pub const MIRROR: f32 = 0.92;
 
-/// What who walks is like to solids.
+/// What who walks is like to solids: as tall as in worlds, with the same steps and slopes.
 pub const SHAPE: WalkerShape = WalkerShape {
     radius_m: RADIUS_M,
+    height_m: 1.8,
     eye_m: EYE_M - RADIUS_M,
+    step_m: 0.4,
+    steepest_rad: 50.0 * PI / 180.0,
 };
+/// For how long after walking off an edge a jump is still granted, seconds.
+pub const COYOTE_S: f64 = 0.1;
+/// For how long before landing a press of jump is remembered, seconds.
+pub const JUMP_BUFFER_S: f64 = 0.1;
+
+/// Felt speed of a bullet at the muzzle, metres per second.
+pub const BULLET_SPEED_M_S: f64 = 40.0;
+/// Felt radius of a bullet, metres.
+pub const BULLET_RADIUS_M: f64 = 0.06;
+/// A bullet is gone after so many felt metres.
+pub const BULLET_REACH_M: f64 = 200.0;
+/// Bullets in flight at once; the oldest goes.
+pub const MOST_BULLETS: usize = 100;
+/// A shot goes through what the crosshair covers within so many felt metres.
+pub const AIM_REACH_M: f64 = 30.0;
+/// The muzzle as felt from the eye, metres: to the right, up and ahead.
+pub const MUZZLE_M: (f64, f64, f64) = (0.22, -0.16, 0.7);
+/// Least time between two shots, seconds.
+pub const SHOT_EVERY_S: f64 = 0.12;
+/// Felt radius of what a bullet leaves, metres.
+pub const MARK_RADIUS_M: f64 = 0.05;
+/// Marks at once; the oldest goes.
+pub const MOST_MARKS: usize = 64;
+/// What is thrown.
+pub const THROWN: BallShape = BallShape {
+    radius_m: 0.12,
+    bounce: 0.6,
+    slide: 0.9,
+    rolling_m_s2: 0.8,
+};
+/// Felt speed at which it is thrown, metres per second.
+pub const THROW_SPEED_M_S: f64 = 9.0;
+/// How far above the crosshair it is thrown, as a share of that speed.
+pub const THROW_RISE: f64 = 0.15;
+/// Balls at once; the oldest goes.
+pub const MOST_BALLS: usize = 32;
+/// How far from the eye lamps can be put down and taken up, felt metres.
+pub const REACH_M: f64 = 8.0;
+/// Felt radius of a lamp that is put down, metres.
+pub const LAMP_BODY_M: f64 = 0.1;
+/// A lamp is taken up where the crosshair passes it within so many felt metres.
+pub const LAMP_GRIP_M: f64 = 0.25;
+/// Power of a lamp that is put down, in noon suns at one felt metre, and its colour.
+pub const PUT_LAMP: (f64, [u8; 3]) = (8.0, [0xff, 0xf0, 0xd0]);

@@ -1,13 +1,17 @@
 //! Who walks in a room: what is asked of them in a step, and what comes of it.
 
-use antipode_deformation::{Place, Traveller, Walker, felt_gravity, trace};
+use std::f64::consts::{PI, TAU};
+
+use antipode_deformation::{Place, Traveller, Void, Walker, felt_gravity, trace};
 use antipode_rooms::direction;
 use glam::{DVec2, DVec3};
 
+use crate::hands::Hands;
 use crate::scene::RoomScene;
+use crate::things::{Thing, Things};
 use crate::tuning::{
-    ACCELERATIONS_M_S2, JUMP_SPEED_M_S, LOST_M, PITCH_LIMIT_RAD, RADIUS_M, SHAPE, SPRINT_FACTOR,
-    STEP_S, TERMINAL_SPEED_M_S, WALK_SPEED_M_S,
+    ACCELERATIONS_M_S2, COYOTE_S, JUMP_BUFFER_S, JUMP_SPEED_M_S, LOST_M, PITCH_LIMIT_RAD, RADIUS_M,
+    SHAPE, SPRINT_FACTOR, STEP_S, TERMINAL_SPEED_M_S, WALK_SPEED_M_S,
 };
 
 /// What is asked of who walks, for one step.
@@ -25,6 +29,12 @@ pub struct Steer {
     pub look_yaw_rad: f64,
     /// Turn upwards, radians.
     pub look_pitch_rad: f64,
+    /// Fire held: the gun shoots when it is pressed.
+    pub shoot: bool,
+    /// Second use held: when it is pressed, a lamp is put down, or the one under the crosshair is taken up.
+    pub place: bool,
+    /// A ball is thrown.
+    pub throw: bool,
 }
 
 /// Where one looks, radians: 0 is along +x, yaw goes towards +z and pitch upwards.
@@ -46,8 +56,16 @@ impl Look {
 
     /// Turns to the right and upwards.
     pub fn turn(&mut self, right_rad: f64, up_rad: f64) {
-        self.yaw_rad = (self.yaw_rad + right_rad).rem_euclid(std::f64::consts::TAU);
+        self.yaw_rad = (self.yaw_rad + right_rad).rem_euclid(TAU);
         self.pitch_rad = (self.pitch_rad + up_rad).clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD);
+    }
+
+    /// At a share of the shorter way from another to this.
+    pub fn between(&self, from: &Self, share: f64) -> Self {
+        let turn = (self.yaw_rad - from.yaw_rad + PI).rem_euclid(TAU) - PI;
+        let mut look = *from;
+        look.turn(turn * share, (self.pitch_rad - from.pitch_rad) * share);
+        look
     }
 
     /// In degrees, yaw from -180 to 180.
@@ -71,10 +89,42 @@ impl Look {
     }
 }
 
+/// When one may jump: a press is remembered for a while, and so is ground.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Jumps {
+    held: bool,
+    press_left_s: f64,
+    ground_left_s: f64,
+}
+
+impl Jumps {
+    /// A step passes. Whether one jumps.
+    fn step(&mut self, held: bool, grounded: bool) -> bool {
+        let fades = |left: f64| (left - STEP_S).max(0.0);
+        self.press_left_s = if held && !self.held {
+            JUMP_BUFFER_S
+        } else {
+            fades(self.press_left_s)
+        };
+        self.ground_left_s = if grounded {
+            COYOTE_S
+        } else {
+            fades(self.ground_left_s)
+        };
+        self.held = held;
+        let jumps = self.press_left_s > 0.0 && self.ground_left_s > 0.0;
+        if jumps {
+            (self.press_left_s, self.ground_left_s) = (0.0, 0.0);
+        }
+        jumps
+    }
+}
+
 impl RoomScene {
     /// One step of [`STEP_S`].
     pub fn step(&mut self, steer: &Steer) {
         self.time_s += STEP_S;
+        self.looked = self.look;
         self.look.turn(steer.look_yaw_rad, steer.look_pitch_rad);
         let gravity = self.room().gravity;
         let body = self.walker.body;
@@ -83,7 +133,8 @@ impl RoomScene {
             .squeeze(&body.place.stack, body.velocity, &Traveller::Body);
         let up = -felt_gravity(k, gravity).normalize_or(DVec3::NEG_Y);
         let wish = self.wish(steer, up);
-        if steer.jump && self.walker.ground.is_some() {
+        if self.jumps.step(steer.jump, self.walker.grounded) {
+            self.walker.grounded = false;
             let falls = self.walker.body.velocity.dot(up);
             self.walker.body.velocity += up * (JUMP_SPEED_M_S - falls);
         }
@@ -93,6 +144,8 @@ impl RoomScene {
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
         self.hold_figure(falls_m_s);
+        self.things.step(&self.space, &self.solids, gravity, LOST_M);
+        self.use_hands(steer);
         let away = self.walker.body.place.point.abs();
         if !away.cmple(DVec3::splat(LOST_M)).all() {
             self.begin_anew();
@@ -107,54 +160,74 @@ impl RoomScene {
         let asked = asked * (WALK_SPEED_M_S * pace);
         let has = self.walker.body.velocity.reject_from_normalized(up);
         let (ground, air, idle) = ACCELERATIONS_M_S2;
-        let rate = match (self.walker.ground, asked == DVec3::ZERO) {
-            (Some(_), _) => ground,
-            (None, false) => air,
-            (None, true) => idle,
+        let rate = match (self.walker.grounded, asked == DVec3::ZERO) {
+            (true, _) => ground,
+            (false, false) => air,
+            (false, true) => idle,
         };
         has + (asked - has).clamp_length_max(rate * STEP_S)
     }
 
-    /// Puts who walks back to where one begins.
+    /// Puts who walks back to where one begins; what they have done is forgotten.
     pub(crate) fn begin_anew(&mut self) {
         let spawn = self.room().spawn;
         self.look = Look::of_degrees(spawn.look);
+        self.things = Things::default();
+        self.hands = Hands::default();
         self.stand_at(spawn.at);
     }
 
     /// Puts the feet of who walks there, at rest.
     pub(crate) fn stand_at(&mut self, feet: DVec3) {
-        let up = self.up();
         let start = Place::at(&self.space, feet);
-        let rises = trace(
-            &self.space,
-            &start,
-            up,
-            RADIUS_M,
-            &antipode_deformation::Void,
-            &Traveller::Body,
-        );
-        self.walker = Walker::new(rises.place, SHAPE);
+        let middle = self.above(&start, RADIUS_M);
+        self.walker = Walker::new(middle, SHAPE);
+        self.jumps = Jumps::default();
+        self.looked = self.look;
+    }
+
+    /// So many felt metres above a place, or below it.
+    fn above(&self, place: &Place, felt_m: f64) -> Place {
+        let w = self.felt_up(place) * felt_m.signum();
+        trace(&self.space, place, w, felt_m.abs(), &Void, &Traveller::Body).place
     }
 
     /// Where the feet are, metres of the scene.
     pub fn feet(&self) -> DVec3 {
-        let down = -self.up();
-        let middle = &self.walker.body.place;
-        trace(
-            &self.space,
-            middle,
-            down,
-            RADIUS_M,
-            &antipode_deformation::Void,
-            &Traveller::Body,
-        )
-        .place
-        .point
+        self.above(&self.walker.body.place, -RADIUS_M).point
+    }
+
+    /// Where the middle of the lowest part of the body is, metres of the scene: a felt radius above the feet.
+    pub fn middle(&self) -> DVec3 {
+        self.walker.body.place.point
     }
 
     /// Against gravity; the upright where nothing falls. Of length 1.
     pub fn up(&self) -> DVec3 {
         -self.room().gravity.normalize_or(DVec3::NEG_Y)
+    }
+
+    /// Against felt gravity at a place, of length 1.
+    pub(crate) fn felt_up(&self, place: &Place) -> DVec3 {
+        let up = self.up();
+        let k = self.space.squeeze(&place.stack, up, &Traveller::Body);
+        felt_gravity(k, up).normalize_or(up)
+    }
+
+    /// The place of the feet at a share of the way of the last step, and where one looks there, degrees of yaw and pitch.
+    pub fn feet_between(&self, share: f64) -> (Place, DVec2) {
+        let (_, middle) = self.walker.between(&self.space, self.up(), share);
+        let look = self.look.between(&self.looked, share);
+        (self.above(&middle, -RADIUS_M), look.degrees())
+    }
+
+    /// Bullets, their marks, balls that were thrown and lamps that were put down, the oldest first.
+    pub fn things(&self) -> Vec<Thing> {
+        self.things_between(1.0)
+    }
+
+    /// The same at a share of the way of the last step.
+    pub fn things_between(&self, share: f64) -> Vec<Thing> {
+        self.things.shown(&self.space, share)
     }
 }

@@ -51,6 +51,9 @@ pub fn steer(actions: &Actions) -> Steer {
         jump: actions.jump,
         look_yaw_rad: actions.look_yaw,
         look_pitch_rad: actions.look_pitch,
+        shoot: actions.primary,
+        place: actions.secondary,
+        throw: actions.drop_one,
     }
 }
 

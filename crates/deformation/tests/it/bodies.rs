@@ -105,7 +105,10 @@ fn house() -> (Space, Triangles) {
 
 const SHAPE: WalkerShape = WalkerShape {
     radius_m: 0.4,
+    height_m: 1.8,
     eye_m: 1.2,
+    step_m: 0.4,
+    steepest_rad: 0.87,
 };
 
 fn walk(rate: u32, seconds: u32, wish: DVec3) -> Walker {
@@ -136,7 +139,7 @@ fn a_tunnel_is_walked_through_in_its_felt_time() {
         (walker.body.place.point.z - (-5.0 + 5.0 / 2.0)).abs() < 0.1,
         "{walker:?}"
     );
-    assert!(walker.ground.is_some());
+    assert!(walker.grounded);
     assert!((walker.body.place.point.y - 0.4).abs() < 0.01);
 }
 
@@ -150,9 +153,9 @@ fn walls_of_tunnels_and_solids_hold_a_walker() {
         if step % 60 == 0 {
             let way = rooms::direction(&mut rng);
             wish = v(way.x, 0.0, way.z) * 6.0;
-            if walker.ground.is_some() && rng.bool() {
+            if walker.grounded && rng.bool() {
                 walker.body.velocity.y = 5.0;
-                walker.ground = None;
+                walker.grounded = false;
             }
         }
         let before = walker.body.place;

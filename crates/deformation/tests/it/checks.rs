@@ -1,11 +1,12 @@
 //! What is refused.
 
 use antipode_deformation::{
-    Aberration, MAX_DEPTH, Sides, Space, SpaceError, Ways, stretch_of_legacy,
+    Aberration, MAX_ABERRATIONS, MAX_DEPTH, Place, Sides, Space, SpaceError, Ways,
+    stretch_of_legacy,
 };
 use glam::{DQuat, DVec3};
 
-use crate::common::{boxed, v};
+use crate::common::{boxed, go, v};
 
 fn cube(name: &str, at: DVec3, half: f64) -> Aberration {
     boxed(name, at, DVec3::splat(half), v(2.0, 1.0, 1.0), Sides::Soft)
@@ -94,6 +95,49 @@ fn boxes_nest_to_eight_and_no_deeper() {
         .map(|n| cube(&format!("row {n}"), v(f64::from(n) * 0.2, 0.0, 0.0), 2.0))
         .collect();
     assert!(matches!(Space::new(row), Err(SpaceError::TooDeep { .. })));
+}
+
+#[test]
+fn as_many_boxes_as_there_may_be_make_a_space_however_they_cross() {
+    // Plates across each axis: all of one axis cross all of the others, and no place is in more than three.
+    let plate = |number: usize| {
+        let axis = number % 3;
+        let (mut centre, mut half) = (DVec3::ZERO, DVec3::splat(90.0));
+        centre[axis] = (number / 3) as f64 * 2.0 - 85.0;
+        half[axis] = 0.9;
+        boxed(
+            &format!("plate {number}"),
+            centre,
+            half,
+            DVec3::splat(1.1),
+            Sides::Soft,
+        )
+    };
+    let space = Space::new((0..MAX_ABERRATIONS).map(plate).collect()).unwrap();
+    let deep = Place::at(&space, v(-85.0, -85.0, -85.0));
+    assert_eq!(deep.stack.len(), 3);
+    // What goes straight through enters and leaves as many as it has events for.
+    let path = go(
+        &space,
+        &Place::at(&space, v(-100.0, 0.3, 0.3)),
+        DVec3::X,
+        60.0,
+    );
+    assert!(path.events.len() > 20, "{path:?}");
+    // Nine that have a place in common are found among them.
+    let mut all: Vec<_> = (0..MAX_ABERRATIONS - 9).map(plate).collect();
+    all.extend((0..9).map(|n| {
+        cube(
+            &format!("row {n}"),
+            v(200.0 + f64::from(n) * 0.2, 0.0, 0.0),
+            2.0,
+        )
+    }));
+    let words = refusal(all);
+    assert!(
+        words.contains("row 0") && words.contains("row 8"),
+        "{words}"
+    );
 }
 
 #[test]

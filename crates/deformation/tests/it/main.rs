@@ -6,6 +6,7 @@
     reason = "tests fail by panicking"
 )]
 
+mod balls;
 mod bodies;
 mod checks;
 mod common;
@@ -13,3 +14,4 @@ mod faces;
 mod hierarchy;
 mod light;
 mod paths;
+mod walkers;

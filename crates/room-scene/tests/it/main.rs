@@ -7,7 +7,9 @@
 )]
 
 mod edits;
+mod hands;
 mod picture;
+mod soak;
 mod walking;
 
 use antipode_room_scene::{RoomScene, Steer};
@@ -27,4 +29,7 @@ const AHEAD: Steer = Steer {
     jump: false,
     look_yaw_rad: 0.0,
     look_pitch_rad: 0.0,
+    shoot: false,
+    place: false,
+    throw: false,
 };

@@ -1,0 +1,169 @@
+//! What hands do in a room: shoot, throw, put lamps down and take them up.
+
+use antipode_deformation::{Flyer, Place, Trace, Traveller, Void, trace};
+use antipode_rays::MAX_LAMPS;
+use antipode_rooms::What as Kind;
+use glam::DVec3;
+
+use crate::scene::RoomScene;
+use crate::things::{Thing, ThingKind};
+use crate::tuning::{
+    AIM_REACH_M, BULLET_SPEED_M_S, LAMP_BODY_M, LAMP_GRIP_M, MUZZLE_M, REACH_M, SHOT_EVERY_S,
+    STEP_S, THROW_RISE, THROW_SPEED_M_S, THROWN,
+};
+use crate::walk::Steer;
+
+/// The share of the way to the muzzle that is left when a wall is nearer.
+const SHORT_OF_WALL: f64 = 0.9;
+/// How often a shot is aimed anew, and how near it has to come, felt metres.
+const AIMS: usize = 12;
+const AIMED_M: f64 = 0.005;
+
+/// What hands have done.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Hands {
+    shoots: bool,
+    places: bool,
+    /// Until the gun shoots again, seconds.
+    gun_rests_s: f64,
+}
+
+impl RoomScene {
+    /// Does what hands are asked for in a step.
+    pub(crate) fn use_hands(&mut self, steer: &Steer) {
+        let before = self.hands;
+        self.hands = Hands {
+            shoots: steer.shoot,
+            places: steer.place,
+            gun_rests_s: (before.gun_rests_s - STEP_S).max(0.0),
+        };
+        if steer.shoot && !before.shoots && self.hands.gun_rests_s <= 0.0 {
+            self.hands.gun_rests_s = SHOT_EVERY_S;
+            let shot = self.shot();
+            self.things.shoot(shot);
+        }
+        if steer.throw {
+            let thrown = self.thrown();
+            self.things.throw(thrown);
+        }
+        if steer.place && !before.places {
+            self.use_lamp();
+        }
+    }
+
+    /// What the eye sees along its front within a felt reach.
+    fn sight(&self, reach: f64) -> (Place, DVec3, Trace) {
+        let eye = self.walker.eye_place(&self.space, self.up());
+        let front = self.look.front();
+        let path = trace(
+            &self.space,
+            &eye,
+            front,
+            reach,
+            &self.solids,
+            &Traveller::Body,
+        );
+        (eye, front, path)
+    }
+
+    /// A place beside the eye, felt metres to the right, up and ahead, short of what is in the way.
+    fn beside(&self, eye: &Place, front: DVec3, (right, up, ahead): (f64, f64, f64)) -> Place {
+        let side = front.cross(DVec3::Y).normalize_or(DVec3::X);
+        let way = side * right + side.cross(front) * up + front * ahead;
+        let (length, w) = (way.length(), way.normalize_or(front));
+        let all =
+            |longest: f64, scene| trace(&self.space, eye, w, longest, scene, &Traveller::Body);
+        let path = all(length, &self.solids);
+        if path.hit().is_some() {
+            return all(SHORT_OF_WALL * path.length, &self.solids).place;
+        }
+        path.place
+    }
+
+    /// A bullet at the muzzle, on its way to what the crosshair covers.
+    fn shot(&self) -> Flyer {
+        let (eye, front, sight) = self.sight(AIM_REACH_M);
+        let target = sight.place;
+        let muzzle = self.beside(&eye, front, MUZZLE_M);
+        let gravity = self.room().gravity;
+        let time = (sight.length - MUZZLE_M.2).max(0.05) / BULLET_SPEED_M_S;
+        let mut body = Flyer {
+            place: muzzle,
+            velocity: front * BULLET_SPEED_M_S,
+        };
+        for _ in 0..AIMS {
+            let mut flown = body;
+            flown.fly(&self.space, &Void, gravity, time);
+            let k = self
+                .space
+                .squeeze(&target.stack, body.velocity, &Traveller::Body);
+            let off = k.inverse() * (target.point - flown.place.point);
+            if off.length() < AIMED_M {
+                return body;
+            }
+            body.velocity += off / time;
+        }
+        // Where faces bend the way too much from the muzzle, it leaves by the way of the eye.
+        Flyer {
+            place: eye,
+            velocity: front * BULLET_SPEED_M_S,
+        }
+    }
+
+    fn thrown(&self) -> Flyer {
+        let (eye, front, _) = self.sight(0.0);
+        let hand = (0.0, -THROWN.radius_m, 3.0 * THROWN.radius_m);
+        let up = -self.room().gravity.normalize_or_zero();
+        Flyer {
+            place: self.beside(&eye, front, hand),
+            velocity: (front + up * THROW_RISE) * THROW_SPEED_M_S + self.walker.body.velocity,
+        }
+    }
+
+    /// Takes up the lamp that the crosshair is on, or puts one down where it points.
+    fn use_lamp(&mut self) {
+        let (eye, front, sight) = self.sight(REACH_M);
+        if let Some(lamp) = self.lamp_on(&eye, front, sight.length) {
+            self.things.remove(lamp);
+            return;
+        }
+        let own = self.room().objects.iter();
+        let own = own.filter(|it| matches!(it.what, Kind::Light { .. }));
+        let most = MAX_LAMPS.saturating_sub(own.count());
+        let Some(hit) = sight.hit().filter(|_| most > 0) else {
+            return;
+        };
+        let normal = hit.felt_normal;
+        let path = trace(
+            &self.space,
+            &sight.place,
+            normal,
+            LAMP_BODY_M,
+            &Void,
+            &Traveller::Body,
+        );
+        self.things.put_lamp(path.place, normal, most);
+    }
+
+    /// The lamp nearest to the eye that its way passes within a grip, nearer than `longest`.
+    fn lamp_on(&self, eye: &Place, front: DVec3, longest: f64) -> Option<u64> {
+        let mut at = *eye;
+        let mut gone = 0.0;
+        let all = self.things.shown(&self.space, 1.0);
+        let lamps: Vec<_> = all.iter().filter(|it| it.kind == ThingKind::Lamp).collect();
+        while gone <= longest {
+            let gripped = |it: &&&Thing| {
+                let k = self.space.squeeze(&at.stack, front, &Traveller::Body);
+                let off = k.inverse() * (it.place.point - at.point);
+                it.place.stack == at.stack && off.length() <= LAMP_GRIP_M
+            };
+            if let Some(lamp) = lamps.iter().find(gripped) {
+                return Some(lamp.id);
+            }
+            let stride = 0.5 * LAMP_GRIP_M;
+            at = trace(&self.space, &at, front, stride, &Void, &Traveller::Body).place;
+            gone += stride;
+        }
+        None
+    }
+}

@@ -1,0 +1,231 @@
+//! Things that come and go while one is in a room: bullets and their marks, balls that were thrown, and lamps that were put
+//! down. Nothing of them is kept: who leaves a room, or begins anew in it, finds it as its file says.
+
+use antipode_deformation::{Ball, Flyer, Hit, Place, Space, Triangles, What};
+use glam::{DQuat, DVec3};
+use serde::Serialize;
+
+use crate::tuning::{
+    BULLET_RADIUS_M, BULLET_REACH_M, LAMP_BODY_M, MARK_RADIUS_M, MOST_BALLS, MOST_BULLETS,
+    MOST_MARKS, STEP_S, TERMINAL_SPEED_M_S, THROWN,
+};
+
+/// What kind of thing it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ThingKind {
+    /// A bullet in flight.
+    Bullet,
+    /// What a bullet has left where it hit.
+    Mark,
+    /// A ball that was thrown.
+    Ball,
+    /// A lamp that was put down.
+    Lamp,
+}
+
+/// A thing as it is to be drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thing {
+    /// Its own number, counted from when the room was opened.
+    pub id: u64,
+    /// What it is.
+    pub kind: ThingKind,
+    /// Where its middle is.
+    pub place: Place,
+    /// Felt radius, metres: in the scene a thing is K times a ball of it.
+    pub radius_m: f64,
+    /// How it is turned, as it feels.
+    pub turn: DQuat,
+    /// Felt normal, of length 1, of what a mark is on or a lamp stands on; the upright for the rest.
+    pub normal: DVec3,
+}
+
+/// What the last bullet that hit something has hit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Struck {
+    /// The object.
+    pub object: String,
+    /// Felt metres that the bullet flew.
+    pub felt: f64,
+}
+
+/// What each kind knows of itself.
+#[derive(Clone, Copy, Debug)]
+enum Life {
+    Bullet { body: Flyer, flown_m: f64 },
+    Ball(Ball),
+    Still { place: Place, normal: DVec3 },
+}
+
+#[derive(Clone, Copy, Debug)]
+struct One {
+    id: u64,
+    kind: ThingKind,
+    life: Life,
+    /// Where it was before the last step.
+    was: Place,
+}
+
+/// All things in a room.
+#[derive(Clone, Debug, Default)]
+pub struct Things {
+    all: Vec<One>,
+    made: u64,
+    /// What was hit last: what it belongs to, and felt metres flown.
+    pub struck: Option<(What, f64)>,
+}
+
+impl One {
+    fn place(&self) -> Place {
+        match self.life {
+            Life::Bullet { body, .. } => body.place,
+            Life::Ball(ball) => ball.body.place,
+            Life::Still { place, .. } => place,
+        }
+    }
+
+    fn shown(&self, place: Place) -> Thing {
+        let (turn, normal) = match self.life {
+            Life::Bullet { .. } => (DQuat::IDENTITY, DVec3::Y),
+            Life::Ball(ball) => (ball.turn, DVec3::Y),
+            Life::Still { normal, .. } => (DQuat::IDENTITY, normal),
+        };
+        Thing {
+            id: self.id,
+            kind: self.kind,
+            place,
+            radius_m: match self.kind {
+                ThingKind::Bullet => BULLET_RADIUS_M,
+                ThingKind::Mark => MARK_RADIUS_M,
+                ThingKind::Ball => THROWN.radius_m,
+                ThingKind::Lamp => LAMP_BODY_M,
+            },
+            turn,
+            normal,
+        }
+    }
+}
+
+impl Things {
+    /// All of them, the oldest first, at a share of the way of the last step.
+    pub fn shown(&self, space: &Space, share: f64) -> Vec<Thing> {
+        let place = |it: &One| Place::between(space, &it.was, &it.place(), share);
+        self.all.iter().map(|it| it.shown(place(it))).collect()
+    }
+
+    /// How many there are of a kind.
+    pub fn count(&self, kind: ThingKind) -> usize {
+        self.all.iter().filter(|it| it.kind == kind).count()
+    }
+
+    /// A bullet leaves the muzzle.
+    pub fn shoot(&mut self, body: Flyer) {
+        let life = Life::Bullet { body, flown_m: 0.0 };
+        self.add(ThingKind::Bullet, life, MOST_BULLETS);
+    }
+
+    /// A ball leaves the hand.
+    pub fn throw(&mut self, body: Flyer) {
+        let ball = Ball::thrown(body.place, body.velocity, THROWN);
+        self.add(ThingKind::Ball, Life::Ball(ball), MOST_BALLS);
+    }
+
+    /// A lamp is put down on something of that felt normal; of more than `most` the oldest goes.
+    pub fn put_lamp(&mut self, place: Place, normal: DVec3, most: usize) {
+        self.add(ThingKind::Lamp, Life::Still { place, normal }, most);
+    }
+
+    /// Takes a thing away.
+    pub fn remove(&mut self, id: u64) {
+        self.all.retain(|it| it.id != id);
+    }
+
+    /// The room has changed: what lay still may fall, and places are in the boxes that there are now.
+    pub fn wake(&mut self, space: &Space) {
+        let anew = |place: &mut Place| *place = Place::at(space, place.point);
+        self.struck = None;
+        // A mark may be on nothing now.
+        self.all.retain(|it| it.kind != ThingKind::Mark);
+        for one in &mut self.all {
+            anew(&mut one.was);
+            match &mut one.life {
+                Life::Bullet { body, .. } => anew(&mut body.place),
+                Life::Ball(ball) => {
+                    anew(&mut ball.body.place);
+                    ball.wake();
+                }
+                Life::Still { place, .. } => anew(place),
+            }
+        }
+    }
+
+    fn add(&mut self, kind: ThingKind, life: Life, most: usize) {
+        while self.count(kind) >= most.max(1) {
+            let oldest = self.all.iter().position(|it| it.kind == kind);
+            oldest.map(|at| self.all.remove(at));
+        }
+        self.made += 1;
+        let mut one = One {
+            id: self.made,
+            kind,
+            life,
+            was: Place::default(),
+        };
+        one.was = one.place();
+        self.all.push(one);
+    }
+
+    /// Goes on by a step. What has flown out of the room, farther than `lost_m` from its origin along an axis, is gone.
+    pub fn step(&mut self, space: &Space, solids: &Triangles, g: DVec3, lost_m: f64) {
+        let mut hits = Vec::new();
+        for one in &mut self.all {
+            one.was = one.place();
+            match &mut one.life {
+                Life::Ball(ball) => {
+                    ball.step(space, solids, g, STEP_S);
+                    let velocity = &mut ball.body.velocity;
+                    *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
+                }
+                Life::Bullet { body, flown_m } => {
+                    if let Some(hit) = fly(body, flown_m, space, solids, g) {
+                        hits.push((one.id, *body, *flown_m, hit));
+                    }
+                }
+                Life::Still { .. } => {}
+            }
+        }
+        for (id, body, flown_m, hit) in hits {
+            self.remove(id);
+            self.struck = Some((hit.what, flown_m));
+            let normal = hit.felt_normal;
+            let life = Life::Still {
+                place: body.place,
+                normal,
+            };
+            self.add(ThingKind::Mark, life, MOST_MARKS);
+        }
+        let is_here = |one: &One| {
+            let is_spent =
+                matches!(one.life, Life::Bullet { flown_m, .. } if flown_m >= BULLET_REACH_M);
+            let point = one.place().point.abs();
+            !is_spent && point.cmple(DVec3::splat(lost_m)).all()
+        };
+        self.all.retain(is_here);
+    }
+}
+
+/// A bullet flies for a step; what it hits.
+fn fly(
+    body: &mut Flyer,
+    flown_m: &mut f64,
+    space: &Space,
+    solids: &Triangles,
+    g: DVec3,
+) -> Option<Hit> {
+    let before = body.velocity.length();
+    let hit = body.fly(space, solids, g, STEP_S);
+    let time = STEP_S - hit.map_or(0.0, |(_, left)| left);
+    *flown_m += 0.5 * (before + body.velocity.length()) * time;
+    hit.map(|(hit, _)| hit)
+}

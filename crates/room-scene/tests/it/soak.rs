@@ -1,0 +1,262 @@
+//! Somebody walks, jumps, shoots and throws at random through every room of the game.
+
+use antipode_deformation::SceneQuery as _;
+use antipode_deformation::{Place, Triangle, Triangles};
+use antipode_room_scene::tuning::STEP_S;
+use antipode_room_scene::{RoomScene, Steer, ThingKind};
+use antipode_rooms::mesh::{Roundness, meshes};
+use antipode_rooms::{Assets, What, poses, shipped};
+use fastrand::Rng;
+use glam::DVec3;
+
+use crate::room;
+
+/// A centre may be so deep in a solid, metres.
+const DEEPEST_M: f64 = 0.05;
+/// Who wants to go and does not get farther than this in so many seconds has to turn round; who does not after
+/// [`STUCK_S`] whatever they try is stuck.
+const STAYS_M: f64 = 0.3;
+const STUCK_S: f64 = 20.0;
+
+/// Solids of a room, to ask what is inside of them.
+struct Inside {
+    /// Of each object that is closed.
+    objects: Vec<(String, Triangles, (DVec3, DVec3))>,
+    /// All that stands in the room lies within.
+    hull: (DVec3, DVec3),
+}
+
+impl Inside {
+    fn of(scene: &RoomScene) -> Self {
+        let room = scene.room();
+        let mut objects = Vec::new();
+        for mesh in meshes(room, &Assets::default(), Roundness::default()) {
+            let object = &room.objects[mesh.object];
+            if matches!(object.what, What::Aberration(_)) {
+                continue;
+            }
+            let corner = |it: u32| {
+                mesh.pose
+                    .transform_point3(mesh.shape.positions[it as usize])
+            };
+            let triangles: Vec<_> = mesh
+                .shape
+                .triangles
+                .iter()
+                .map(|it| Triangle {
+                    corners: it.map(corner),
+                    object: 0,
+                })
+                .collect();
+            let all = || triangles.iter().flat_map(|it| it.corners);
+            let bounds = (
+                all().fold(DVec3::INFINITY, DVec3::min),
+                all().fold(DVec3::NEG_INFINITY, DVec3::max),
+            );
+            objects.push((object.name.clone(), Triangles::new(triangles), bounds));
+        }
+        let hull = objects.iter().fold(
+            (DVec3::INFINITY, DVec3::NEG_INFINITY),
+            |(low, high), (_, _, bounds)| (low.min(bounds.0), high.max(bounds.1)),
+        );
+        Self { objects, hull }
+    }
+
+    /// How deep a point is in which solid, metres.
+    fn deepest(&self, point: DVec3) -> (f64, &str) {
+        let mut found = (0.0, "nothing");
+        for (name, triangles, (low, high)) in &self.objects {
+            let is_near = point.cmpge(*low).all() && point.cmple(*high).all();
+            if is_near && is_inside(triangles, point) {
+                let depth = depth(triangles, point);
+                if depth > found.0 {
+                    found = (depth, name.as_str());
+                }
+            }
+        }
+        found
+    }
+}
+
+/// A ray from the inside of a closed solid leaves it an odd number of times; the way is chosen so as to meet no edge.
+fn is_inside(triangles: &Triangles, point: DVec3) -> bool {
+    let way = DVec3::new(0.618_034, 0.754_877, 0.213_413);
+    let (mut from, mut times) = (point, 0);
+    while let Some(hit) = triangles.first(from, way, 1e5) {
+        from += way * (hit.time + 1e-7);
+        times += 1;
+    }
+    times % 2 == 1
+}
+
+fn depth(triangles: &Triangles, point: DVec3) -> f64 {
+    // A ball in which the nearest triangle lies, by its corners' distances to planes: thin solids are met soon.
+    let ways = [
+        DVec3::X,
+        DVec3::NEG_X,
+        DVec3::Y,
+        DVec3::NEG_Y,
+        DVec3::Z,
+        DVec3::NEG_Z,
+    ];
+    let out = ways.map(|way| {
+        triangles
+            .first(point, way, 1e5)
+            .map_or(f64::MAX, |it| it.time)
+    });
+    out.into_iter().fold(f64::MAX, f64::min)
+}
+
+#[derive(Debug, Default)]
+struct Tally {
+    walked_m: f64,
+    crossings: usize,
+    jumps: usize,
+    shots: usize,
+    hits: usize,
+    throws: usize,
+    anew: usize,
+    deepest_m: f64,
+    fell_s: f64,
+    most_things: usize,
+}
+
+/// Wants something else every now and then.
+struct Player {
+    rng: Rng,
+    steer: Steer,
+    until: usize,
+}
+
+impl Player {
+    fn wants(&mut self, step: usize, tally: &mut Tally) -> Steer {
+        let rng = &mut self.rng;
+        if step >= self.until {
+            self.until = step + rng.usize(10..150);
+            self.steer = Steer {
+                forward: [1.0, 1.0, 1.0, 0.0, -1.0][rng.usize(..5)],
+                strafe: [0.0, 0.0, 1.0, -1.0][rng.usize(..4)],
+                sprint: rng.u8(..3) == 0,
+                look_yaw_rad: (rng.f64() - 0.5) * 0.06,
+                look_pitch_rad: (rng.f64() - 0.5) * 0.01,
+                ..Steer::default()
+            };
+        }
+        let steer = Steer {
+            jump: rng.u8(..40) == 0,
+            shoot: rng.u8(..30) == 0,
+            throw: rng.u8(..90) == 0,
+            place: rng.u16(..400) == 0,
+            ..self.steer
+        };
+        tally.jumps += usize::from(steer.jump);
+        tally.shots += usize::from(steer.shoot);
+        tally.throws += usize::from(steer.throw);
+        steer
+    }
+}
+
+/// Begins in turn at the middle of each aberration, where there is a place, and where the room says.
+fn begins(scene: &mut RoomScene, inside: &Inside, turn: usize) {
+    let places = poses(scene.room());
+    let boxes: Vec<_> = scene
+        .room()
+        .aberrations()
+        .map(|(index, _)| places[index].translation)
+        .collect();
+    let spawn = scene.room().spawn.at;
+    let at = match turn % (boxes.len() + 1) {
+        0 => spawn,
+        other => boxes[other - 1],
+    };
+    let free = inside.deepest(at + DVec3::Y * 0.05).0 == 0.0;
+    scene.teleport(if free { at } else { spawn }).unwrap();
+}
+
+fn play(id: &str, seconds: f64) -> Tally {
+    let mut scene = room(id);
+    let inside = Inside::of(&scene);
+    let (low, high) = inside.hull;
+    let mut tally = Tally::default();
+    let mut player = Player {
+        rng: Rng::with_seed(id.bytes().map(u64::from).sum()),
+        steer: Steer::default(),
+        until: 0,
+    };
+    let (mut last, mut stayed) = (scene.feet(), (scene.feet(), 0.0));
+    let mut last_stack = scene.eye().place.stack;
+    let mut hit = None;
+    for step in 0..(seconds / STEP_S) as usize {
+        if step % 1800 == 0 {
+            begins(&mut scene, &inside, step / 1800);
+            last = scene.feet();
+            stayed = (last, 0.0);
+        }
+        let steer = player.wants(step, &mut tally);
+        scene.step(&steer);
+        let (probe, feet) = (scene.probe(), scene.feet());
+        let middles = scene
+            .things()
+            .into_iter()
+            .filter(|it| it.kind != ThingKind::Mark);
+        let eye: Place = scene.eye().place;
+        let bodies = [("middle", scene.middle()), ("eye", eye.point)];
+        let all = middles.map(|it| ("thing", it.place.point)).chain(bodies);
+        for (what, point) in all {
+            let at = format!("{id}, {:.2} s: {what} at {point}", step as f64 * STEP_S);
+            assert!(point.is_finite(), "{at}");
+            let over_floor =
+                point.x > low.x && point.x < high.x && point.z > low.z && point.z < high.z;
+            assert!(!over_floor || point.y > low.y, "{at} is under the floor");
+            let (depth, solid) = inside.deepest(point);
+            tally.deepest_m = tally.deepest_m.max(depth);
+            assert!(depth <= DEEPEST_M, "{at} is {depth} m inside of {solid}");
+        }
+        tally.most_things = tally.most_things.max(probe.things.len());
+        tally.hits += usize::from(probe.hit != hit);
+        hit = probe.hit;
+        if feet.distance(last) > 5.0 {
+            tally.anew += 1;
+            stayed = (feet, 0.0);
+        } else {
+            tally.walked_m += feet.distance(last);
+        }
+        last = feet;
+        tally.crossings += usize::from(eye.stack != last_stack);
+        last_stack = eye.stack;
+        tally.fell_s += if probe.player.grounded { 0.0 } else { STEP_S };
+        stayed.1 += STEP_S;
+        if feet.distance(stayed.0) > STAYS_M * probe.scale {
+            stayed = (feet, 0.0);
+        }
+        assert!(
+            stayed.1 < STUCK_S,
+            "{id}: stuck at {feet} after {step} steps"
+        );
+    }
+    tally
+}
+
+fn play_all(seconds: f64) {
+    for shipped in shipped::ROOMS {
+        let tally = play(shipped.id, seconds);
+        println!("{}: {tally:?}", shipped.id);
+        assert!(tally.walked_m > seconds * 0.2, "{}: {tally:?}", shipped.id);
+        assert!(
+            tally.hits > 0 && tally.crossings > 0,
+            "{}: {tally:?}",
+            shipped.id
+        );
+    }
+}
+
+#[test]
+fn nobody_leaves_the_room_or_gets_into_a_solid_or_stuck() {
+    play_all(60.0);
+}
+
+#[test]
+#[ignore = "ten minutes in each room take a while"]
+fn ten_minutes_in_every_room() {
+    play_all(600.0);
+}
