@@ -17,7 +17,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use antipode_rooms::{RoomsDir, rooms_dir};
+use antipode_rooms::RoomsDir;
 use antipode_storage::{RepairReport, SavesDir, StorageError, WORLD_FILE};
 use clap::Subcommand;
 use serde::{Deserialize, Serialize};
@@ -49,7 +49,7 @@ pub enum Task {
         /// The file.
         file: PathBuf,
     },
-    /// Bring a room in from a file, into the rooms beside the worlds.
+    /// Bring a room in from a file; the directory is that of the rooms.
     ImportRoom {
         /// The file.
         file: PathBuf,
@@ -93,13 +93,14 @@ pub fn import(saves: &SavesDir, file: &Path) -> Result<String, Failure> {
     imported(saves, &Task::Import { file })
 }
 
-/// Brings a room in from a file in a process of its own, into the rooms beside `saves`; the name of its directory.
+/// Brings a room in from a file in a process of its own; the name of its directory.
 ///
 /// # Errors
 /// As [`RoomsDir::import`], in words; [`Failure::Runtime`] if the process did not come to an end.
-pub fn import_room(saves: &SavesDir, file: &Path) -> Result<String, Failure> {
+pub fn import_room(rooms: &RoomsDir, file: &Path) -> Result<String, Failure> {
     let file = file.to_path_buf();
-    imported(saves, &Task::ImportRoom { file })
+    // What is called the directory of worlds on the command line of that process is where its work is done.
+    imported(&SavesDir::new(rooms.path()), &Task::ImportRoom { file })
 }
 
 fn imported(saves: &SavesDir, task: &Task) -> Result<String, Failure> {
@@ -123,7 +124,7 @@ pub fn obey(saves: &SavesDir, task: &Task) -> Result<(), Failure> {
         Task::Repair { slug } => saves.repair(slug).map(Answer::Repaired),
         Task::Import { file } => saves.import(file).map(Answer::Imported),
         Task::ImportRoom { file } => {
-            let rooms = RoomsDir::new(rooms_dir(saves.path()));
+            let rooms = RoomsDir::new(saves.path());
             let imported = rooms.import(file).map(Answer::Imported);
             Ok(imported.unwrap_or_else(|error| Answer::Told(error.to_string())))
         }

@@ -1,9 +1,9 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
+use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
 use antipode_rooms::folder::assets;
-use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir};
-use antipode_storage::saves_dir;
+use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir, shipped};
 use glam::DVec3;
 
 use crate::common::Common;
@@ -18,6 +18,8 @@ pub struct Rooms {
     open: Option<OpenRoom>,
     /// How many rooms have been opened.
     opened: u64,
+    /// What is read in rooms of the game.
+    texts: Texts,
 }
 
 /// The open room.
@@ -32,10 +34,16 @@ impl Rooms {
     /// The directory that the command line, the environment or the platform names.
     pub fn new(common: &Common) -> Self {
         Self {
-            dir: RoomsDir::new(rooms_dir(&saves_dir(common.saves_dir.as_deref()))),
+            dir: RoomsDir::new(rooms_dir(common.saves_dir.as_deref())),
             open: None,
             opened: 0,
+            texts: Texts::default(),
         }
+    }
+
+    /// Signs in rooms of the game that are entered from now on are in these words.
+    pub fn set_texts(&mut self, texts: &Texts) {
+        self.texts = texts.clone();
     }
 
     /// The open room.
@@ -88,7 +96,13 @@ impl Rooms {
     /// When there is none of that name, or it is not sound.
     pub fn load(&mut self, name: &str) -> Result<(), RoomError> {
         let found = self.dir.find(name)?;
-        let loaded = self.dir.open(&found)?;
+        let mut loaded = self.dir.open(&found)?;
+        if let Some(it) = shipped::find(&found.slug).filter(|_| found.shipped) {
+            it.reword(&mut loaded.room, |key| {
+                let key = format!("room-{key}");
+                self.texts.has(&key).then(|| self.texts.say(&key))
+            });
+        }
         self.enter(loaded, Some(found))
     }
 

@@ -6,14 +6,12 @@ use std::sync::Arc;
 
 use antipode_rooms::mesh::{Roundness, meshes};
 use antipode_rooms::{Loaded, RoomSummary, RoomsDir, What, rooms_dir};
-use antipode_storage::saves_dir;
 use clap::Subcommand;
 
 use crate::common::Common;
 use crate::confined;
 use crate::failure::Failure;
 use crate::output::line;
-use crate::session::Worlds;
 
 /// What can be done with rooms.
 #[derive(Debug, Subcommand)]
@@ -44,7 +42,7 @@ pub enum RoomsAction {
 /// # Errors
 /// When the room is not there or not sound, or the disk or standard output refuses.
 pub fn run(action: &RoomsAction, common: &Common) -> Result<(), Failure> {
-    let rooms = RoomsDir::new(rooms_dir(&saves_dir(common.saves_dir.as_deref())));
+    let rooms = RoomsDir::new(rooms_dir(common.saves_dir.as_deref()));
     match action {
         RoomsAction::List => rooms.list()?.iter().try_for_each(|it| line(&row(it))),
         RoomsAction::Verify { name } => {
@@ -56,7 +54,7 @@ pub fn run(action: &RoomsAction, common: &Common) -> Result<(), Failure> {
             line(&format!("\"{name}\" is written to {}", file.display()))
         }
         RoomsAction::Import { file } => {
-            let slug = confined::import_room(Worlds::new(common).saves(), file)?;
+            let slug = confined::import_room(&rooms, file)?;
             line(&format!(
                 "The room is in {}",
                 rooms.path().join(slug).display()

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use antipode_language::Texts;
+use antipode_storage::is_saves_dir_named;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, RgbaImage};
 
@@ -34,8 +35,7 @@ impl Album {
     /// environment, where worlds are kept has their pictures beside them. Otherwise they go where the system keeps
     /// pictures, if it says so.
     pub fn new(common: &Common, saves: &Path) -> Self {
-        let environment = std::env::var_os("ANTIPODE_SAVES").is_some_and(|dir| !dir.is_empty());
-        let told = common.saves_dir.is_some() || environment;
+        let told = is_saves_dir_named(common.saves_dir.as_deref());
         let pictures =
             directories::UserDirs::new().and_then(|dirs| dirs.picture_dir().map(Path::to_path_buf));
         Self {

@@ -220,7 +220,7 @@ fn rooms_are_listed_looked_at_given_away_and_taken_in() {
     assert!(run(&["export", "long-house", file]).status.success());
     let imported = run(&["import", file]);
     assert_eq!(imported.status.code(), Some(0), "{imported:?}");
-    let room = place.path().join("rooms/the-long-house-2/room.ron");
+    let room = saves.join("rooms/the-long-house-2/room.ron");
     assert!(room.exists(), "{imported:?}");
     let text = std::fs::read_to_string(&room).unwrap();
     std::fs::write(&room, text.replace("felt: 79", "felt: 7900")).unwrap();

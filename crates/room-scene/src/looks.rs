@@ -80,7 +80,7 @@ pub fn of_surface(surface: &Surface, assets: &Assets, pictures: &mut Pictures) -
 
 /// The material of that number of the model in a file.
 pub fn of_model(file: &str, number: usize, assets: &Assets, pictures: &mut Pictures) -> Material {
-    let Some(model) = assets.models.get(file).map(|it| &it.model) else {
+    let Some(model) = assets.models.get(file) else {
         return Material::default();
     };
     let Some(it) = model.materials.get(number) else {

@@ -54,6 +54,9 @@ impl RoomScene {
             ..RayScene::default()
         };
         for index in &self.boxes {
+            let what = &room.objects[*index].what;
+            let is_outlined = matches!(what, What::Aberration(it) if it.outline);
+            scene.outlined.push(is_outlined);
             scene.wall_materials.push(scene.materials.len());
             let surface = &room.objects[*index].surface;
             let material = of_surface(surface, &self.assets, &mut pictures);

@@ -18,6 +18,8 @@ pub struct Aberration {
     pub sides: Sides,
     /// For whom it is there.
     pub ways: Ways,
+    /// Whether its edges are drawn, where nothing stands before them.
+    pub outline: bool,
 }
 
 /// What an aberration does to lengths.
@@ -101,6 +103,8 @@ struct Written {
     sides: Sides,
     #[serde(default)]
     ways: Ways,
+    #[serde(default)]
+    outline: bool,
 }
 
 impl TryFrom<Written> for Aberration {
@@ -117,6 +121,7 @@ impl TryFrom<Written> for Aberration {
             lengths,
             sides: it.sides,
             ways: it.ways,
+            outline: it.outline,
         })
     }
 }
@@ -199,6 +204,7 @@ mod tests {
             },
             sides: Sides::Walls,
             ways: Ways::Both,
+            outline: false,
         };
         assert_eq!(it.stretch(), DVec3::new(1.0, 1.0, 5.0));
         assert_eq!(it.doors(), [false, false, true]);

@@ -17,7 +17,7 @@ const MOST_PARTS: usize = 4;
 const MOST_PART_BYTES: usize = 64;
 const MOST_NAME_BYTES: usize = 160;
 const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
-const SHAPES: [&str; 2] = ["glb", "gltf"];
+const SHAPES: [&str; 3] = ["glb", "gltf", "fbx"];
 
 /// How long the file of that name may be; nothing if no room has such a file.
 pub fn most_bytes(name: &str) -> Option<u64> {
@@ -163,6 +163,7 @@ mod tests {
             "room.ron",
             "models/house.glb",
             "models/a/b.gltf",
+            "models/a.FBX",
             "models/a.bin",
             "textures/Ziegel 2.PNG",
         ] {

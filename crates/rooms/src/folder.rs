@@ -220,7 +220,7 @@ fn gather(room: &Room, files: &mut Files<'_>) -> Result<Assets, (String, String)
 }
 
 /// Reads a picture of at most `most_pixels`.
-fn picture(bytes: &[u8], most_pixels: u64) -> Result<RgbaImage, String> {
+pub(crate) fn picture(bytes: &[u8], most_pixels: u64) -> Result<RgbaImage, String> {
     let unreadable = |error: &dyn std::fmt::Display| format!("it cannot be read ({error})");
     let format = image::guess_format(bytes).map_err(|_| "it is neither PNG nor JPEG".to_owned())?;
     if !matches!(format, ImageFormat::Png | ImageFormat::Jpeg) {

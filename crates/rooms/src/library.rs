@@ -30,14 +30,6 @@ pub const ARCHIVE: ArchiveKind = ArchiveKind {
 /// What takes the place of a name of which nothing can be used.
 const OTHER: &str = "Room";
 
-/// Where rooms are kept when worlds are kept in `saves`: in `rooms` beside it.
-pub fn rooms_dir(saves: &Path) -> PathBuf {
-    match (saves.parent(), saves.file_name()) {
-        (Some(parent), Some(_)) => parent.join("rooms"),
-        _ => saves.join("rooms"),
-    }
-}
-
 /// What a list says of a room.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoomSummary {

@@ -1,19 +1,22 @@
-//! Models of a room: glTF, as it rests.
+//! Models of a room, glTF or fbx, as they rest.
 
 use std::sync::Arc;
 
-use antipode_models::{GAME_FROM_FILE, Model, Pose};
+use antipode_models::{GAME_FROM_FILE, Material, Model, Pose, Texture};
 use glam::{DMat4, DVec2, DVec3, Mat4};
 
 use crate::bounds::MOST_MODEL_TRIANGLES;
+use crate::fbx;
 use crate::gltf_parts::gather;
 use crate::mesh::Shape;
 
 /// A model as it stands in a room.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoomModel {
-    /// Its materials and pictures, as they stand in its file.
-    pub model: Model,
+    /// Its materials, as they stand in its file.
+    pub materials: Vec<Material>,
+    /// The pictures of its materials.
+    pub textures: Vec<Texture>,
     /// Its triangles.
     pub parts: Vec<ModelPart>,
 }
@@ -23,7 +26,7 @@ pub struct RoomModel {
 pub struct ModelPart {
     /// The triangles, in metres; the file's front is +x.
     pub shape: Arc<Shape>,
-    /// Index into [`Model::materials`].
+    /// Index into [`RoomModel::materials`].
     pub material: usize,
 }
 
@@ -36,11 +39,15 @@ pub(crate) fn load(
     bytes: &[u8],
     read: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
 ) -> Result<RoomModel, String> {
+    let ends_in = |wanted: &str| {
+        name.rsplit_once('.')
+            .is_some_and(|(_, ending)| ending.eq_ignore_ascii_case(wanted))
+    };
+    if ends_in("fbx") {
+        return fbx::load(name, bytes, read);
+    }
     let whole;
-    let is_text = name
-        .rsplit_once('.')
-        .is_some_and(|(_, ending)| ending.eq_ignore_ascii_case("gltf"));
-    let bytes = if is_text {
+    let bytes = if ends_in("gltf") {
         whole = gather(name, bytes, read)?;
         &whole
     } else {
@@ -58,7 +65,8 @@ pub(crate) fn load(
     }
     Ok(RoomModel {
         parts: parts(&model),
-        model,
+        materials: model.materials,
+        textures: model.textures,
     })
 }
 

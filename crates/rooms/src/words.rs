@@ -69,6 +69,7 @@ fn kind(word: &str) -> Option<(What, &'static [&'static str])> {
         lengths: Lengths::Stretch(DVec3::ONE),
         sides: Sides::Walls,
         ways: Ways::Both,
+        outline: false,
     };
     Some(match word {
         "box" => (What::Box { size }, &["size"]),
@@ -312,6 +313,9 @@ fn set_kind(what: &mut What, key: &str, value: &str) -> Taken<bool> {
                 value,
                 &[("both", Ways::Both), ("forward", Ways::Forward)],
             )?;
+        }
+        (What::Aberration(it), "outline") => {
+            it.outline = one_of(key, value, &[("on", true), ("off", false)])?;
         }
         _ => return Ok(false),
     }

@@ -175,8 +175,9 @@ fn aberration(it: &Aberration) -> String {
         Ways::Both => "",
         Ways::Forward => ", ways: Forward",
     };
+    let outline = if it.outline { ", outline: true" } else { "" };
     format!(
-        "Aberration(half: {}, {lengths}, sides: {sides}{ways})",
+        "Aberration(half: {}, {lengths}, sides: {sides}{ways}{outline})",
         three(it.half)
     )
 }

@@ -53,7 +53,7 @@ pub use batch::Batch;
 pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, unpack_chunk};
 pub use error::StorageError;
 pub use guard::is_guarded;
-pub use listing::{LookError, WorldInfo, WorldSummary, saves_dir};
+pub use listing::{LookError, WorldInfo, WorldSummary, holds_world, is_saves_dir_named, saves_dir};
 pub use maintenance::{RepairReport, VerifyReport};
 pub use name::{
     MAX_NAME_CHARS, NameError, check as check_name, folded as folded_name, free_name,
@@ -69,7 +69,7 @@ pub use schema::{
     WorldMeta, WorldState,
 };
 pub use scratch::Scratch;
-pub use slug::{is_reserved_name, slug_of};
+pub use slug::{ROOMS_FOLDER, is_reserved_name, slug_of};
 pub use transfer::{ArchiveFile, archives_in};
 pub use turn::Turn;
 pub use world::WorldStore;

@@ -1,5 +1,6 @@
 //! Lists the worlds, and what can be told of each without opening it for play.
 
+use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -17,7 +18,7 @@ use crate::{MAX_THUMBNAIL_BYTES, THUMBNAIL_FILE, WORLD_FILE, summary};
 /// Where worlds are: `explicit` if given, else the environment's `ANTIPODE_SAVES`,
 /// else `./saves` if that is a directory, else the platform's place for such data.
 pub fn saves_dir(explicit: Option<&Path>) -> PathBuf {
-    let environment = std::env::var_os("ANTIPODE_SAVES").filter(|value| !value.is_empty());
+    let environment = environment();
     let local = PathBuf::from("saves");
     let platform = directories::ProjectDirs::from("", "", "antipode")
         .map(|dirs| dirs.data_dir().join("saves"));
@@ -27,6 +28,15 @@ pub fn saves_dir(explicit: Option<&Path>) -> PathBuf {
         local.is_dir().then_some(local),
         platform,
     )
+}
+
+/// Whether [`saves_dir`] is one that somebody has named, on the command line or in the environment.
+pub fn is_saves_dir_named(explicit: Option<&Path>) -> bool {
+    explicit.is_some() || environment().is_some()
+}
+
+fn environment() -> Option<OsString> {
+    std::env::var_os("ANTIPODE_SAVES").filter(|value| !value.is_empty())
 }
 
 fn choose_dir(
@@ -125,7 +135,7 @@ pub(crate) fn slugs(saves: &Path) -> Result<Vec<String>, StorageError> {
 /// Whether a directory is a world's, sound or not: everything that is done with
 /// worlds goes by this, so that none is listed and then not found. One that cannot be looked into
 /// may be a world if it is called as one, and its line says what is wrong; `lost+found` is none.
-pub(crate) fn holds_world(dir: &Path) -> bool {
+pub fn holds_world(dir: &Path) -> bool {
     shows_world(dir).unwrap_or_else(|_| {
         let name = dir.file_name().and_then(|name| name.to_str());
         name.is_some_and(|name| slug_of(name) == name)
@@ -213,5 +223,6 @@ mod tests {
         assert_eq!(choose_dir(None, None, None, some(&d)), d);
         assert_eq!(choose_dir(None, None, None, None), PathBuf::from("saves"));
         assert_eq!(saves_dir(Some(&a)), a);
+        assert!(is_saves_dir_named(Some(&a)));
     }
 }

@@ -2,6 +2,8 @@
 
 /// Names that Windows keeps for devices, in lower case.
 const RESERVED: [&str; 6] = ["con", "prn", "aux", "nul", "conin", "conout"];
+/// The folder of rooms in a directory of worlds, which no world has for its own.
+pub const ROOMS_FOLDER: &str = "rooms";
 /// The longest slug before a suffix; short, for systems that bound whole paths.
 const MAX_SLUG_BYTES: usize = 32;
 
@@ -26,7 +28,7 @@ pub(crate) fn slug_or(name: &str, other: &str) -> String {
     let slug = slug.trim_end_matches('-');
     if slug.is_empty() {
         other.to_owned()
-    } else if is_reserved(slug) {
+    } else if is_reserved(slug) || slug == ROOMS_FOLDER {
         format!("{slug}-{other}")
     } else {
         slug.to_owned()
@@ -82,6 +84,7 @@ mod tests {
             ("com10", "com10"),
             ("console", "console"),
             ("nul.txt", "nul-txt"),
+            ("Rooms", "rooms-world"),
         ];
         for (name, slug) in cases {
             assert_eq!(slug_of(name), slug, "{name}");

@@ -18,6 +18,7 @@ mod marker;
 mod npc;
 mod pictures;
 mod purity;
+mod room_pictures;
 mod rooms;
 mod saves;
 mod scenario;

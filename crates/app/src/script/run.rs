@@ -78,8 +78,14 @@ impl Runner {
         }
         let mut controls = Controls::default();
         controls.set_config(config);
+        let texts = match config.settings.language {
+            Language::System => Texts::default(),
+            _ => options::texts(&config.settings),
+        };
+        let mut rooms = Rooms::new(&common);
+        rooms.set_texts(&texts);
         Self {
-            rooms: Rooms::new(&common),
+            rooms,
             common,
             worlds,
             shooting,
@@ -88,10 +94,7 @@ impl Runner {
             session: None,
             ending,
             studio: None,
-            texts: match config.settings.language {
-                Language::System => Texts::default(),
-                _ => options::texts(&config.settings),
-            },
+            texts,
             worlds_opened: 0,
             frame_ms: None,
             gpu_ms: None,

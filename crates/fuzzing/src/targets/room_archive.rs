@@ -4,7 +4,7 @@
 //! |---|---|
 //! | 0 | bit 0: blocks get their checksums again; bits 1 to 3: changes to the archive; all bits: a raw archive follows |
 //! | then 6 each | a change, as those of archives of worlds |
-//! | the rest | the text of its room, and after a byte 0 its model |
+//! | the rest | the text of its room, and after a byte 0 its model, which is there as glTF and as fbx |
 
 use antipode_rooms::{RoomsDir, folder};
 use fastrand::Rng;
@@ -27,6 +27,7 @@ const RAW: u8 = 0xff;
 const MAGIC: &[u8; 8] = b"ANTIROOM";
 const TEXT: &str =
     "(version: 1, name: \"A\", objects: [(name: \"a\", what: Model(file: \"models/a.gltf\"))])";
+const FBX: &str = include_str!("../../../rooms/tests/it/square.fbx");
 const MODEL: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"a.bin"}]}"#;
 const WORDS: &[&str] = &[
     "../",
@@ -52,6 +53,12 @@ const WORDS: &[&str] = &[
     "\"bufferView\":9",
     "\"byteOffset\":",
     "KHR_draco_mesh_compression",
+    "models/a.fbx",
+    "*4 {",
+    "a: 0,1,-3",
+    "C: \"OO\",10,20",
+    "P: \"UnitScaleFactor\", \"double\", \"Number\", \"\",1e300",
+    "Kaydara FBX Binary  ",
 ];
 
 fn run(input: &[u8]) -> Result<Seen, String> {
@@ -111,6 +118,7 @@ fn archive(input: &[u8]) -> Vec<u8> {
     let mut bytes = container::pack(&[
         ("room.ron", text),
         ("models/a.gltf", model),
+        ("models/a.fbx", model),
         ("models/a.bin", &corners),
     ]);
     bytes[..MAGIC.len()].copy_from_slice(MAGIC);
@@ -125,10 +133,14 @@ fn archive(input: &[u8]) -> Vec<u8> {
 
 fn seeds() -> Vec<(String, Vec<u8>)> {
     let sound = [&[SEAL], TEXT.as_bytes(), &[0], MODEL.as_bytes()].concat();
+    let text = TEXT.replace("gltf", "fbx");
+    let model = FBX.replace("C: \"OP\",40,30, \"DiffuseColor\"", "");
+    let fbx = [&[SEAL], text.as_bytes(), &[0], model.as_bytes()].concat();
     let plain = [&[SEAL], b"(version: 1, name: \"B\")".as_slice()].concat();
     let raw = [&[RAW], archive(&sound).as_slice()].concat();
     [
         ("model", sound),
+        ("fbx", fbx),
         ("plain", plain),
         ("raw", raw),
         ("bare", vec![RAW]),

@@ -31,7 +31,7 @@ fn a_room_is_built_by_commands() {
         "add arch name=gate size=0.2,3,3 opening=1,2",
         "add model name=car file=models/car.glb scale=2",
         "add light name=lamp at=0,3,0 power=8 colour=#ffeecc",
-        "add aberration name=tunnel at=0,1,-20 half=1,1,5 axis=z felt=50",
+        "add aberration name=tunnel at=0,1,-20 half=1,1,5 axis=z felt=50 outline=on",
         "add aberration name=soft at=20,1,-20 half=1,1,1 stretch=2,1,2 sides=legacy exit=inverse ways=both",
         "add sign name=sign text=Look! size=2,1",
         "add spawn at=0,0,4 look=0,10",
@@ -59,6 +59,7 @@ fn a_room_is_built_by_commands() {
         }
     );
     assert_eq!(tunnel.sides, Sides::Walls);
+    assert!(tunnel.outline);
     assert_eq!(
         read("room.ron", write(room).unwrap().as_bytes()).unwrap(),
         *room
@@ -69,6 +70,12 @@ fn a_room_is_built_by_commands() {
         Some("barn")
     );
     done(&mut it, "change tunnel felt=70");
+    done(&mut it, "change tunnel outline=off");
+    let What::Aberration(tunnel) = it.room().find("tunnel").unwrap().1.what else {
+        panic!()
+    };
+    assert!(!tunnel.outline);
+    assert!(apply(&mut it, "change tunnel outline=maybe").is_err());
     done(&mut it, "remove barn");
     assert!(it.room().find("gate").is_none() && it.room().find("front").is_none());
 }

@@ -132,7 +132,7 @@ fn several_buffers_and_pictures_come_to_lie_in_one() {
     put(dir.path(), "textures/a.png", &picture(7));
     let loaded = folder::open(dir.path()).unwrap();
     let model = &loaded.assets.models["models/tri.gltf"];
-    assert_eq!(model.model.textures[0].width, 7);
+    assert_eq!(model.textures[0].width, 7);
     let most = model.parts[0]
         .shape
         .positions

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use antipode_rooms::room::{Object, What};
-use antipode_rooms::{ARCHIVE, Room, RoomsDir, folder, rooms_dir, write};
+use antipode_rooms::{ARCHIVE, Room, RoomsDir, folder, write};
 use antipode_storage::{pack_archive, unpack_archive};
 use glam::DVec3;
 use tempfile::TempDir;
@@ -51,16 +51,6 @@ fn with_model(rooms: &RoomsDir) -> PathBuf {
     );
     fs::write(dir.join("room.ron"), text).unwrap();
     dir
-}
-
-#[test]
-fn rooms_are_kept_beside_worlds() {
-    assert_eq!(
-        rooms_dir(Path::new("/home/me/antipode/saves")),
-        Path::new("/home/me/antipode/rooms")
-    );
-    assert_eq!(rooms_dir(Path::new("saves")), Path::new("rooms"));
-    assert_eq!(rooms_dir(Path::new("/")), Path::new("/rooms"));
 }
 
 #[test]

@@ -8,10 +8,12 @@
 )]
 
 mod edit;
+mod fbx;
 mod folder;
 mod library;
 mod mesh;
 mod round_trip;
 mod shipped;
 mod space;
+mod thesis;
 mod unsound;

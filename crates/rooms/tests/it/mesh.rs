@@ -163,6 +163,7 @@ fn walls_stand_where_no_doors_are() {
         },
         sides: Sides::Walls,
         ways: Ways::Both,
+        outline: false,
     };
     let walls = made(&What::Aberration(it));
     assert_sound(&walls, "walls");

@@ -27,8 +27,8 @@ fn aberration() -> impl Strategy<Value = What> {
         Just(Sides::Snell),
         exit.prop_map(|exit| Sides::Legacy { exit })
     ];
-    (three(0.05..0.4), lengths, sides, any::<bool>()).prop_map(
-        |(half, (axis, times), sides, forward)| {
+    (three(0.05..0.4), lengths, sides, any::<[bool; 2]>()).prop_map(
+        |(half, (axis, times), sides, [forward, outline])| {
             let lengths = match axis {
                 Some(axis) => Lengths::Felt {
                     axis,
@@ -51,6 +51,7 @@ fn aberration() -> impl Strategy<Value = What> {
                 lengths,
                 sides,
                 ways,
+                outline,
             })
         },
     )

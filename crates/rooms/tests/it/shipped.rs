@@ -1,7 +1,9 @@
 //! The rooms that come with the game.
 
+use std::cell::RefCell;
 use std::collections::HashSet;
 
+use antipode_language::{Language, Texts};
 use antipode_rooms::aberration::{Aberration, Lengths, stretch_of_thesis};
 use antipode_rooms::mesh::{Roundness, meshes};
 use antipode_rooms::room::What;
@@ -51,6 +53,55 @@ fn a_sign_says_in_one_sentence_what_is_strange() {
             "{id}: {away}"
         );
         assert!(pose.transform_vector3(DVec3::X).z > 0.9, "{id}");
+    }
+}
+
+/// The messages of the game are those of its rooms with this before them.
+fn message(key: &str) -> String {
+    format!("room-{key}")
+}
+
+#[test]
+fn all_that_is_read_in_them_is_there_in_every_language() {
+    for (id, room) in rooms() {
+        let it = shipped::find(id).unwrap();
+        let asked = RefCell::new(Vec::new());
+        it.reword(&mut room.clone(), |key| {
+            asked.borrow_mut().push(key.to_owned());
+            None
+        });
+        for language in Language::ALL {
+            let texts = Texts::new(language);
+            let name = message(&format!("{id}-name"));
+            for key in asked
+                .borrow()
+                .iter()
+                .map(|it| message(it))
+                .chain([name.clone()])
+            {
+                assert!(texts.has_own(&key), "{key} in {language:?}");
+            }
+            let mut told = room.clone();
+            it.reword(&mut told, |key| Some(texts.say(&message(key))));
+            // As long as any room's may be, with nothing that cannot be shown.
+            antipode_rooms::check(&told).unwrap();
+            let ends = told
+                .sentence
+                .chars()
+                .filter(|it| ".!?。！？".contains(*it))
+                .count();
+            assert!(
+                ends == 1 && told.sentence.ends_with(['.', '。']),
+                "{}",
+                told.sentence
+            );
+            if language == Language::English {
+                assert_eq!(told, room, "the file and the messages differ");
+                assert_eq!(texts.say(&name), room.name);
+            } else {
+                assert_ne!(told.sentence, room.sentence, "{id} in {language:?}");
+            }
+        }
     }
 }
 

@@ -1,0 +1,18 @@
+### Was in den Räumen des Spiels zu lesen ist: ihre Namen in Listen, ihre Sätze und ihre Schilder.
+
+room-long-house-name = Das lange Haus
+room-long-house-sentence = Von außen ist dieses Haus 8 Meter lang, und sein Flur hat 79.
+room-big-house-name = Das große Haus
+room-big-house-sentence = Diese Hütte ist 4 Meter breit, und in ihr ist ein Saal von 12 Metern, doppelt so hoch wie die Hütte.
+room-twelve-rooms-name = Zwölf Zimmer
+room-twelve-rooms-sentence = In diesem Haus von 5 mal 5 Metern sind zwölf Zimmer von je 5 mal 5 Metern.
+room-nested-boxes-name = Kästen in Kästen
+room-nested-boxes-sentence = Vier Kästen stehen ineinander, und jeder macht dich halb so groß, sodass die Kugel in der Mitte ein Hügel ist.
+room-four-tunnels-name = Vier Tunnel
+room-four-tunnels-sentence = Diese vier Tunnel sind alle 79 Meter lang und fühlen sich an wie 26 Meter, wie 395, zu schmal und zu niedrig.
+room-four-tunnels-shorter-sign = d = +2 in der Länge: Er fühlt sich an wie 26 Meter.
+room-four-tunnels-longer-sign = d = -0,8 in der Länge: Er fühlt sich an wie 395 Meter.
+room-four-tunnels-narrower-sign = d = +0,7 in der Breite: 9,5 Meter fühlen sich an wie 5,6.
+room-four-tunnels-lower-sign = d = +0,8 in der Höhe: 10,5 Meter fühlen sich an wie 5,8.
+room-thesis-room-name = Der Raum der Abschlussarbeit
+room-thesis-room-sentence = Dieser Raum ist 12 Meter breit und 8 hoch und fühlt sich halb so breit und halb so hoch an.

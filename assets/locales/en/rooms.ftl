@@ -1,0 +1,18 @@
+### What is read in the rooms that come with the game: their names in lists, their sentences and their signs.
+
+room-long-house-name = The long house
+room-long-house-sentence = From outside this house is 8 metres long, and its corridor is 79.
+room-big-house-name = The big house
+room-big-house-sentence = This hut is 4 metres wide and has a hall of 12 in it, and the hall is twice as high as the hut.
+room-twelve-rooms-name = Twelve rooms
+room-twelve-rooms-sentence = In this house of 5 by 5 metres there are twelve rooms of 5 by 5 metres each.
+room-nested-boxes-name = Nested boxes
+room-nested-boxes-sentence = Four boxes stand in one another, and each makes you half as large, so that the ball in the middle is a hill.
+room-four-tunnels-name = Four tunnels
+room-four-tunnels-sentence = These four tunnels are all 79 metres long, and feel like 26 metres, like 395, too narrow and too low.
+room-four-tunnels-shorter-sign = d = +2 along its length: it feels like 26 metres.
+room-four-tunnels-longer-sign = d = -0.8 along its length: it feels like 395 metres.
+room-four-tunnels-narrower-sign = d = +0.7 across it: 9.5 metres feel like 5.6.
+room-four-tunnels-lower-sign = d = +0.8 upward: 10.5 metres feel like 5.8.
+room-thesis-room-name = The room of the thesis
+room-thesis-room-sentence = This room is 12 metres wide and 8 high, and feels half as wide and half as high.

@@ -1,0 +1,18 @@
+### 游戏自带房间里能读到的文字：列表中的名称、说明句和牌子。
+
+room-long-house-name = 长屋
+room-long-house-sentence = 从外面看，这座房子长 8 米，里面的走廊却长 79 米。
+room-big-house-name = 大屋
+room-big-house-sentence = 这间小屋宽 4 米，里面却有一座宽 12 米的大厅，而且比小屋高一倍。
+room-twelve-rooms-name = 十二个房间
+room-twelve-rooms-sentence = 这座 5 米乘 5 米的房子里有十二个房间，每个都是 5 米乘 5 米。
+room-nested-boxes-name = 套盒
+room-nested-boxes-sentence = 四个盒子一个套着一个，每进一个你就缩小一半，于是中间的球成了一座小山。
+room-four-tunnels-name = 四条隧道
+room-four-tunnels-sentence = 这四条隧道都长 79 米，感觉却分别是 26 米、395 米、太窄和太矮。
+room-four-tunnels-shorter-sign = 沿长度 d = +2：感觉像 26 米。
+room-four-tunnels-longer-sign = 沿长度 d = -0.8：感觉像 395 米。
+room-four-tunnels-narrower-sign = 横向 d = +0.7：9.5 米感觉像 5.6 米。
+room-four-tunnels-lower-sign = 向上 d = +0.8：10.5 米感觉像 5.8 米。
+room-thesis-room-name = 论文中的房间
+room-thesis-room-sentence = 这个房间宽 12 米、高 8 米，感觉却只有一半宽、一半高。
