@@ -6,6 +6,7 @@
 //! There is no window, no file and no adapter here.
 
 mod camera;
+mod difference;
 mod figure;
 mod hands;
 mod light;
@@ -19,6 +20,7 @@ mod things;
 pub mod tuning;
 mod walk;
 
+pub use difference::{Difference, Lying};
 pub use figure::RoomFigure;
 pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;

@@ -7,6 +7,7 @@
 )]
 
 mod edits;
+mod figure;
 mod hands;
 mod picture;
 mod soak;
