@@ -38,7 +38,7 @@ impl RoomScene {
     /// The figure of who walks, at a share of the way of the last step.
     pub fn figure_between(&self, share: f64) -> RoomFigure {
         let (feet, look_deg) = self.feet_between(share);
-        let up = self.up();
+        let up = self.felt_up(&feet);
         let ahead = direction(DVec2::new(look_deg.x, 0.0)).reject_from_normalized(up);
         let ahead = ahead.normalize_or(up.any_orthonormal_vector());
         let turn = DMat3::from_cols(ahead, up, ahead.cross(up));

@@ -6,6 +6,7 @@
     reason = "tests fail by panicking"
 )]
 
+mod difference;
 mod edits;
 mod figure;
 mod hands;
