@@ -150,7 +150,7 @@ impl Movable {
 
     /// Nodes and triangles that it has.
     pub fn sizes(&self) -> (usize, usize) {
-        (self.tree.len(), self.mesh.triangles.len())
+        (self.tree.node_count(), self.mesh.triangles.len())
     }
 
     /// The greatest number of a material; none without triangles.

@@ -64,7 +64,7 @@ impl Tree {
     }
 
     /// Nodes that [`Self::packed`] makes.
-    pub fn len(&self) -> usize {
+    pub fn node_count(&self) -> usize {
         self.inner
     }
 
@@ -96,9 +96,9 @@ impl Tree {
             };
             if count == 0 {
                 let children = &self.nodes[first..first + 2];
-                children
-                    .iter()
-                    .for_each(|child| grow(child.low, child.high));
+                for child in children {
+                    grow(child.low, child.high);
+                }
             } else {
                 for number in &self.order[first..first + count as usize] {
                     let (low, high) = boxes[*number as usize];
