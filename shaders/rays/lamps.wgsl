@@ -31,10 +31,6 @@ fn has_one_more(stack: vec4<u32>, depth: u32, than: vec4<u32>, than_depth: u32) 
     return only;
 }
 
-fn stretch_for(number: u32, way: vec3<f32>) -> vec3<f32> {
-    return select(vec3<f32>(1.0), space.boxes[number].stretch, is_felt(number, way));
-}
-
 fn axes_of(number: u32) -> mat3x3<f32> {
     return mat3x3<f32>(space.boxes[number].x_axis, space.boxes[number].y_axis, space.boxes[number].z_axis);
 }
@@ -43,29 +39,30 @@ fn weight(part: f32, medium: vec3<f32>, i: u32) -> vec3<f32> {
     return part * medium[i] / medium;
 }
 
-// The way through the faces across axis i from p to l, both in the box's coordinates; `ambient` is K outside of the box.
-fn through_faces(row: ptr<function, Row>, i: u32, p: vec3<f32>, l: vec3<f32>, ambient: mat3x3<f32>) -> Aim {
+// The way through the faces across axis i from p to l, both in the box's coordinates; `to_felt` is the inverse of K outside
+// of the box.
+fn through_faces(row: Row, i: u32, p: vec3<f32>, l: vec3<f32>, to_felt: mat3x3<f32>) -> Aim {
     let none = Aim(vec3<f32>(0.0), -1.0);
-    let number = (*row).number;
+    let number = row.number;
     let away = l - p;
     let h = half_of(number);
     let sign = select(-1.0, 1.0, away[i] >= 0.0);
     var cuts = vec4<f32>(p[i], l[i], l[i], l[i]);
-    cuts.y = (*row).faces.x * sign * h[i];
-    if (*row).count == 3u {
-        cuts.z = (*row).faces.y * sign * h[i];
+    cuts.y = row.faces.x * sign * h[i];
+    if row.count == 3u {
+        cuts.z = row.faces.y * sign * h[i];
     }
     let parts = cuts.yzw - cuts.xyz;
     if away[i] == 0.0 || any(parts * sign < vec3<f32>(0.0)) {
         return none;
     }
-    let first = weight(parts.x, (*row).media[0], i);
-    let second = weight(parts.y, (*row).media[1], i);
-    let third = weight(parts.z, (*row).media[2], i);
+    let first = weight(parts.x, row.media[0], i);
+    let second = weight(parts.y, row.media[1], i);
+    let third = weight(parts.z, row.media[2], i);
     let u = away / (first + second + third);
     var room = abs(p + u * first) - h;
     room[i] = -1.0;
-    if (*row).count == 3u {
+    if row.count == 3u {
         var other = abs(p + u * (first + second)) - h;
         other[i] = -1.0;
         room = max(room, other);
@@ -73,8 +70,8 @@ fn through_faces(row: ptr<function, Row>, i: u32, p: vec3<f32>, l: vec3<f32>, am
     if greatest(room) > 0.0 {
         return none;
     }
-    let time = parts.x * (*row).media[0][i] + parts.y * (*row).media[1][i] + parts.z * (*row).media[2][i];
-    let felt = inverse_of(ambient) * (axes_of(number) * (u * time));
+    let time = parts.x * row.media[0][i] + parts.y * row.media[1][i] + parts.z * row.media[2][i];
+    let felt = to_felt * (axes_of(number) * (u * time));
     let length = length(felt);
     return Aim(felt / max(length, 1.0e-20), length);
 }
@@ -98,53 +95,49 @@ fn lamp_tries(from_path: ptr<function, Path>, lamp: u32) -> u32 {
 // The way of a number below that.
 fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
     let none = Aim(vec3<f32>(0.0), -1.0);
-    let stack = (*from_path).stack;
-    let depth = (*from_path).depth;
+    let own = (*from_path).stack;
+    let own_depth = (*from_path).depth;
     let lamp_stack = frame.lamps[lamp].stack;
     let lamp_depth = frame.lamps[lamp].depth;
     let place = frame.lamps[lamp].place.xyz;
     let away = place - (*from_path).x;
-    var row: Row;
+    let is_same = own_depth == lamp_depth;
+    // What both are in, and what only one of them is.
+    let is_lamp_inner = own_depth < lamp_depth;
+    let outer = select(lamp_stack, own, is_lamp_inner || is_same);
+    let outer_depth = min(own_depth, lamp_depth);
+    let to_felt = inverse_of(squeeze_of(outer, outer_depth, away, false));
+    let straight = to_felt * away;
+    if is_same && attempt == 0u {
+        let length = length(straight);
+        return Aim(straight / max(length, 1.0e-20), length);
+    }
+    var number = 0u;
     var axis = attempt % 3u;
-    var ambient: mat3x3<f32>;
-    let one = vec3<f32>(1.0);
-    if depth == lamp_depth {
-        ambient = squeeze_of(stack, depth, away, false);
-        if attempt == 0u {
-            let felt = inverse_of(ambient) * away;
-            let length = length(felt);
-            return Aim(felt / max(length, 1.0e-20), length);
-        }
+    if is_same {
         axis = (attempt - 1u) % 3u;
         var first = ways.outermost;
-        if depth > 0u {
-            first = space.boxes[stack_get(stack, depth - 1u)].first;
+        if own_depth > 0u {
+            first = space.boxes[stack_get(own, own_depth - 1u)].first;
         }
-        let number = neighbours[first + (attempt - 1u) / 3u];
-        if stack_has(stack, depth, number) {
+        number = neighbours[first + (attempt - 1u) / 3u];
+        if stack_has(own, own_depth, number) {
             return none;
         }
-        row = Row(number, array<vec3<f32>, 3>(one, stretch_for(number, away), one), 3u, vec2<f32>(-1.0, 1.0));
-    } else if depth < lamp_depth {
-        let number = has_one_more(lamp_stack, lamp_depth, stack, depth);
-        if number == NOTHING {
-            return none;
-        }
-        let s = stretch_for(number, away);
-        ambient = squeeze_of(stack, depth, away, false);
-        row = Row(number, array<vec3<f32>, 3>(one, s, s), 2u, vec2<f32>(-1.0, 1.0));
     } else {
-        let number = has_one_more(stack, depth, lamp_stack, lamp_depth);
+        number = has_one_more(select(own, lamp_stack, is_lamp_inner), max(own_depth, lamp_depth), outer, outer_depth);
         if number == NOTHING {
             return none;
         }
-        ambient = squeeze_of(lamp_stack, lamp_depth, away, false);
-        row = Row(number, array<vec3<f32>, 3>(stretch_for(number, away), one, one), 2u, vec2<f32>(1.0, -1.0));
     }
-    if space.boxes[row.number].sides == SIDES_LEGACY || (space.boxes[row.number].walls & (1u << axis)) != 0u {
+    if space.boxes[number].sides == SIDES_LEGACY || (space.boxes[number].walls & (1u << axis)) != 0u {
         return none;
     }
-    let p = local_vector(row.number, (*from_path).x - space.boxes[row.number].centre);
-    let l = local_vector(row.number, place - space.boxes[row.number].centre);
-    return through_faces(&row, axis, p, l, ambient);
+    let one = vec3<f32>(1.0);
+    let s = select(one, space.boxes[number].stretch, is_felt(number, away));
+    let leaves = !is_same && !is_lamp_inner;
+    let row = Row(number, array<vec3<f32>, 3>(select(one, s, leaves), select(s, one, leaves), select(one, s, is_lamp_inner)), select(2u, 3u, is_same), select(vec2<f32>(-1.0, 1.0), vec2<f32>(1.0, -1.0), leaves));
+    let p = local_vector(number, (*from_path).x - space.boxes[number].centre);
+    let l = local_vector(number, place - space.boxes[number].centre);
+    return through_faces(row, axis, p, l, to_felt);
 }

@@ -1,5 +1,5 @@
 // The solids of a scene: a hierarchy of boxes over all that stays, one for each mesh that moves, and one over all of these.
-// Follows space.wgsl.
+// Follows space.wgsl; how many children may wait, WAITING_ROOM, is put before all files.
 //
 // What is read at each step lies in textures: software adapters read them many lanes at a time, and buffers lane after lane.
 // They also run both branches of every `if`, so that what is seldom needed stands in a loop further out.
@@ -10,8 +10,6 @@ const LEFT_INSTANCE: u32 = 0xfffffffeu;
 // What a child is: another node, triangles from that one on, or an instance.
 const TRIANGLES: u32 = 0x40000000u;
 const INSTANCE: u32 = 0x80000000u;
-// Levels of both hierarchies together: each has 40 at most and as many more as halving what is left takes (bvh.rs).
-const WAITING_ROOM: u32 = 98u;
 // Flags of instances.
 const MOVES: u32 = 1u;
 const UNSEEN_BY_EYE: u32 = 2u;

@@ -75,5 +75,5 @@ room-look-plain = Wie auf dem Plan: nichts ist gedehnt oder gebogen
 room-half-thesis = Arbeit
 room-half-exact = genau
 room-differs = In der Mitte sieht man { $exact } weit, und nach der Arbeit { $thesis }.
-room-differs-elsewhere = In der Mitte sieht man { $exact } weit, und nach der Arbeit { $thesis }: einen anderen Ort, { $apart } m daneben.
+room-differs-bent = In der Mitte sieht man { $exact } weit, und nach der Arbeit { $thesis }, wo das Licht um { $bent }° gebogen ankommt.
 room-sky = den Himmel

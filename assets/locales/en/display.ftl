@@ -82,5 +82,5 @@ room-look-plain = As on the plan: nothing is stretched or bent
 room-half-thesis = thesis
 room-half-exact = exact
 room-differs = In the middle one sees { $exact } far, and by the thesis { $thesis }.
-room-differs-elsewhere = In the middle one sees { $exact } far, and by the thesis { $thesis }: another place, { $apart } m beside it.
+room-differs-bent = In the middle one sees { $exact } far, and by the thesis { $thesis }, where light arrives bent by { $bent }°.
 room-sky = the sky

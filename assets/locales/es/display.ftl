@@ -75,5 +75,5 @@ room-look-plain = Como en el plano: nada está estirado ni doblado
 room-half-thesis = tesis
 room-half-exact = exacto
 room-differs = En el centro se ve a { $exact }, y según la tesis a { $thesis }.
-room-differs-elsewhere = En el centro se ve a { $exact }, y según la tesis a { $thesis }: otro lugar, { $apart } m al lado.
+room-differs-bent = En el centro se ve a { $exact }, y según la tesis a { $thesis }, adonde la luz llega doblada { $bent }°.
 room-sky = el cielo

@@ -81,5 +81,5 @@ room-look-plain = Jak na planie: nic nie jest rozciągnięte ani zgięte
 room-half-thesis = praca
 room-half-exact = dokładnie
 room-differs = Pośrodku widać na { $exact }, a według pracy na { $thesis }.
-room-differs-elsewhere = Pośrodku widać na { $exact }, a według pracy na { $thesis }: inne miejsce, { $apart } m obok.
+room-differs-bent = Pośrodku widać na { $exact }, a według pracy na { $thesis }, dokąd światło dociera zgięte o { $bent }°.
 room-sky = niebo

@@ -75,5 +75,5 @@ room-look-plain = 如平面图：没有任何拉伸或弯曲
 room-half-thesis = 论文
 room-half-exact = 精确
 room-differs = 画面中央精确地看到 { $exact }，按论文看到 { $thesis }。
-room-differs-elsewhere = 画面中央精确地看到 { $exact }，按论文看到 { $thesis }：是旁边 { $apart } 米处的另一个地方。
+room-differs-bent = 画面中央精确地看到 { $exact }，按论文看到 { $thesis }，光线到达那里时弯曲了 { $bent }°。
 room-sky = 天空

@@ -1,12 +1,10 @@
-//! What moves in pictures of rooms: the astronaut as a mesh that rays meet, bent anew for each picture, and things that one
-//! has shot, thrown and put down, which are balls.
+//! Figures in pictures of rooms: the astronaut as a mesh that rays meet, bent anew for each picture.
 
-use std::f32::consts::{PI, TAU};
 use std::sync::Arc;
 
-use antipode_rays::{Loaded, Material, Mesh, Mover, Pattern, RayScene};
+use antipode_rays::{Loaded, Material, Mesh, Mover, RayScene};
 use antipode_render::{BentMesh, BentSurface, Gpu};
-use antipode_room_scene::{Moment, ThingKind, tuning};
+use antipode_room_scene::{Moment, RoomFigure, tuning};
 use antipode_scene::frame::{ModelId, Posture};
 use glam::Vec3;
 
@@ -15,19 +13,13 @@ use crate::failure::Failure;
 /// Light of what glows with full strength, in noon light; as the renderer of worlds has it.
 const GLOW: f32 = 3.2 * tuning::DAYLIGHT;
 
-/// Most things that are drawn; rays take a few more movers.
-const MOST_THINGS: usize = 500;
-
-/// What is drawn of who walks and of things.
+/// What is drawn of who walks.
 #[derive(Debug)]
 pub struct RoomFigures {
     astronaut: BentMesh,
     /// Its number among the meshes that may move, and that of its first material.
     mesh: usize,
     materials: usize,
-    /// The number of the ball among the meshes that may move, and of the first of the things' materials.
-    ball: usize,
-    things: usize,
     /// How it was held when it was bent last.
     posture: Option<Posture>,
 }
@@ -52,115 +44,39 @@ impl RoomFigures {
             materials: triangles,
         }));
         scene.materials.extend(looks);
-        let ball = scene.movables.len();
-        scene.movables.push(Arc::new(self::ball()));
-        let things = scene.materials.len();
-        scene.materials.extend(self::things());
         Ok(Self {
             astronaut,
             mesh,
             materials,
-            ball,
-            things,
             posture: None,
         })
     }
 
-    /// Puts who walks and what flies and lies about into the next picture; nothing is done while they stay as they are.
+    /// Puts who walks and what else moves into the next picture; nothing is done while all stays as it is.
     ///
     /// # Errors
     /// When the figure is no longer that of the scene, or squeezed to nothing.
     pub fn show(&mut self, gpu: &Gpu, loaded: &mut Loaded, moment: &Moment) -> Result<(), Failure> {
-        let figure = &moment.figure;
-        if self.posture != Some(figure.posture) {
-            let corners = self.astronaut.corners(&figure.posture);
+        let RoomFigure {
+            posture,
+            pose,
+            object,
+            unseen_by_eye,
+        } = moment.figure;
+        if self.posture != Some(posture) {
+            let corners = self.astronaut.corners(&posture);
             loaded.pose(&gpu.queue, self.mesh, &corners.places, &corners.normals)?;
-            self.posture = Some(figure.posture);
+            self.posture = Some(posture);
         }
-        let who = Mover {
+        let mut movers = moment.things.clone();
+        movers.push(Mover {
             mesh: self.mesh,
-            pose: figure.pose,
-            object: figure.object,
+            pose,
+            object,
             materials: self.materials,
-            unseen_by_eye: figure.unseen_by_eye,
-        };
-        let things = moment.things.iter().map(|thing| Mover {
-            mesh: self.ball,
-            pose: thing.pose,
-            object: thing.object,
-            materials: self.things + kind_number(thing.kind),
-            // A bullet begins in front of the eye.
-            unseen_by_eye: false,
+            unseen_by_eye,
         });
-        let movers: Vec<_> = things.take(MOST_THINGS).chain([who]).collect();
         Ok(loaded.show(&gpu.queue, &movers)?)
-    }
-}
-
-fn kind_number(kind: ThingKind) -> usize {
-    match kind {
-        ThingKind::Bullet => 0,
-        ThingKind::Mark => 1,
-        ThingKind::Ball => 2,
-        ThingKind::Lamp => 3,
-    }
-}
-
-/// How things look, in the order of their numbers.
-fn things() -> [Material; 4] {
-    let of = |colour: Vec3| Material {
-        colour,
-        ..Material::default()
-    };
-    [
-        Material {
-            glow: Vec3::new(1.0, 0.8, 0.3) * GLOW,
-            ..of(Vec3::new(0.8, 0.6, 0.2))
-        },
-        of(Vec3::splat(0.02)),
-        Material {
-            pattern: Pattern::Checker {
-                other: Vec3::splat(0.85),
-                edge_m: 0.7,
-            },
-            ..of(Vec3::new(0.75, 0.06, 0.04))
-        },
-        Material {
-            glow: Vec3::new(1.0, 0.9, 0.7) * GLOW,
-            ..of(Vec3::splat(0.9))
-        },
-    ]
-}
-
-/// A ball of radius 1.
-fn ball() -> Mesh {
-    const ROUND: u32 = 16;
-    const RINGS: u32 = 10;
-    let at = |ring: u32, step: u32| {
-        let (down, turn) = (
-            PI * ring as f32 / RINGS as f32,
-            TAU * step as f32 / ROUND as f32,
-        );
-        Vec3::new(down.sin() * turn.cos(), down.cos(), down.sin() * turn.sin())
-    };
-    let positions: Vec<_> = (0..=RINGS)
-        .flat_map(|ring| (0..ROUND).map(move |step| at(ring, step)))
-        .collect();
-    let mut triangles = Vec::new();
-    for (ring, step) in (0..RINGS).flat_map(|ring| (0..ROUND).map(move |step| (ring, step))) {
-        let corner = |down: u32, on: u32| (ring + down) * ROUND + (step + on) % ROUND;
-        if ring > 0 {
-            triangles.push([corner(0, 0), corner(0, 1), corner(1, 0)]);
-        }
-        if ring + 1 < RINGS {
-            triangles.push([corner(0, 1), corner(1, 1), corner(1, 0)]);
-        }
-    }
-    Mesh {
-        normals: positions.clone(),
-        positions,
-        triangles,
-        ..Mesh::default()
     }
 }
 
@@ -200,9 +116,8 @@ mod tests {
         let mesh = &scene.movables[figures.mesh];
         assert_eq!(mesh.triangles.len(), mesh.materials.len());
         let most = *mesh.materials.iter().max().unwrap() as usize;
-        assert_eq!(figures.materials + most + 1, figures.things);
-        assert_eq!(figures.things + things().len(), scene.materials.len());
-        let own = &scene.materials[figures.materials..figures.things];
+        assert_eq!(figures.materials + most + 1, scene.materials.len());
+        let own = &scene.materials[figures.materials..];
         assert!(own.len() < 16, "{}", own.len());
         assert!(
             own.iter().any(|it| it.glow.max_element() > 0.5),

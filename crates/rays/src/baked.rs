@@ -21,6 +21,8 @@ pub struct Baked {
     pub root: u32,
     /// Its box; none without triangles.
     pub bounds: Option<(Vec3, Vec3)>,
+    /// Levels of the hierarchy.
+    pub depth: usize,
     /// Three texels for each triangle.
     pub triangles: Vec<[u32; 4]>,
     /// Three for each triangle.
@@ -62,6 +64,7 @@ impl Baked {
             nodes,
             root,
             bounds: tree.bounds(),
+            depth: tree.depth(),
             ..Self::default()
         };
         for (at, number) in order.iter().enumerate() {
@@ -147,7 +150,7 @@ impl Movable {
 
     /// Nodes and triangles that it has.
     pub fn sizes(&self) -> (usize, usize) {
-        (self.tree.len(), self.mesh.triangles.len())
+        (self.tree.node_count(), self.mesh.triangles.len())
     }
 
     /// The greatest number of a material; none without triangles.
@@ -190,6 +193,7 @@ impl Movable {
             nodes,
             root,
             bounds: self.tree.bounds(),
+            depth: self.tree.depth(),
             ..Baked::default()
         };
         let mut ends = vec![false; self.tree.order().len()];

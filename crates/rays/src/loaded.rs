@@ -9,6 +9,7 @@ use crate::error::RaysError;
 use crate::mesh::TRIANGLE_TEXELS;
 use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
 use crate::scene::{Mover, RayScene};
+use crate::shaders::SHALLOW_ROOM;
 use crate::texels::{ROW, Texels};
 use crate::textures;
 use crate::top::{INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, build, pack};
@@ -24,6 +25,8 @@ pub struct Loaded {
     pub(crate) neighbours: Buffer,
     spaces: [Buffer; Rule::ALL.len()],
     kinds: [Kinds; Rule::ALL.len()],
+    /// Levels of the deepest hierarchy below the upper one, and of that.
+    depths: (usize, usize),
     pub(crate) ways: Buffer,
     pub(crate) materials: Buffer,
     pub(crate) attributes: Buffer,
@@ -81,6 +84,7 @@ impl Loaded {
             attributes: filled(device, queue, "attributes", &attributes, storage)?,
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
             spaces: [exact?, thesis?, plain?],
+            depths: (parts.iter().map(|it| it.depth).max().unwrap_or(0), 0),
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
             ways: filled(device, queue, "ways", &[ways], uniform)?,
             materials: filled(device, queue, "materials", &materials, storage)?,
@@ -126,11 +130,13 @@ impl Loaded {
         let Top {
             root,
             nodes,
+            depth,
             instances,
         } = build(movers, &self.placed, &self.resting)?;
         self.nodes.write(queue, 0, &nodes);
         self.instances.write(queue, self.movers_at, &instances);
         self.host_ways.root = root;
+        self.depths.1 = depth;
         queue.write_buffer(&self.ways, 0, bytes_of(&self.host_ways));
         self.shown = Some(movers.to_vec());
         Ok(())
@@ -167,9 +173,13 @@ impl Loaded {
         Ok(())
     }
 
-    /// What kinds of sides there are by a rule.
+    /// What the shaders are told of beforehand, by a rule.
     pub(crate) fn kinds(&self, rule: Rule) -> Kinds {
-        self.kinds[rule as usize]
+        Kinds {
+            // One waits at each level, below all of them and below the lower ones.
+            deep: self.depths.0 + self.depths.1 + 2 > SHALLOW_ROOM,
+            ..self.kinds[rule as usize]
+        }
     }
 
     /// The aberrations by a rule.

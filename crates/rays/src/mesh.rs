@@ -28,6 +28,9 @@ pub struct Mesh {
 
 impl Mesh {
     /// Refuses what has numbers that are none, or lists that do not fit each other. `number` is what errors call it.
+    ///
+    /// # Errors
+    /// Says what of it is faulty.
     pub fn check(&self, number: usize) -> Result<(), RaysError> {
         let corners = self.positions.len();
         let lengths = |what| Err(RaysError::Lengths { mesh: number, what });

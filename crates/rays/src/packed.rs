@@ -100,14 +100,23 @@ impl Rule {
     }
 }
 
-/// Sides that shaders are told of beforehand: whether there are boxes of *snell* and of *legacy*.
+/// What shaders are told of beforehand, so that what is not there takes no time: whether there are boxes of *snell* and of
+/// *legacy*, and whether the hierarchies are deep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kinds {
     pub snell: bool,
     pub legacy: bool,
+    pub deep: bool,
 }
 
 impl Kinds {
+    /// All that there may be.
+    pub const ALL: Self = Self {
+        snell: true,
+        legacy: true,
+        deep: true,
+    };
+
     /// Of a space by a rule.
     pub fn of(space: &Space, rule: Rule) -> Self {
         let mut kinds = Self::default();
@@ -119,9 +128,9 @@ impl Kinds {
         kinds
     }
 
-    /// A number below 4.
+    /// A number below 8.
     pub fn number(self) -> usize {
-        usize::from(self.snell) + 2 * usize::from(self.legacy)
+        usize::from(self.snell) + 2 * usize::from(self.legacy) + 4 * usize::from(self.deep)
     }
 
     /// What the shaders' constants are set to.

@@ -94,10 +94,7 @@ impl Prober {
                     device,
                     ("probe of rays", &PROBE, "probe"),
                     &[&scene_layout, &list_layout],
-                    Kinds {
-                        snell: true,
-                        legacy: true,
-                    },
+                    Kinds::ALL,
                 ),
                 scene_layout,
                 list_layout,

@@ -60,8 +60,8 @@ impl Default for Options {
 /// What draws pictures of scenes.
 #[derive(Debug)]
 pub struct Rays {
-    /// By the number of what kinds of sides there are; compiled when they are asked for.
-    pipelines: [OnceLock<ComputePipeline>; 4],
+    /// By the number of what is told beforehand; compiled when they are asked for.
+    pipelines: [OnceLock<ComputePipeline>; 8],
     scene_layout: BindGroupLayout,
     picture_layout: BindGroupLayout,
     /// One for each part of a picture.
@@ -122,10 +122,11 @@ impl Rays {
         queue: &Queue,
         scene: &RayScene,
     ) -> Result<Loaded, RaysError> {
+        let loaded = Loaded::new(device, queue, scene, true)?;
         accepted(device, || {
-            self.pipeline(device, Kinds::of(&scene.aberrations, Rule::Exact));
+            self.pipeline(device, loaded.kinds(Rule::Exact));
         })?;
-        Loaded::new(device, queue, scene, true)
+        Ok(loaded)
     }
 
     /// The same without a hierarchy in the meshes: a ray asks every triangle of a mesh whose box it meets, as that of the
@@ -256,14 +257,14 @@ pub fn accepted<T>(device: &Device, make: impl FnOnce() -> T) -> Result<T, RaysE
     }
 }
 
-/// A compute pipeline of one entry, for scenes with these kinds of sides.
+/// A compute pipeline of one entry, for scenes of which this is told beforehand.
 pub fn pipeline(
     device: &Device,
     (label, files, entry): (&str, &[&str], &str),
     layouts: &[&BindGroupLayout],
     kinds: Kinds,
 ) -> ComputePipeline {
-    let module = compile(device, label, files);
+    let module = compile(device, label, files, kinds.deep);
     let groups: Vec<_> = layouts.iter().map(|layout| Some(*layout)).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(label),

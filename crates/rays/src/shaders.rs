@@ -1,5 +1,12 @@
 //! The texts of the shaders, which are built in.
 
+/// How many children may wait while a path goes down the hierarchies: each has 40 levels at most and as many more as halving
+/// what is left takes (bvh.rs). Room for fewer is worth a sixth of the time in software, and enough nearly always.
+const DEEP: &str = "const WAITING_ROOM: u32 = 98u;";
+const SHALLOW: &str = "const WAITING_ROOM: u32 = 40u;";
+/// The room of the latter.
+pub const SHALLOW_ROOM: usize = 40;
+
 const SPACE: &str = include_str!("../../../shaders/rays/space.wgsl");
 const SCENE: &str = include_str!("../../../shaders/rays/scene.wgsl");
 const TRACE: &str = include_str!("../../../shaders/rays/trace.wgsl");
@@ -8,7 +15,8 @@ const FRAME: &str = include_str!("../../../shaders/rays/frame.wgsl");
 const LAMPS: &str = include_str!("../../../shaders/rays/lamps.wgsl");
 
 /// The files of the pass that draws a picture, in their order.
-pub const PICTURE: [&str; 7] = [
+pub const PICTURE: [&str; 8] = [
+    DEEP,
     SPACE,
     SCENE,
     TRACE,
@@ -19,15 +27,25 @@ pub const PICTURE: [&str; 7] = [
 ];
 
 /// The files of the pass that traces a list of rays.
-pub const PROBE: [&str; 4] = [
+pub const PROBE: [&str; 5] = [
+    DEEP,
     SPACE,
     SCENE,
     TRACE,
     include_str!("../../../shaders/rays/probe.wgsl"),
 ];
 
-/// Compiles the files as one.
-pub fn compile(device: &wgpu::Device, label: &str, files: &[&str]) -> wgpu::ShaderModule {
+/// Compiles the files as one, for deep hierarchies or for others.
+pub fn compile(
+    device: &wgpu::Device,
+    label: &str,
+    files: &[&str],
+    deep: bool,
+) -> wgpu::ShaderModule {
+    let mut files = files.to_vec();
+    if let Some(first) = files.first_mut().filter(|_| !deep) {
+        *first = SHALLOW;
+    }
     device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(label),
         source: wgpu::ShaderSource::Wgsl(files.join("\n").into()),

@@ -36,6 +36,7 @@ pub struct Tree {
     /// For each node how many that have children are before it.
     numbers: Vec<u32>,
     inner: usize,
+    depth: usize,
 }
 
 impl Tree {
@@ -53,6 +54,7 @@ impl Tree {
             order: bvh.order().to_vec(),
             numbers,
             inner: inner as usize,
+            depth: bvh.depth(),
         }
     }
 
@@ -62,8 +64,13 @@ impl Tree {
     }
 
     /// Nodes that [`Self::packed`] makes.
-    pub fn len(&self) -> usize {
+    pub fn node_count(&self) -> usize {
         self.inner
+    }
+
+    /// Levels that it has.
+    pub fn depth(&self) -> usize {
+        self.depth
     }
 
     /// Where in the order each leaf ends.
@@ -89,9 +96,9 @@ impl Tree {
             };
             if count == 0 {
                 let children = &self.nodes[first..first + 2];
-                children
-                    .iter()
-                    .for_each(|child| grow(child.low, child.high));
+                for child in children {
+                    grow(child.low, child.high);
+                }
             } else {
                 for number in &self.order[first..first + count as usize] {
                     let (low, high) = boxes[*number as usize];

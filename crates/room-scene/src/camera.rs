@@ -9,24 +9,13 @@ use crate::scene::RoomScene;
 use crate::tuning::{
     CAMERA_RADIUS_M, FIGURE_SEEN_FROM_M, FOV_Y_RAD, THIRD_PERSON_BACK_M, THIRD_PERSON_UP_M,
 };
+use crate::walk::Look;
 
 /// A camera: its place, the felt direction into its picture, and how far behind the head it feels.
-pub(crate) struct Camera {
+struct Camera {
     place: Place,
     front: DVec3,
     behind_m: f64,
-}
-
-impl Camera {
-    /// The eye that it is.
-    pub(crate) fn eye(&self) -> Eye {
-        Eye::looking(self.place, self.front, DVec3::Y, FOV_Y_RAD)
-    }
-
-    /// Whether it is far enough from who walks to see them.
-    pub(crate) fn sees_who_walks(&self) -> bool {
-        self.behind_m >= FIGURE_SEEN_FROM_M
-    }
 }
 
 impl RoomScene {
@@ -42,12 +31,29 @@ impl RoomScene {
 
     /// The eye of the picture: in the head of who walks, or behind it.
     pub fn eye(&self) -> Eye {
-        let head = self.walker.eye_place(&self.space, self.up());
-        self.camera_of(head, self.look.front()).eye()
+        self.eye_between(1.0)
     }
 
-    /// The camera of who has the head there and looks that way.
-    pub(crate) fn camera_of(&self, head: Place, front: DVec3) -> Camera {
+    /// The eye at a share of the way of the last step, 0 at its beginning and 1 at its end, along the way that was gone.
+    pub fn eye_between(&self, share: f64) -> Eye {
+        self.eye_at(share, &self.look.between(&self.looked, share))
+    }
+
+    /// The same of who looks so by now.
+    pub(crate) fn eye_at(&self, share: f64, look: &Look) -> Eye {
+        let camera = self.camera(share, look);
+        Eye::looking(camera.place, camera.front, DVec3::Y, FOV_Y_RAD)
+    }
+
+    /// Whether the eye is far enough from who walks to see them.
+    pub(crate) fn sees_who_walks(&self, share: f64) -> bool {
+        let look = self.look.between(&self.looked, share);
+        self.camera(share, &look).behind_m >= FIGURE_SEEN_FROM_M
+    }
+
+    fn camera(&self, share: f64, look: &Look) -> Camera {
+        let (head, _) = self.walker.between(&self.space, self.up(), share);
+        let front = look.front();
         if !self.third_person {
             return Camera {
                 place: head,
@@ -55,7 +61,7 @@ impl RoomScene {
                 behind_m: 0.0,
             };
         }
-        let (above, _, _) = self.leg(&head, self.up(), THIRD_PERSON_UP_M);
+        let (above, _, _) = self.leg(&head, self.felt_up(&head), THIRD_PERSON_UP_M);
         let (place, back, behind_m) = self.leg(&above, -front, THIRD_PERSON_BACK_M);
         // What it sees in its middle comes by the way that it went.
         Camera {
@@ -65,7 +71,7 @@ impl RoomScene {
         }
     }
 
-    /// Goes on for a felt length, and stops short of what is in the way. Where that is, the direction there, and how long it was.
+    /// Goes on for a felt length and stops short of what is in the way: where that is, the direction there, and how far it was.
     fn leg(&self, from: &Place, way: DVec3, length_m: f64) -> (Place, DVec3, f64) {
         let go = |longest: f64| {
             let who = Traveller::Body;

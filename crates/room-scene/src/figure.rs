@@ -1,14 +1,24 @@
-//! The figure of who walks: how it is held, and where and how large it is in the scene.
+//! The figure of who walks, and things that come and go: how they are held, and where and how large they are in the scene.
 
 use antipode_deformation::{Place, Traveller};
 use antipode_frame::Posture;
 use antipode_frame::motion::Doing;
-use glam::{Affine3A, DAffine3, DMat3, DVec2, DVec3};
+use antipode_rays::{Material, Mesh, Mover};
+use antipode_rooms::direction;
+use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec2, DVec3, Vec3};
 
-use crate::camera::Camera;
 use crate::scene::RoomScene;
-use crate::tuning::{RADIUS_M, STEP_S};
-use crate::walk::Look;
+use crate::things::{Thing, ThingKind};
+use crate::tuning::{DAYLIGHT, STEP_S};
+
+/// The number of the mesh of a ball among the meshes that may move.
+const BALL: usize = 0;
+/// Materials of things, in the order of [`ThingKind`], from this number on.
+pub const THINGS_FROM: usize = 1;
+/// Rows of the mesh of a ball, and columns.
+const ROWS: (u32, u32) = (12, 24);
+/// How thick a mark is to its width.
+const MARK_THICKNESS: f64 = 0.15;
 
 /// The figure of who walks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,32 +35,42 @@ pub struct RoomFigure {
 }
 
 impl RoomScene {
-    /// The figure of who has the middle there and looks so, as that camera sees it.
-    pub(crate) fn figure_of(&self, middle: &Place, look: &Look, camera: &Camera) -> RoomFigure {
-        let (ahead, right) = look.level(self.up());
-        let turn = DMat3::from_cols(ahead, self.up(), right);
-        let feet = self.above(middle, -RADIUS_M).point;
+    /// The figure of who walks, at a share of the way of the last step.
+    pub fn figure_between(&self, share: f64) -> RoomFigure {
+        let (feet, look_deg) = self.feet_between(share);
+        let up = self.felt_up(&feet);
+        let ahead = direction(DVec2::new(look_deg.x, 0.0)).reject_from_normalized(up);
+        let ahead = ahead.normalize_or(up.any_orthonormal_vector());
+        let turn = DMat3::from_cols(ahead, up, ahead.cross(up));
         RoomFigure {
             posture: self.motion.posture(),
-            pose: self.felt_pose(middle, feet, turn),
-            object: self.figure_number(),
-            unseen_by_eye: !camera.sees_who_walks(),
+            pose: self.felt_pose(&feet, turn),
+            object: self.room().objects.len() as u32,
+            unseen_by_eye: !self.sees_who_walks(share),
         }
     }
 
-    /// What the figure of who walks is called where it is seen.
-    pub(crate) fn figure_number(&self) -> u32 {
-        self.room().objects.len() as u32
+    /// Bullets, marks, balls and lamps that were put down as balls of their felt size, at a share of the way of the last step.
+    /// Their numbers as objects come after that of who walks.
+    pub fn movers_between(&self, share: f64) -> Vec<Mover> {
+        let first = self.room().objects.len() as u32 + 1;
+        let of = |thing: &Thing| Mover {
+            mesh: BALL,
+            pose: self.felt_pose(&thing.place, shape_of(thing)),
+            object: first + (thing.id & 0x00ff_ffff) as u32,
+            materials: THINGS_FROM + thing.kind as usize,
+            unseen_by_eye: false,
+        };
+        self.things_between(share).iter().map(of).collect()
     }
 
-    /// From the felt axes of what is at a place to the scene, its origin at a point there. `felt` takes its own axes to felt
-    /// ones.
-    pub fn felt_pose(&self, place: &Place, origin: DVec3, felt: DMat3) -> Affine3A {
+    /// From the axes of what is at a place to the scene; `felt` takes them to felt metres about it.
+    fn felt_pose(&self, place: &Place, felt: DMat3) -> Affine3A {
         let heading = self.walker.body.velocity;
         let k = self.space.squeeze(&place.stack, heading, &Traveller::Body);
         let pose = DAffine3 {
             matrix3: k * felt,
-            translation: origin,
+            translation: place.point,
         };
         pose.as_affine3a()
     }
@@ -71,4 +91,65 @@ impl RoomScene {
         };
         self.motion.pass(&doing, STEP_S);
     }
+}
+
+/// From a ball of radius 1 to a thing, in felt metres about its middle.
+fn shape_of(thing: &Thing) -> DMat3 {
+    let turn = match thing.kind {
+        ThingKind::Mark => DQuat::from_rotation_arc(DVec3::Y, thing.normal.normalize_or(DVec3::Y)),
+        _ => thing.turn,
+    };
+    let thickness = match thing.kind {
+        ThingKind::Mark => MARK_THICKNESS,
+        _ => 1.0,
+    };
+    let size = thing.radius_m * DVec3::new(1.0, thickness, 1.0);
+    DMat3::from_quat(turn) * DMat3::from_diagonal(size)
+}
+
+/// Materials of things, in the order of [`ThingKind`].
+pub fn materials() -> [Material; 4] {
+    let plain = |red: f32, green: f32, blue: f32, gloss: f32| Material {
+        colour: Vec3::new(red, green, blue),
+        gloss,
+        ..Material::default()
+    };
+    [
+        plain(0.55, 0.36, 0.12, 0.8),
+        plain(0.03, 0.03, 0.03, 0.0),
+        plain(0.75, 0.16, 0.08, 0.3),
+        Material {
+            glow: Vec3::new(2.2, 1.8, 1.2) * DAYLIGHT,
+            ..plain(0.9, 0.85, 0.7, 0.0)
+        },
+    ]
+}
+
+/// A ball of radius 1, half of it in another shade, so that one sees it roll.
+pub fn ball() -> Mesh {
+    let (rows, columns) = ROWS;
+    let mut mesh = Mesh::default();
+    for row in 0..=rows {
+        let polar = std::f32::consts::PI * row as f32 / rows as f32;
+        for column in 0..=columns {
+            let around = std::f32::consts::TAU * column as f32 / columns as f32;
+            let ring = Vec3::new(around.cos(), 0.0, around.sin()) * polar.sin();
+            mesh.positions.push(ring + Vec3::Y * polar.cos());
+        }
+    }
+    mesh.normals.clone_from(&mesh.positions);
+    for row in 0..rows {
+        for column in 0..columns {
+            let a = row * (columns + 1) + column;
+            let b = a + columns + 1;
+            mesh.triangles.extend([[a, a + 1, b], [b, a + 1, b + 1]]);
+            let shade = if (column * 4 / columns).is_multiple_of(2) {
+                1.0
+            } else {
+                0.55
+            };
+            mesh.colours.extend([Vec3::splat(shade); 2]);
+        }
+    }
+    mesh
 }

@@ -21,9 +21,9 @@ mod things;
 pub mod tuning;
 mod walk;
 
-pub use difference::Difference;
+pub use difference::{Difference, Lying};
 pub use figure::RoomFigure;
-pub use moment::{Moment, ShownThing, Turn};
+pub use moment::{Moment, Turn};
 pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;
 pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe};

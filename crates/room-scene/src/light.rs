@@ -1,12 +1,19 @@
 //! Light in a room: sky, sun, fog and lamps.
 
-use antipode_deformation::{Place, Space};
+use antipode_deformation::{Place, Space, Traveller};
 use antipode_rays::{Lamp, Sky, Sun};
 use antipode_rooms::{Colour, Room, What, direction, poses};
 use glam::{DVec3, Vec3};
 
 use crate::looks::linear;
+use crate::scene::RoomScene;
+use crate::things::ThingKind;
 use crate::tuning::{DAYLIGHT, LAMP_FAINT, LAMP_RADIUS_M, LAMP_SHARE, NO_FOG_M};
+
+/// Light of a lamp that was put down, as of one in worlds.
+const PUT_DOWN_COLOUR: Colour = Colour([255, 214, 160]);
+/// How strong it is.
+const PUT_DOWN_POWER: f32 = 14.0;
 
 /// The sky, and the light from everywhere; fog is what is seen at the horizon and below it.
 pub fn sky(room: &Room) -> Sky {
@@ -42,25 +49,46 @@ pub fn fog_m(room: &Room) -> f32 {
     room.fog.map_or(NO_FOG_M, |fog| fog.reach as f32)
 }
 
-/// A lamp of that power, in noon suns at a felt metre.
-pub fn lamp(place: Place, colour: Colour, power: f32) -> Lamp {
-    Lamp {
-        place,
-        colour: linear(colour) * (power * LAMP_SHARE * DAYLIGHT),
-        reach_m: (power / LAMP_FAINT).sqrt().max(1.0),
-        radius_m: LAMP_RADIUS_M,
+impl RoomScene {
+    /// All lamps, at a share of the way of the last step: those of the room, and those that were put down.
+    pub fn lamps_between(&self, share: f64) -> Vec<Lamp> {
+        let mut all = lamps(self.room(), &self.space);
+        let things = self.things_between(share);
+        let put_down = things.iter().filter(|it| it.kind == ThingKind::Lamp);
+        all.extend(put_down.map(|thing| {
+            let k = self
+                .space
+                .squeeze(&thing.place.stack, self.up(), &Traveller::Body);
+            let longest = (0..3).map(|axis| k.col(axis).length()).fold(0.0, f64::max);
+            Lamp {
+                // It shines out of its own globe.
+                radius_m: (1.05 * thing.radius_m * longest) as f32,
+                ..lamp(thing.place, linear(PUT_DOWN_COLOUR), PUT_DOWN_POWER)
+            }
+        }));
+        all
     }
 }
 
-/// The lamps, where they are in the space.
+/// The lamps of a room, where they are in the space.
 pub fn lamps(room: &Room, space: &Space) -> Vec<Lamp> {
     let all = room.objects.iter().zip(poses(room));
     all.filter_map(|(object, pose)| match object.what {
-        What::Light { colour, power } => {
-            let place = Place::at(space, pose.translation);
-            Some(lamp(place, colour, power as f32))
-        }
+        What::Light { colour, power } => Some(lamp(
+            Place::at(space, pose.translation),
+            linear(colour),
+            power as f32,
+        )),
         _ => None,
     })
     .collect()
+}
+
+fn lamp(place: Place, colour: Vec3, power: f32) -> Lamp {
+    Lamp {
+        place,
+        colour: colour * (power * LAMP_SHARE * DAYLIGHT),
+        reach_m: (power / LAMP_FAINT).sqrt().max(1.0),
+        radius_m: LAMP_RADIUS_M,
+    }
 }

@@ -1,8 +1,7 @@
 //! What is under the crosshair, found by the path that light and walkers take.
 
-use antipode_deformation::{End, Event, EventKind, Space, Traveller, What, trace};
+use antipode_deformation::{End, Event, EventKind, Traveller, What, trace};
 use antipode_rays::Eye;
-use glam::DVec3;
 use serde::Serialize;
 
 use crate::scene::RoomScene;
@@ -33,13 +32,15 @@ pub struct PickEvent {
 impl RoomScene {
     /// What the crosshair is on.
     pub fn pick(&self) -> Pick {
-        self.pick_by(&self.space, &Traveller::Body).0
-    }
-
-    /// What it would be on in another space of the same boxes, and where that is.
-    pub(crate) fn pick_by(&self, space: &Space, who: &Traveller) -> (Pick, DVec3) {
         let Eye { place, front, .. } = self.eye();
-        let path = trace(space, &place, front, PICK_M, &self.solids, who);
+        let path = trace(
+            &self.space,
+            &place,
+            front,
+            PICK_M,
+            &self.solids,
+            &Traveller::Body,
+        );
         let hit = match path.end {
             End::Hit(hit) => Some(self.object_of(hit.what)),
             End::Spent | End::TooManyEvents => None,
@@ -51,13 +52,12 @@ impl RoomScene {
             from = to;
             sum + piece
         });
-        let pick = Pick {
+        Pick {
             object: hit.map(|index| self.room().objects[index].name.clone()),
             felt: hit.map(|_| path.length),
             scene: hit.map(|_| scene),
             events: path.events.iter().map(|it| self.told(it)).collect(),
-        };
-        (pick, path.place.point)
+        }
     }
 
     /// The object that something belongs to.

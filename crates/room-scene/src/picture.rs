@@ -9,6 +9,7 @@ use antipode_rooms::{Colour, What, poses};
 use glam::{Affine3A, DAffine3, Vec2, Vec3};
 use image::RgbaImage;
 
+use crate::figure::{ball, materials};
 use crate::light::{fog_m, lamps, sky, sun};
 use crate::looks::{Pictures, of_model, of_surface};
 use crate::scene::RoomScene;
@@ -40,7 +41,11 @@ impl RoomScene {
         let room = self.room();
         let mut pictures = Pictures::default();
         let mut scene = RayScene {
-            materials: vec![Material::default()],
+            movables: vec![Arc::new(ball())],
+            materials: [Material::default()]
+                .into_iter()
+                .chain(materials())
+                .collect(),
             aberrations: self.space.clone(),
             lamps: lamps(room, &self.space),
             sun: sun(room),
@@ -49,6 +54,9 @@ impl RoomScene {
             ..RayScene::default()
         };
         for index in &self.boxes {
+            let what = &room.objects[*index].what;
+            let is_outlined = matches!(what, What::Aberration(it) if it.outline);
+            scene.outlined.push(is_outlined);
             scene.wall_materials.push(scene.materials.len());
             let surface = &room.objects[*index].surface;
             let material = of_surface(surface, &self.assets, &mut pictures);

@@ -105,7 +105,3 @@ pub const REACH_M: f64 = 8.0;
 pub const LAMP_BODY_M: f64 = 0.1;
 /// A lamp is taken up where the crosshair passes it within so many felt metres.
 pub const LAMP_GRIP_M: f64 = 0.25;
-/// Power of a lamp that is put down, in noon suns at one felt metre, and its colour.
-pub const PUT_LAMP: (f64, [u8; 3]) = (8.0, [0xff, 0xf0, 0xd0]);
-/// How thick a mark is, as a share of its radius.
-pub const MARK_THICKNESS: f64 = 0.15;

@@ -1,6 +1,6 @@
 //! Who walks in a room: what is asked of them in a step, and what comes of it.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use antipode_deformation::{Place, Traveller, Void, Walker, felt_gravity, trace};
 use antipode_rooms::direction;
@@ -58,6 +58,14 @@ impl Look {
     pub fn turn(&mut self, right_rad: f64, up_rad: f64) {
         self.yaw_rad = (self.yaw_rad + right_rad).rem_euclid(TAU);
         self.pitch_rad = (self.pitch_rad + up_rad).clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD);
+    }
+
+    /// At a share of the shorter way from another to this.
+    pub fn between(&self, from: &Self, share: f64) -> Self {
+        let turn = (self.yaw_rad - from.yaw_rad + PI).rem_euclid(TAU) - PI;
+        let mut look = *from;
+        look.turn(turn * share, (self.pitch_rad - from.pitch_rad) * share);
+        look
     }
 
     /// In degrees, yaw from -180 to 180.
@@ -135,9 +143,9 @@ impl RoomScene {
             .step(&self.space, &self.solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
+        self.hold_figure(falls_m_s);
         self.things.step(&self.space, &self.solids, gravity, LOST_M);
         self.use_hands(steer);
-        self.hold_figure(falls_m_s);
         let away = self.walker.body.place.point.abs();
         if !away.cmple(DVec3::splat(LOST_M)).all() {
             self.begin_anew();
@@ -179,7 +187,7 @@ impl RoomScene {
     }
 
     /// So many felt metres above a place, or below it.
-    pub(crate) fn above(&self, place: &Place, felt_m: f64) -> Place {
+    fn above(&self, place: &Place, felt_m: f64) -> Place {
         let w = self.felt_up(place) * felt_m.signum();
         trace(&self.space, place, w, felt_m.abs(), &Void, &Traveller::Body).place
     }
@@ -200,10 +208,17 @@ impl RoomScene {
     }
 
     /// Against felt gravity at a place, of length 1.
-    fn felt_up(&self, place: &Place) -> DVec3 {
+    pub(crate) fn felt_up(&self, place: &Place) -> DVec3 {
         let up = self.up();
         let k = self.space.squeeze(&place.stack, up, &Traveller::Body);
         felt_gravity(k, up).normalize_or(up)
+    }
+
+    /// The place of the feet at a share of the way of the last step, and where one looks there, degrees of yaw and pitch.
+    pub fn feet_between(&self, share: f64) -> (Place, DVec2) {
+        let (_, middle) = self.walker.between(&self.space, self.up(), share);
+        let look = self.look.between(&self.looked, share);
+        (self.above(&middle, -RADIUS_M), look.degrees())
     }
 
     /// Bullets, their marks, balls that were thrown and lamps that were put down, the oldest first.

@@ -189,6 +189,9 @@ impl Runner {
     fn step_with(&mut self, actions: &Actions) -> Result<(), Failure> {
         self.ending.check()?;
         if let Some(room) = self.rooms.scene() {
+            if actions.toggle_camera {
+                room.set_third_person(!room.third_person());
+            }
             room.step(&steer(actions));
             return Ok(());
         }

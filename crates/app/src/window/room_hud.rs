@@ -13,8 +13,8 @@ use crate::wording;
 /// What differs less is not told, as a share.
 const NOTICED: f64 = 0.02;
 
-/// Places that are nearer to one another are told as one, metres.
-const APART_M: f64 = 0.05;
+/// Light that is bent by less is told to be straight, degrees.
+const BENT_DEG: f64 = 0.5;
 
 /// What the display shows of a room.
 pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> HudModel {
@@ -64,28 +64,25 @@ fn look(texts: &Texts, visit: &Visit) -> Option<String> {
         View::Thesis => "room-look-thesis",
         View::Plain => return Some(texts.say("room-look-plain")),
     };
-    let differs = visit.difference().map(|it| {
-        let far = |length: Option<f64>| match length {
-            Some(length) => {
-                let metres = Value::decimals(length, usize::from(length < 10.0));
-                texts.say_with("room-ahead", &[("felt", metres)])
-            }
-            None => texts.say("room-sky"),
-        };
-        let mut values = vec![
-            ("exact", far(it.exact.felt).into()),
-            ("thesis", far(it.thesis.felt).into()),
-        ];
-        match it.apart_m {
-            Some(apart_m) if apart_m >= APART_M => {
-                values.push(("apart", Value::decimals(apart_m, 1)));
-                texts.say_with("room-differs-elsewhere", &values)
-            }
-            _ => texts.say_with("room-differs", &values),
+    let it = visit.difference();
+    let far = |length: Option<f64>| match length {
+        Some(length) => {
+            let metres = Value::decimals(length, usize::from(length < 10.0));
+            texts.say_with("room-ahead", &[("felt", metres)])
         }
-    });
-    let lines = [Some(texts.say(key)), differs];
-    Some(lines.into_iter().flatten().collect::<Vec<_>>().join("\n"))
+        None => texts.say("room-sky"),
+    };
+    let values = [
+        ("exact", far(it.exact.felt).into()),
+        ("thesis", far(it.thesis.felt).into()),
+        ("bent", Value::decimals(it.thesis.turned_deg, 0)),
+    ];
+    let differs = if it.thesis.turned_deg >= BENT_DEG {
+        texts.say_with("room-differs-bent", &values)
+    } else {
+        texts.say_with("room-differs", &values[..2])
+    };
+    Some(format!("{}\n{differs}", texts.say(key)))
 }
 
 /// How far off what is under the crosshair feels, and how far that is in the scene where it differs.

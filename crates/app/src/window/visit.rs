@@ -5,6 +5,7 @@ use std::time::Duration;
 use antipode_rays::View;
 use antipode_room_scene::{Difference, RoomScene};
 use antipode_scene::{Actions, Shutter};
+use glam::DVec2;
 
 use super::devices::Devices;
 use super::pace::Pace;
@@ -125,8 +126,8 @@ impl Visit {
     }
 
     /// What the middle of the picture shows by the exact rule and by that of the thesis.
-    pub fn difference(&self) -> Option<Difference> {
-        self.scene().difference(self.aspect)
+    pub fn difference(&self) -> Difference {
+        self.scene().difference(DVec2::ZERO, self.aspect)
     }
 
     /// Shows or hides the outlines of aberrations.

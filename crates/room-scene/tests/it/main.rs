@@ -6,7 +6,9 @@
     reason = "tests fail by panicking"
 )]
 
+mod difference;
 mod edits;
+mod figure;
 mod hands;
 mod picture;
 mod soak;

@@ -1,0 +1,162 @@
+//! Who walks as a figure, the camera behind them, and what their hands leave as things that are drawn.
+
+use antipode_frame::Clip;
+use antipode_room_scene::{RoomScene, Steer, ThingKind};
+use antipode_rooms::What;
+use glam::{DVec3, Vec3};
+
+use crate::{AHEAD, room};
+
+fn edited(command: &str) -> RoomScene {
+    let mut scene = room("long-house");
+    let words: Vec<_> = command.split(' ').collect();
+    let assets = antipode_rooms::Assets::default();
+    scene.edit(&words, |_| Ok(assets)).unwrap();
+    scene
+}
+
+/// In the open, on the ground.
+fn standing() -> RoomScene {
+    let mut scene = edited("add box name=plate at=0,-0.5,400 size=60,1,60");
+    scene.teleport(DVec3::new(0.0, 0.0, 400.0)).unwrap();
+    scene.aim(-90.0, 0.0);
+    (0..60).for_each(|_| scene.step(&Steer::default()));
+    scene
+}
+
+fn strongest(scene: &RoomScene) -> Clip {
+    let posture = scene.figure_between(1.0).posture;
+    let by_share = |a: &Clip, b: &Clip| posture.share(*a).total_cmp(&posture.share(*b));
+    Clip::WHOLE.into_iter().max_by(by_share).unwrap()
+}
+
+#[test]
+fn the_figure_stands_runs_and_jumps_where_one_is() {
+    let mut scene = standing();
+    assert_eq!(strongest(&scene), Clip::Idle);
+    (0..60).for_each(|_| scene.step(&AHEAD));
+    assert_eq!(strongest(&scene), Clip::Run);
+    let figure = scene.figure_between(1.0);
+    let feet = figure.pose.transform_point3(Vec3::ZERO).as_dvec3();
+    assert!(feet.distance(scene.feet()) < 1e-3, "{feet}");
+    let ahead = figure.pose.transform_vector3(Vec3::X);
+    assert!(
+        ahead.distance(Vec3::NEG_Z) < 1e-5,
+        "where one looks: {ahead}"
+    );
+    let right = figure.pose.transform_vector3(Vec3::Z);
+    assert!(
+        right.distance(Vec3::X) < 1e-5,
+        "its right is one's own: {right}"
+    );
+    assert_eq!(figure.object as usize, scene.room().objects.len());
+    let jump = Steer {
+        jump: true,
+        ..Steer::default()
+    };
+    (0..12).for_each(|_| scene.step(&jump));
+    assert_eq!(strongest(&scene), Clip::Jump);
+}
+
+#[test]
+fn the_figure_keeps_its_felt_size() {
+    let mut scene = room("nested-boxes");
+    let height = |scene: &RoomScene| {
+        let pose = scene.figure_between(1.0).pose;
+        pose.transform_vector3(Vec3::Y * 1.8).y
+    };
+    assert!((height(&scene) - 1.8).abs() < 1e-5);
+    let (index, _) = scene.room().aberrations().next().unwrap();
+    let at = antipode_rooms::poses(scene.room())[index].translation;
+    scene.teleport(DVec3::new(at.x, 0.05, at.z)).unwrap();
+    let small = f64::from(height(&scene)) / 1.8;
+    assert!(
+        (small - scene.probe().scale).abs() < 1e-5 && small < 0.1,
+        "{small}"
+    );
+}
+
+#[test]
+fn from_behind_one_sees_who_walks_and_from_the_head_one_does_not() {
+    let mut scene = standing();
+    assert!(scene.figure_between(1.0).unseen_by_eye);
+    let head = scene.eye().place.point;
+    scene.set_third_person(true);
+    let eye = scene.eye();
+    let away = eye.place.point - head;
+    assert!(
+        (away - DVec3::new(0.0, 0.45, 5.2)).length() < 1e-6,
+        "{away}"
+    );
+    assert!(eye.front.distance(DVec3::NEG_Z) < 1e-9);
+    assert!(!scene.figure_between(1.0).unseen_by_eye);
+    let probe = scene.probe();
+    assert_eq!(probe.camera.mode, "third");
+    assert_eq!(probe.camera.pos, eye.place.point.to_array());
+}
+
+#[test]
+fn the_camera_behind_stops_before_walls_and_is_as_far_as_it_feels() {
+    let mut scene = standing();
+    let words = "add box name=wall at=0,2,402.1 size=20,4,0.2";
+    let words: Vec<_> = words.split(' ').collect();
+    let assets = antipode_rooms::Assets::default;
+    scene.edit(&words, |_| Ok(assets())).unwrap();
+    scene.set_third_person(true);
+    let eye = scene.eye().place.point;
+    assert!(
+        (eye.z - 401.75).abs() < 1e-6,
+        "0.25 m before the wall: {eye}"
+    );
+    assert!(
+        scene.figure_between(1.0).unseen_by_eye,
+        "too near to be seen as a whole"
+    );
+    scene.edit(&["undo"], |_| Ok(assets())).unwrap();
+    // Twice as long inside as outside.
+    let words = "add aberration name=hall at=0,2,400 half=8,4,8 stretch=2,2,2 sides=soft";
+    let words: Vec<_> = words.split(' ').collect();
+    scene.edit(&words, |_| Ok(assets())).unwrap();
+    let head = {
+        scene.set_third_person(false);
+        scene.eye().place.point
+    };
+    scene.set_third_person(true);
+    let away = scene.eye().place.point.z - head.z;
+    assert!((away - 2.6).abs() < 1e-6, "5.2 felt metres: {away}");
+}
+
+#[test]
+fn what_hands_leave_is_drawn_and_lamps_shine() {
+    let mut scene = standing();
+    scene.aim(-90.0, -30.0);
+    let lamps = scene.lamps_between(1.0).len();
+    let own = scene.room().objects.iter();
+    let own = own
+        .filter(|it| matches!(it.what, What::Light { .. }))
+        .count();
+    assert_eq!(lamps, own);
+    scene.step(&Steer {
+        throw: true,
+        place: true,
+        ..Steer::default()
+    });
+    let things = scene.things();
+    let lamp = things.iter().find(|it| it.kind == ThingKind::Lamp).unwrap();
+    let shining = scene.lamps_between(1.0);
+    assert_eq!(shining.len(), own + 1);
+    assert_eq!(shining[own].place, lamp.place);
+    assert!(
+        f64::from(shining[own].radius_m) > lamp.radius_m,
+        "out of its globe"
+    );
+    let movers = scene.movers_between(1.0);
+    assert_eq!(movers.len(), things.len());
+    for (mover, thing) in movers.iter().zip(&things) {
+        let middle = mover.pose.transform_point3(Vec3::ZERO).as_dvec3();
+        assert!(middle.distance(thing.place.point) < 1e-4);
+        let radius = f64::from(mover.pose.transform_vector3(Vec3::X).length());
+        assert!((radius - thing.radius_m).abs() < 1e-6, "{:?}", thing.kind);
+        assert!(mover.object as usize > scene.room().objects.len());
+    }
+}
