@@ -50,8 +50,7 @@ fn every_room_of_the_game_is_entered_and_seen() {
 #[test]
 fn a_room_is_made_changed_kept_and_deleted() {
     let saves = tempfile::tempdir().unwrap();
-    let dir = saves.path().join("worlds");
-    std::fs::create_dir(&dir).unwrap();
+    let dir = saves.path().to_path_buf();
     let made = run(
         &dir,
         "room new name=Mine\nadd box name=wall at=0,1,-6 size=4,2,0.2\nadd ball name=b at=9,1,0 radius=1\n\
@@ -77,6 +76,19 @@ fn a_room_is_made_changed_kept_and_deleted() {
     assert_eq!(number(probe, "objects.1.pos.2"), -7.0);
     assert_eq!(again.probe(1).as_array().unwrap().len(), 7);
     assert_eq!(field(again.probe(2), "geometry"), "euclidean");
+}
+
+#[test]
+fn rooms_of_the_game_speak_the_players_language_and_so_do_their_copies() {
+    let saves = tempfile::tempdir().unwrap();
+    let script = "set language de\nroom load long-house\nroom save name=Kopie\nset language en\n\
+                  room load long-house\nroom save name=Copy\nprobe";
+    assert_eq!(field(run(saves.path(), script).probe(0), "room"), "Copy");
+    let text = |slug: &str| {
+        std::fs::read_to_string(saves.path().join(format!("rooms/{slug}/room.ron"))).unwrap()
+    };
+    assert!(text("kopie").contains("dieses Haus 8 Meter lang"));
+    assert!(text("copy").contains("this house is 8 metres long"));
 }
 
 #[test]

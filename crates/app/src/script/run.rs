@@ -383,6 +383,7 @@ impl Host for Runner {
         self.worlds.set_map(options::map(&self.config.settings));
         if id == "language" {
             self.texts = options::texts(&self.config.settings);
+            self.rooms.set_texts(&self.texts);
         }
         if let Some(session) = &mut self.session {
             options::fit(&mut session.scene, &self.config.settings);
