@@ -18,6 +18,8 @@ const SHORT_OF_WALL: f64 = 0.9;
 /// How often a shot is aimed anew, and how near it has to come, felt metres.
 const AIMS: usize = 20;
 const AIMED_M: f64 = 0.0005;
+/// What is nearer than this, felt metres, is not aimed at from the muzzle.
+const NEAREST_AIM_M: f64 = 1.0;
 /// Places on a way at which it is asked how space is stretched.
 const SAMPLES: u32 = 16;
 /// A shot is aimed at a place so far before what it is to hit, felt metres.
@@ -99,7 +101,9 @@ impl RoomScene {
             velocity: front * BULLET_SPEED_M_S,
         };
         let mean = self.mean_squeeze(&eye, front, short);
-        for _ in 0..AIMS {
+        // What is nearer than the muzzle is shot at from the eye, as is what faces bend the way to too much.
+        let aims = if short < NEAREST_AIM_M { 0 } else { AIMS };
+        for _ in 0..aims {
             let mut flown = body;
             flown.fly(&self.space, &Void, gravity, time);
             let off = mean.inverse() * (target.point - flown.place.point);
@@ -108,7 +112,6 @@ impl RoomScene {
             }
             body.velocity += off / time;
         }
-        // Where faces bend the way too much from the muzzle, it leaves by the way of the eye.
         let up = -self.room().gravity * (0.5 * short / BULLET_SPEED_M_S);
         Flyer {
             place: eye,

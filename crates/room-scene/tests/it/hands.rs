@@ -100,6 +100,28 @@ fn a_bullet_flies_its_felt_length_through_a_tunnel() {
 }
 
 #[test]
+fn who_stands_against_a_wall_hits_it_and_throws_nothing_through_it() {
+    let mut scene = room("four-tunnels");
+    scene.teleport(DVec3::new(-8.0, 0.0, -102.0)).unwrap();
+    scene.aim(-90.0, 0.0);
+    after(&mut scene, &crate::AHEAD, 0.1);
+    for _ in 0..120 {
+        scene.step(&crate::AHEAD);
+    }
+    let felt = scene.pick().felt.unwrap();
+    assert!(felt < 0.36, "the wall is before the nose: {felt}");
+    let probe = after(&mut scene, &SHOOT, 0.2);
+    let hit = probe.hit.unwrap();
+    assert!(hit.object == "longer-end" && hit.felt < 0.4, "{hit:?}");
+    for _ in 0..5 {
+        after(&mut scene, &THROW, 2.0);
+    }
+    for ball in of_kind(&scene, ThingKind::Ball) {
+        assert!(ball.place.point.z > -103.7, "{ball:?}");
+    }
+}
+
+#[test]
 fn the_gun_shoots_when_it_is_pressed() {
     let mut scene = room("long-house");
     scene.aim(90.0, 30.0);
