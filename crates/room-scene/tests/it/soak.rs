@@ -187,8 +187,8 @@ fn play(id: &str, seconds: f64) -> Tally {
     let mut last_stack = scene.eye().place.stack;
     let mut hit = None;
     for step in 0..(seconds / STEP_S) as usize {
-        if step % 1800 == 0 {
-            begins(&mut scene, &inside, step / 1800);
+        if step % 1200 == 0 {
+            begins(&mut scene, &inside, step / 1200);
             last = scene.feet();
             stayed = (last, 0.0);
         }
@@ -252,7 +252,7 @@ fn play_all(seconds: f64) {
 
 #[test]
 fn nobody_leaves_the_room_or_gets_into_a_solid_or_stuck() {
-    play_all(60.0);
+    play_all(40.0);
 }
 
 #[test]
