@@ -127,13 +127,13 @@ impl Rooms {
             return Ok(false);
         }
         let share = self.fineness.share(most, Instant::now());
-        let tracer = Tracer {
+        let mut tracer = Tracer {
             gpu,
             painter,
             drawable,
             view,
         };
-        if !self.pictures.trace(tracer, encoder, (size, share))? {
+        if !self.pictures.trace(&mut tracer, encoder, (size, share))? {
             self.fineness.rest();
         }
         if let Some(picture) = self.pictures.best() {
@@ -218,7 +218,7 @@ impl Pictures {
     /// anything to trace.
     fn trace(
         &mut self,
-        tracer: Tracer<'_>,
+        tracer: &mut Tracer<'_>,
         encoder: &mut wgpu::CommandEncoder,
         (size, share): ((u32, u32), f32),
     ) -> Result<bool, Failure> {
