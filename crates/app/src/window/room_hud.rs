@@ -3,6 +3,7 @@
 use antipode_language::{Texts, Value};
 use antipode_rays::View;
 use antipode_room_scene::{Pick, RoomScene};
+use antipode_rooms::What;
 use antipode_settings::Profiles;
 use antipode_ui::{HudModel, RoomModel, first_input_label};
 
@@ -33,7 +34,7 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
         room: Some(RoomModel {
             title: told(&words.name),
             sentence: told(&words.sentence),
-            ahead: ahead(texts, &scene.pick()).filter(|_| visit.look == View::Exact),
+            ahead: ahead(texts, scene).filter(|_| visit.look == View::Exact),
             look: look(texts, visit),
             halves: (visit.look == View::Split)
                 .then(|| ["room-half-thesis", "room-half-exact"].map(|key| texts.say(key))),
@@ -85,8 +86,17 @@ fn look(texts: &Texts, visit: &Visit) -> Option<String> {
     Some(format!("{}\n{differs}", texts.say(key)))
 }
 
-/// How far off what is under the crosshair feels, and how far that is in the scene where it differs.
-fn ahead(texts: &Texts, pick: &Pick) -> Option<String> {
+/// How far off what is under the crosshair is; nothing over what is written on a sign.
+fn ahead(texts: &Texts, scene: &RoomScene) -> Option<String> {
+    let pick = scene.pick();
+    let name = pick.object.as_ref()?;
+    let mut objects = scene.room().objects.iter();
+    let is_sign = objects.any(|it| it.name == *name && matches!(it.what, What::Sign { .. }));
+    (!is_sign).then(|| lengths(texts, &pick))?
+}
+
+/// How far off it feels, and how far that is in the scene where it differs.
+fn lengths(texts: &Texts, pick: &Pick) -> Option<String> {
     let (felt, scene) = (pick.felt?, pick.scene?);
     let metres = |length: f64| Value::decimals(length, usize::from(length < 10.0));
     let values = [("felt", metres(felt)), ("scene", metres(scene))];
@@ -127,7 +137,7 @@ mod tests {
             scene: Some(scene),
             events: Vec::new(),
         };
-        ahead(&Texts::default(), &pick)
+        lengths(&Texts::default(), &pick)
     }
 
     #[test]
@@ -146,6 +156,6 @@ mod tests {
             scene: None,
             events: Vec::new(),
         };
-        assert_eq!(ahead(&Texts::default(), &pick), None);
+        assert_eq!(lengths(&Texts::default(), &pick), None);
     }
 }
