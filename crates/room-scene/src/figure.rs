@@ -89,7 +89,8 @@ impl RoomScene {
             pitch_rad: self.look.pitch_rad,
             ..Doing::default()
         };
-        self.motion.pass(&doing, STEP_S);
+        let foot_down = self.motion.pass(&doing, STEP_S);
+        self.hear_body(foot_down, falls_m_s, up);
     }
 }
 

@@ -6,6 +6,7 @@ use antipode_rooms::What as Kind;
 use glam::{DMat3, DVec3};
 
 use crate::scene::RoomScene;
+use crate::sounds::RoomSound;
 use crate::things::{Thing, ThingKind};
 use crate::tuning::{
     AIM_REACH_M, BULLET_SPEED_M_S, LAMP_BODY_M, LAMP_GRIP_M, MUZZLE_M, REACH_M, SHOT_EVERY_S,
@@ -47,6 +48,7 @@ impl RoomScene {
             self.hands.gun_rests_s = SHOT_EVERY_S;
             let shot = self.shot();
             self.things.shoot(shot);
+            self.sound(RoomSound::Shot);
         }
         if steer.throw {
             let thrown = self.thrown();

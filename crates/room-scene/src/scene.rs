@@ -10,6 +10,7 @@ use thiserror::Error;
 
 use crate::hands::Hands;
 use crate::solids::{standing, triangles};
+use crate::sounds::RoomSound;
 use crate::things::Things;
 use crate::tuning::{PITCH_LIMIT_RAD, SHAPE};
 use crate::walk::{Jumps, Look};
@@ -39,6 +40,7 @@ pub struct RoomScene {
     pub(crate) time_s: f64,
     pub(crate) motion: Motion,
     pub(crate) third_person: bool,
+    pub(crate) sounds: Vec<RoomSound>,
     revision: u64,
 }
 
@@ -64,6 +66,7 @@ impl RoomScene {
             time_s: 0.0,
             motion: Motion::default(),
             third_person: false,
+            sounds: Vec::new(),
             revision: 0,
         };
         scene.work_out()?;

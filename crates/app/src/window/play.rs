@@ -21,6 +21,7 @@ use super::pace::Pace;
 use super::phase::{Next, Phase};
 use super::portrait::Portrait;
 use super::veil::Veil;
+use super::visit::Visit;
 use super::waits::{Part, Waits};
 use crate::options;
 use crate::pad::Feel;
@@ -220,7 +221,12 @@ impl Play {
         let Some(session) = self.phase.session_mut() else {
             return Heard {
                 play_state,
-                ..Heard::default()
+                surroundings: None,
+                events: self
+                    .phase
+                    .visit_mut()
+                    .map(Visit::take_sounds)
+                    .unwrap_or_default(),
             };
         };
         Heard {

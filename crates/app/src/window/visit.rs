@@ -3,8 +3,9 @@
 use std::time::Duration;
 
 use antipode_rays::View;
-use antipode_room_scene::{Difference, RoomScene};
-use antipode_scene::{Actions, Shutter};
+use antipode_room_scene::{Difference, RoomScene, RoomSound};
+use antipode_scene::{Actions, Shutter, SoundEvent};
+use antipode_terrain::Cover;
 use glam::DVec2;
 
 use super::devices::Devices;
@@ -123,6 +124,18 @@ impl Visit {
                 ..antipode_rays::Options::default()
             },
         }
+    }
+
+    /// What there was to hear since it was last asked. Floors of rooms sound as rock does.
+    pub fn take_sounds(&mut self) -> Vec<SoundEvent> {
+        let cover = Cover::Rock;
+        let all = self.room.scene.take_sounds().into_iter();
+        let heard = all.map(|sound| match sound {
+            RoomSound::Step(speed_m_s) => SoundEvent::Step { cover, speed_m_s },
+            RoomSound::Landed(speed_m_s) => SoundEvent::Landed { cover, speed_m_s },
+            RoomSound::Shot => SoundEvent::Shot,
+        });
+        heard.collect()
     }
 
     /// What the middle of the picture shows by the exact rule and by that of the thesis.

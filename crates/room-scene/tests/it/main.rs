@@ -12,6 +12,7 @@ mod figure;
 mod hands;
 mod picture;
 mod soak;
+mod sounds;
 mod walking;
 
 use antipode_room_scene::{RoomScene, Steer};

@@ -381,13 +381,13 @@ mod tests {
     fn a_frame_that_was_held_up_is_soon_forgotten() {
         let (mut fineness, mut now) = (Fineness::default(), Instant::now());
         let mut shares = Vec::new();
-        for frame in 0..60 {
+        for frame in 0..120 {
             shares.push(fineness.share(1.0, now));
-            let held_up = u64::from(frame == 20) * 3600;
+            let held_up = u64::from(frame == 60) * 3600;
             now += Duration::from_secs(held_up) + Duration::from_millis(10);
         }
-        assert_eq!(shares[20], 1.0);
-        assert!(shares[21..].iter().all(|share| *share >= 0.5));
-        assert_eq!(shares[59], 1.0);
+        assert_eq!(shares[60], 1.0);
+        assert!(shares[61..].iter().all(|share| *share >= 0.5));
+        assert_eq!(shares[119], 1.0);
     }
 }

@@ -1,6 +1,8 @@
 //! Rooms in the window, without a window: entered, played, paused, left, copied.
 
-use antipode_room_scene::RoomScene;
+use antipode_rays::View;
+use antipode_room_scene::{RoomScene, ThingKind};
+use antipode_settings::MouseButton;
 use antipode_ui::WorldsIntent;
 
 use super::*;
@@ -197,4 +199,46 @@ fn the_console_leads_from_room_to_room_and_refuses_what_is_for_worlds() {
         let visit = game.play.phase.visit();
         visit.is_some_and(|visit| visit.scene().room().name == "Nested boxes")
     });
+}
+
+#[test]
+fn keys_shoot_throw_turn_the_view_and_change_the_way_to_look() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    enter(&mut game, "game:four-tunnels");
+    let mut now = Instant::now();
+    pass(&mut game, &mut now, 20);
+    let view = |game: &mut Game| game.room_view(1.5).unwrap();
+    let before = view(&mut game);
+    assert!(before.moment.figure.unseen_by_eye);
+    for (key, look) in [
+        ("KeyH", View::Split),
+        ("KeyH", View::Thesis),
+        ("KeyH", View::Plain),
+        ("KeyH", View::Exact),
+    ] {
+        input(&mut game, Input::Key(key), true);
+        input(&mut game, Input::Key(key), false);
+        pass(&mut game, &mut now, 2);
+        assert_eq!(view(&mut game).options.view, look);
+    }
+    input(&mut game, Input::Key("Tab"), true);
+    pass(&mut game, &mut now, 2);
+    assert!(!view(&mut game).moment.figure.unseen_by_eye);
+    for (pressed, kind) in [
+        (Input::Mouse(MouseButton::Left), ThingKind::Bullet),
+        (Input::Key("KeyQ"), ThingKind::Ball),
+    ] {
+        input(&mut game, pressed, true);
+        pass(&mut game, &mut now, 1);
+        input(&mut game, pressed, false);
+        let things = scene(&game).things();
+        assert!(things.iter().any(|it| it.kind == kind), "{things:?}");
+    }
+    game.motion(300.0, 0.0);
+    let turned = view(&mut game);
+    assert!(
+        turned.moment.eye.front.distance(before.moment.eye.front) > 0.1,
+        "a turn is seen in the next picture"
+    );
 }

@@ -1,0 +1,52 @@
+//! What is heard of who walks in a room.
+
+use glam::DVec3;
+
+use crate::scene::RoomScene;
+
+/// Slower falls, felt metres a second, are steps.
+const LANDING_FROM_M_S: f64 = 2.5;
+/// The most that is kept for a host that never asks, such as a script.
+const MOST: usize = 64;
+
+/// Something that is heard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RoomSound {
+    /// A foot came down, of who goes at that felt speed, metres a second.
+    Step(f64),
+    /// A fall ended that was so fast, felt metres a second.
+    Landed(f64),
+    /// The gun was fired.
+    Shot,
+}
+
+impl RoomScene {
+    /// What there was to hear since it was last asked.
+    pub fn take_sounds(&mut self) -> Vec<RoomSound> {
+        std::mem::take(&mut self.sounds)
+    }
+
+    pub(crate) fn sound(&mut self, sound: RoomSound) {
+        if self.sounds.len() < MOST {
+            self.sounds.push(sound);
+        }
+    }
+
+    /// Tells what the body did in a step: whether a foot came down, and how fast it fell before.
+    pub(crate) fn hear_body(&mut self, foot_down: bool, falls_m_s: f64, up: DVec3) {
+        if !self.walker.grounded {
+            return;
+        }
+        let pace_m_s = self
+            .walker
+            .body
+            .velocity
+            .reject_from_normalized(up)
+            .length();
+        if falls_m_s >= LANDING_FROM_M_S {
+            self.sound(RoomSound::Landed(falls_m_s));
+        } else if foot_down {
+            self.sound(RoomSound::Step(pace_m_s));
+        }
+    }
+}
