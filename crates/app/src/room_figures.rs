@@ -52,7 +52,8 @@ impl RoomFigures {
         })
     }
 
-    /// Puts who walks into the next picture; nothing is done while they stay as they are.
+    /// Puts who walks, and what they have thrown and put down, into the next picture, at a share of the way of the last step.
+    /// Nothing is done while they stay as they are.
     ///
     /// # Errors
     /// When the figure is no longer that of the scene, or squeezed to nothing.
@@ -60,7 +61,7 @@ impl RoomFigures {
         &mut self,
         gpu: &Gpu,
         loaded: &mut Loaded,
-        room: &RoomScene,
+        (room, share): (&RoomScene, f64),
     ) -> Result<(), Failure> {
         let RoomFigure {
             posture,
