@@ -3,7 +3,7 @@
 use antipode_deformation::{
     Aberration, Exit, PictureCorners, Sides, Space, Trace, Traveller, trace,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use serde::Serialize;
 
 use crate::scene::RoomScene;
@@ -16,7 +16,8 @@ pub struct Lying {
     pub object: Option<String>,
     /// How far off it feels, metres.
     pub felt: Option<f64>,
-    /// By how much light from there is turned on its way, degrees.
+    /// By how much it is turned on its way where that is most, degrees: what leaves a box by the thesis's rule may be turned
+    /// back.
     pub turned_deg: f64,
 }
 
@@ -38,8 +39,11 @@ impl RoomScene {
         let corner = |side: f64| eye.direction(side, side, aspect);
         let who = Traveller::Light(PictureCorners::new(corner(-1.0), corner(1.0)));
         let by = |space: &Space| {
-            let path = trace(space, &eye.place, w, PICK_M, &self.solids, &who);
-            self.lying(&path, w)
+            let go = |longest| trace(space, &eye.place, w, longest, &self.solids, &who);
+            let path = go(PICK_M);
+            let pieces = middles(&path).map(|middle| w.angle_between(go(middle).w));
+            let turned_rad = pieces.fold(0.0, f64::max);
+            self.lying(&path, turned_rad)
         };
         Difference {
             exact: by(&self.space),
@@ -47,14 +51,25 @@ impl RoomScene {
         }
     }
 
-    fn lying(&self, path: &Trace, w: DVec3) -> Lying {
+    fn lying(&self, path: &Trace, turned_rad: f64) -> Lying {
         let hit = path.hit();
         Lying {
             object: hit.map(|hit| self.room().objects[self.object_of(hit.what)].name.clone()),
             felt: hit.map(|_| path.length),
-            turned_deg: w.angle_between(path.w).to_degrees(),
+            turned_deg: turned_rad.to_degrees(),
         }
     }
+}
+
+/// The middles of the pieces of a path between its faces, felt metres.
+fn middles(path: &Trace) -> impl Iterator<Item = f64> {
+    let ends = path.events.iter().map(|event| event.length);
+    let mut from = 0.0;
+    ends.chain([path.length]).map(move |to| {
+        let middle = f64::midpoint(from, to);
+        from = to;
+        middle
+    })
 }
 
 /// All aberrations with the thesis's rule, in the same order.

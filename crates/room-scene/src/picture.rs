@@ -143,6 +143,7 @@ fn mesh_of(shape: &Shape) -> Mesh {
         triangles: shape.triangles.clone(),
         normals: shape.normals.iter().map(|it| it.as_vec3()).collect(),
         uvs: shape.uvs.iter().map(|it| it.as_vec2()).collect(),
+        colours: Vec::new(),
         materials: Vec::new(),
         colours: Vec::new(),
     }
@@ -163,6 +164,7 @@ fn face(size: Vec2) -> Mesh {
             .iter()
             .map(|(right, up)| Vec2::new(0.5 + 0.5 * right, 0.5 - 0.5 * up))
             .collect(),
+        colours: Vec::new(),
         materials: Vec::new(),
         colours: Vec::new(),
     }

@@ -1,19 +1,9 @@
 //! A room that is changed while one is in it.
 
 use antipode_room_scene::{RoomScene, Steer};
-use antipode_rooms::{Assets, Loaded, Room, RoomError};
+use antipode_rooms::{Assets, Room, RoomError};
 
-use crate::AHEAD;
-
-fn empty() -> RoomScene {
-    let loaded = Loaded {
-        room: Room::new("Mine"),
-        assets: Assets::default(),
-        files: Vec::new(),
-        bytes: 0,
-    };
-    RoomScene::open(loaded).unwrap()
-}
+use crate::{AHEAD, empty};
 
 fn edit(scene: &mut RoomScene, command: &str) -> Result<(), RoomError> {
     let words: Vec<_> = command.split(' ').collect();

@@ -2,22 +2,20 @@
 
 use antipode_frame::Clip;
 use antipode_room_scene::{RoomScene, Steer, ThingKind};
-use antipode_rooms::What;
+use antipode_rooms::{Assets, What};
 use glam::{DVec3, Vec3};
 
-use crate::{AHEAD, room};
+use crate::{AHEAD, empty, room};
 
-fn edited(command: &str) -> RoomScene {
-    let mut scene = room("long-house");
+fn edit(scene: &mut RoomScene, command: &str) {
     let words: Vec<_> = command.split(' ').collect();
-    let assets = antipode_rooms::Assets::default();
-    scene.edit(&words, |_| Ok(assets)).unwrap();
-    scene
+    scene.edit(&words, |_| Ok(Assets::default())).unwrap();
 }
 
 /// In the open, on the ground.
 fn standing() -> RoomScene {
-    let mut scene = edited("add box name=plate at=0,-0.5,400 size=60,1,60");
+    let mut scene = empty();
+    edit(&mut scene, "add box name=plate at=0,-0.5,400 size=60,1,60");
     scene.teleport(DVec3::new(0.0, 0.0, 400.0)).unwrap();
     scene.aim(-90.0, 0.0);
     (0..60).for_each(|_| scene.step(&Steer::default()));
@@ -98,10 +96,7 @@ fn from_behind_one_sees_who_walks_and_from_the_head_one_does_not() {
 #[test]
 fn the_camera_behind_stops_before_walls_and_is_as_far_as_it_feels() {
     let mut scene = standing();
-    let words = "add box name=wall at=0,2,402.1 size=20,4,0.2";
-    let words: Vec<_> = words.split(' ').collect();
-    let assets = antipode_rooms::Assets::default;
-    scene.edit(&words, |_| Ok(assets())).unwrap();
+    edit(&mut scene, "add box name=wall at=0,2,402.1 size=20,4,0.2");
     scene.set_third_person(true);
     let eye = scene.eye().place.point;
     assert!(
@@ -112,11 +107,12 @@ fn the_camera_behind_stops_before_walls_and_is_as_far_as_it_feels() {
         scene.figure_between(1.0).unseen_by_eye,
         "too near to be seen as a whole"
     );
-    scene.edit(&["undo"], |_| Ok(assets())).unwrap();
+    edit(&mut scene, "undo");
     // Twice as long inside as outside.
-    let words = "add aberration name=hall at=0,2,400 half=8,4,8 stretch=2,2,2 sides=soft";
-    let words: Vec<_> = words.split(' ').collect();
-    scene.edit(&words, |_| Ok(assets())).unwrap();
+    edit(
+        &mut scene,
+        "add aberration name=hall at=0,2,400 half=8,4,8 stretch=2,2,2 sides=soft",
+    );
     let head = {
         scene.set_third_person(false);
         scene.eye().place.point

@@ -16,11 +16,22 @@ mod sounds;
 mod walking;
 
 use antipode_room_scene::{RoomScene, Steer};
-use antipode_rooms::shipped;
+use antipode_rooms::{Assets, Loaded, Room, shipped};
 
 /// A room of the game.
 fn room(id: &str) -> RoomScene {
     let loaded = shipped::find(id).unwrap().loaded().unwrap();
+    RoomScene::open(loaded).unwrap()
+}
+
+/// A room as it is when one makes one.
+fn empty() -> RoomScene {
+    let loaded = Loaded {
+        room: Room::new("Mine"),
+        assets: Assets::default(),
+        files: Vec::new(),
+        bytes: 0,
+    };
     RoomScene::open(loaded).unwrap()
 }
 
