@@ -145,7 +145,6 @@ fn mesh_of(shape: &Shape) -> Mesh {
         uvs: shape.uvs.iter().map(|it| it.as_vec2()).collect(),
         colours: Vec::new(),
         materials: Vec::new(),
-        colours: Vec::new(),
     }
 }
 
@@ -166,6 +165,5 @@ fn face(size: Vec2) -> Mesh {
             .collect(),
         colours: Vec::new(),
         materials: Vec::new(),
-        colours: Vec::new(),
     }
 }

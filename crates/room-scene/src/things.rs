@@ -161,10 +161,12 @@ impl Things {
     }
 
     fn add(&mut self, kind: ThingKind, life: Life, most: usize) {
-        while self.count(kind) >= most.max(1) {
-            let oldest = self.all.iter().position(|it| it.kind == kind);
-            oldest.map(|at| self.all.remove(at));
-        }
+        let over = (self.count(kind) + 1).saturating_sub(most.max(1));
+        let mut oldest = 0;
+        self.all.retain(|it| {
+            oldest += usize::from(it.kind == kind);
+            it.kind != kind || oldest > over
+        });
         self.made += 1;
         let mut one = One {
             id: self.made,

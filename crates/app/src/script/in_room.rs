@@ -72,10 +72,29 @@ mod tests {
         assert!((tuning::JUMP_SPEED_M_S - jump).abs() < 1e-6, "{jump}");
         assert_eq!(tuning::TERMINAL_SPEED_M_S, worlds.terminal_speed_m_s);
         assert_eq!(tuning::STEP_S, antipode_scene::tuning::STEP_S);
+        let shape = tuning::SHAPE;
+        assert_eq!(shape.height_m, worlds.height_m);
+        assert_eq!(shape.step_m, worlds.step_height_m);
+        assert_eq!(shape.steepest_rad, worlds.max_slope_rad);
+        assert_eq!(shape.eye_m + shape.radius_m, worlds.eye_height_m());
+        assert_eq!(tuning::COYOTE_S, worlds.coyote_s);
+        assert_eq!(tuning::JUMP_BUFFER_S, worlds.jump_buffer_s);
         use antipode_scene::tuning as world;
         assert_eq!(tuning::THIRD_PERSON_BACK_M, world::THIRD_PERSON_BACK_M);
         assert_eq!(tuning::THIRD_PERSON_UP_M, world::THIRD_PERSON_UP_M);
         assert_eq!(tuning::CAMERA_RADIUS_M, world::CAMERA_RADIUS_M);
         assert_eq!(tuning::FIGURE_SEEN_FROM_M, world::FIGURE_SEEN_FROM_M);
+    }
+
+    #[test]
+    fn the_gun_and_lamps_are_those_of_worlds() {
+        use antipode_scene::tuning as worlds;
+        assert_eq!(tuning::BULLET_SPEED_M_S, worlds::BULLET_SPEED_M_S);
+        assert_eq!(tuning::BULLET_RADIUS_M, worlds::BULLET.radius_m);
+        assert_eq!(tuning::BULLET_REACH_M, worlds::BULLET_STRAIGHT_M);
+        assert_eq!(tuning::AIM_REACH_M, worlds::AIM_REACH_M);
+        assert_eq!(tuning::MUZZLE_M, worlds::MUZZLE_M);
+        assert_eq!(tuning::SHOT_EVERY_S, worlds::SHOT_EVERY_S);
+        assert_eq!(tuning::REACH_M, worlds::FIXTURE_REACH_M);
     }
 }

@@ -170,7 +170,9 @@ fn a_ball_flies_through_a_wall_that_is_taken_away_and_falls_where_the_floor_is()
     after(&mut scene, &THROW, 15.0);
     let lies = of_kind(&scene, ThingKind::Ball)[0].place.point;
     let words = ["change", "floor", "at=0,-2.5,0"];
-    scene.edit(&words, |_| Ok(Default::default())).unwrap();
+    scene
+        .edit(&words, |_| Ok(antipode_rooms::Assets::default()))
+        .unwrap();
     after(&mut scene, &STAY, 6.0);
     let now = of_kind(&scene, ThingKind::Ball)[0].place.point;
     assert!((lies.y - now.y - 2.0).abs() < 0.01, "{lies} {now}");
