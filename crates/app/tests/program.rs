@@ -227,7 +227,7 @@ fn rooms_are_listed_looked_at_given_away_and_taken_in() {
     let refused = run(&["verify", "the-long-house-2"]);
     assert_eq!(refused.status.code(), Some(1));
     let said = printed(&refused);
-    assert!(said.contains("room.ron:27: felt of \"corridor\""), "{said}");
+    assert!(said.contains("room.ron:39: felt of \"corridor\""), "{said}");
     assert!(printed(&run(&["list"])).contains("felt of \"corridor\""));
     std::fs::write(file, b"no archive").unwrap();
     let refused = run(&["import", file]);

@@ -53,13 +53,13 @@ fn surfaces_look_as_the_file_says() {
     let picture = drawn(&scene, &mut Vec::new());
     let floor = &picture.materials[picture.instances[0].materials];
     assert!(
-        (floor.colour.x - 0.323).abs() < 0.01,
-        "#9a is {} of light",
+        (floor.colour.x - 0.238).abs() < 0.01,
+        "#86 is {} of light",
         floor.colour.x
     );
     let Pattern::Checker { edge_m, .. } = floor.pattern else {
         panic!("{floor:?}");
     };
-    assert_eq!(edge_m, 2.0);
+    assert_eq!(edge_m, 3.0);
     assert!(picture.sun.unwrap().direction.y > 0.5);
 }

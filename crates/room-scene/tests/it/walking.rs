@@ -54,7 +54,7 @@ fn a_tunnel_takes_as_long_as_it_feels() {
 
 #[test]
 fn walls_of_a_tunnel_hold_whoever_walks_against_them() {
-    // This one has no solids beside it: its walls are all there is.
+    // The solids beside this one stand 8 cm behind its walls, which are to hold by themselves.
     let mut scene = room("four-tunnels");
     for (yaw, side) in [(0.0, 1.0), (180.0, -1.0)] {
         scene.teleport(DVec3::new(-8.0, 0.01, -61.0)).unwrap();

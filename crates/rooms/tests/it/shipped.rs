@@ -100,6 +100,11 @@ fn all_that_is_read_in_them_is_there_in_every_language() {
                 assert_eq!(texts.say(&name), room.name);
             } else {
                 assert_ne!(told.sentence, room.sentence, "{id} in {language:?}");
+                for (now, file) in told.objects.iter().zip(&room.objects) {
+                    let is_words = matches!(&file.what, What::Sign { text: Some(it), .. }
+                        if it.contains(char::is_alphabetic));
+                    assert_eq!(now != file, is_words, "{} in {language:?}", file.name);
+                }
             }
         }
     }
