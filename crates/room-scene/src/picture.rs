@@ -61,9 +61,6 @@ impl RoomScene {
             let surface = &room.objects[*index].surface;
             let material = of_surface(surface, &self.assets, &mut pictures);
             scene.materials.push(material);
-            let what = &room.objects[*index].what;
-            let outlined = matches!(what, What::Aberration(it) if it.outline);
-            scene.outlined.push(outlined);
         }
         self.add_solids(&mut scene, &mut pictures);
         self.add_writing(&mut scene, &mut pictures, &mut write)?;

@@ -79,11 +79,22 @@ mod tests {
         assert_eq!(shape.eye_m + shape.radius_m, worlds.eye_height_m());
         assert_eq!(tuning::COYOTE_S, worlds.coyote_s);
         assert_eq!(tuning::JUMP_BUFFER_S, worlds.jump_buffer_s);
-        use antipode_scene::tuning as world;
-        assert_eq!(tuning::THIRD_PERSON_BACK_M, world::THIRD_PERSON_BACK_M);
-        assert_eq!(tuning::THIRD_PERSON_UP_M, world::THIRD_PERSON_UP_M);
-        assert_eq!(tuning::CAMERA_RADIUS_M, world::CAMERA_RADIUS_M);
-        assert_eq!(tuning::FIGURE_SEEN_FROM_M, world::FIGURE_SEEN_FROM_M);
+        assert_eq!(
+            tuning::THIRD_PERSON_BACK_M,
+            antipode_scene::tuning::THIRD_PERSON_BACK_M
+        );
+        assert_eq!(
+            tuning::THIRD_PERSON_UP_M,
+            antipode_scene::tuning::THIRD_PERSON_UP_M
+        );
+        assert_eq!(
+            tuning::CAMERA_RADIUS_M,
+            antipode_scene::tuning::CAMERA_RADIUS_M
+        );
+        assert_eq!(
+            tuning::FIGURE_SEEN_FROM_M,
+            antipode_scene::tuning::FIGURE_SEEN_FROM_M
+        );
     }
 
     #[test]
