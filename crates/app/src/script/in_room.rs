@@ -61,7 +61,6 @@ pub fn steer(actions: &Actions) -> Steer {
 mod tests {
     use antipode_physics::CharacterTuning;
     use antipode_room_scene::tuning;
-    use antipode_scene::tuning as world;
 
     #[test]
     fn one_is_as_tall_and_as_fast_in_rooms_as_in_worlds() {
@@ -72,7 +71,8 @@ mod tests {
         let jump = (2.0 * worlds.gravity_m_s2 * worlds.jump_height_m).sqrt();
         assert!((tuning::JUMP_SPEED_M_S - jump).abs() < 1e-6, "{jump}");
         assert_eq!(tuning::TERMINAL_SPEED_M_S, worlds.terminal_speed_m_s);
-        assert_eq!(tuning::STEP_S, world::STEP_S);
+        assert_eq!(tuning::STEP_S, antipode_scene::tuning::STEP_S);
+        use antipode_scene::tuning as world;
         assert_eq!(tuning::THIRD_PERSON_BACK_M, world::THIRD_PERSON_BACK_M);
         assert_eq!(tuning::THIRD_PERSON_UP_M, world::THIRD_PERSON_UP_M);
         assert_eq!(tuning::CAMERA_RADIUS_M, world::CAMERA_RADIUS_M);
