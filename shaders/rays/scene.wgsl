@@ -61,6 +61,27 @@ fn in_box(low: vec3<u32>, high: vec3<u32>, x: vec3<f32>, pace: vec3<f32>, ahead:
     return vec2<f32>(max(enters.x, max(enters.y, enters.z)), min(leaves.x, min(leaves.y, leaves.z)) * 1.0000006);
 }
 
+// Meets a triangle if that comes before what is found (T. Moeller and B. Trumbore, 1997); whether it is the last of its leaf.
+fn meet(triangle: u32, o: vec3<f32>, d: vec3<f32>, instance: u32, found: ptr<function, Found>) -> bool {
+    let corner = triangle_part(triangle, 0u);
+    let second = triangle_part(triangle, 1u);
+    let third = triangle_part(triangle, 2u);
+    let ab = bitcast<vec3<f32>>(second.xyz);
+    let ac = bitcast<vec3<f32>>(third.xyz);
+    let across = cross(d, ac);
+    let volume = dot(ab, across);
+    let from_corner = o - bitcast<vec3<f32>>(corner.xyz);
+    let one = 1.0 / volume;
+    let b = dot(from_corner, across) * one;
+    let turned = cross(from_corner, ab);
+    let c = dot(d, turned) * one;
+    let time = dot(ac, turned) * one;
+    if volume != 0.0 && b >= 0.0 && c >= 0.0 && b + c <= 1.0 && time >= 0.0 && time <= (*found).time {
+        *found = Found(time, instance + third.w, triangle, vec2<f32>(b, c));
+    }
+    return second.w != 0u;
+}
+
 // What the path x + t v meets first for 0 <= t <= longest; or anything that it meets, where `any_will_do`. Light of the eye
 // passes what it does not see.
 fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do: bool, of_eye: bool) -> Found {
@@ -106,23 +127,7 @@ fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do:
             }
             var triangle = at - TRIANGLES;
             loop {
-                let corner = triangle_part(triangle, 0u);
-                let second = triangle_part(triangle, 1u);
-                let third = triangle_part(triangle, 2u);
-                let ab = bitcast<vec3<f32>>(second.xyz);
-                let ac = bitcast<vec3<f32>>(third.xyz);
-                let across = cross(d, ac);
-                let volume = dot(ab, across);
-                let from_corner = o - bitcast<vec3<f32>>(corner.xyz);
-                let one = 1.0 / volume;
-                let b = dot(from_corner, across) * one;
-                let turned = cross(from_corner, ab);
-                let c = dot(d, turned) * one;
-                let time = dot(ac, turned) * one;
-                if volume != 0.0 && b >= 0.0 && c >= 0.0 && b + c <= 1.0 && time >= 0.0 && time <= found.time {
-                    found = Found(time, instance + third.w, triangle, vec2<f32>(b, c));
-                }
-                if second.w != 0u {
+                if meet(triangle, o, d, instance, &found) {
                     break;
                 }
                 triangle += 1u;

@@ -50,11 +50,8 @@ impl Loaded {
         sorted: bool,
     ) -> Result<Self, RaysError> {
         let (parts, movables) = bake_all(scene, sorted)?;
-        let placed = movables
-            .iter()
-            .zip(&parts[1..])
-            .map(|it| placed(it.0, it.1));
-        let placed = placed.collect();
+        let pairs = movables.iter().zip(&parts[1..]);
+        let placed = pairs.map(|(one, baked)| placed(one, baked)).collect();
         let (neighbours, ways) = crate::packed::neighbours(scene);
         let materials: Vec<_> = scene
             .materials
@@ -63,11 +60,6 @@ impl Loaded {
             .collect();
         let storage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
-        let filled_space = |rule| {
-            let label = "aberrations";
-            filled(device, queue, label, &aberrations(scene, rule), uniform)
-        };
-        let [exact, thesis, plain] = Rule::ALL.map(filled_space);
         let movers_at = (scene.instances.len() * INSTANCE_TEXELS).next_multiple_of(ROW);
         let instances = movers_at + MOST_MOVERS * INSTANCE_TEXELS;
         let sum = |of: fn(&Baked) -> usize| parts.iter().map(of).sum::<usize>();
@@ -83,19 +75,14 @@ impl Loaded {
             instances: Texels::new(device, "instances", instances)?,
             attributes: filled(device, queue, "attributes", &attributes, storage)?,
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
-            spaces: [exact?, thesis?, plain?],
+            spaces: spaces(device, queue, scene)?,
             depths: (parts.iter().map(|it| it.depth).max().unwrap_or(0), 0),
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
             ways: filled(device, queue, "ways", &[ways], uniform)?,
             materials: filled(device, queue, "materials", &materials, storage)?,
             textures: textures::upload(device, queue, &scene.textures)?,
             host_ways: ways,
-            resting: Resting {
-                bounds: parts[0].bounds,
-                root: parts[0].root,
-                instances: (movers_at / INSTANCE_TEXELS) as u32,
-                materials: materials.len(),
-            },
+            resting: resting(&parts[0], movers_at, materials.len()),
             movables,
             placed,
             movers_at,
@@ -204,6 +191,30 @@ fn bake_all(scene: &RayScene, sorted: bool) -> Result<(Vec<Baked>, Vec<Movable>)
         movables.push(movable);
     }
     Ok((parts, movables))
+}
+
+/// The aberrations by each rule.
+fn spaces(
+    device: &Device,
+    queue: &Queue,
+    scene: &RayScene,
+) -> Result<[Buffer; Rule::ALL.len()], RaysError> {
+    let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+    let by = |rule| {
+        let packed = aberrations(scene, rule);
+        filled(device, queue, "aberrations", &packed, usage)
+    };
+    let [exact, thesis, plain] = Rule::ALL.map(by);
+    Ok([exact?, thesis?, plain?])
+}
+
+fn resting(room: &Baked, movers_at: usize, materials: usize) -> Resting {
+    Resting {
+        bounds: room.bounds,
+        root: room.root,
+        instances: (movers_at / INSTANCE_TEXELS) as u32,
+        materials,
+    }
 }
 
 fn placed(movable: &Movable, baked: &Baked) -> Placed {

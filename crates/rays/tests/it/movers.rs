@@ -39,6 +39,23 @@ fn carried(triangles: &[Triangle], pose: &Affine3A, object: u32) -> Vec<Triangle
     triangles.iter().map(carry).collect()
 }
 
+/// A pose that turns and squeezes.
+fn some_pose(rng: &mut Rng) -> Affine3A {
+    let squeeze = Mat3A::from_diagonal(Vec3::new(1.0, 0.5 + rng.f32(), 2.0 * rng.f32() + 0.1));
+    Affine3A {
+        matrix3: Mat3A::from_quat(Quat::from_rotation_y(7.0 * rng.f32())) * squeeze,
+        translation: rooms::point(rng).as_vec3a(),
+    }
+}
+
+fn some_ray(space: &Space, rng: &mut Rng) -> ProbeRay {
+    ProbeRay {
+        start: Place::at(space, rooms::point(rng).as_vec3().as_dvec3()),
+        w: rooms::direction(rng),
+        longest: 60.0,
+    }
+}
+
 #[test]
 fn rays_meet_movers_where_the_reference_has_them() {
     let Some(gpu) = Gpu::shared() else { return };
@@ -72,12 +89,7 @@ fn rays_meet_movers_where_the_reference_has_them() {
         let mut all = resting.clone();
         let movers: Vec<_> = (0..30_u32)
             .map(|number| {
-                let squeeze =
-                    Mat3A::from_diagonal(Vec3::new(1.0, 0.5 + rng.f32(), 2.0 * rng.f32() + 0.1));
-                let pose = Affine3A {
-                    matrix3: Mat3A::from_quat(Quat::from_rotation_y(7.0 * rng.f32())) * squeeze,
-                    translation: rooms::point(&mut rng).as_vec3a(),
-                };
+                let pose = some_pose(&mut rng);
                 let shape = (number % 2) as usize;
                 all.extend(carried(&shapes[shape], &pose, 1000 + number));
                 mover(shape, pose, 1000 + number)
@@ -85,13 +97,7 @@ fn rays_meet_movers_where_the_reference_has_them() {
             .collect();
         loaded.show(&gpu.queue, &movers).unwrap();
         let solids = Triangles::new(all);
-        let rays: Vec<_> = (0..4000)
-            .map(|_| ProbeRay {
-                start: Place::at(&space, rooms::point(&mut rng).as_vec3().as_dvec3()),
-                w: rooms::direction(&mut rng),
-                longest: 60.0,
-            })
-            .collect();
+        let rays: Vec<_> = (0..4000).map(|_| some_ray(&space, &mut rng)).collect();
         let answers = prober
             .trace(&gpu.device, &gpu.queue, &loaded, &rays)
             .unwrap();
