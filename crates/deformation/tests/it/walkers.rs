@@ -317,7 +317,7 @@ fn between_steps_the_eye_goes_along_the_way() {
     let mut inside = 0;
     for _ in 0..60 * 9 {
         walk.on(v(0.0, 0.0, 4.0), 1.0 / 60.0);
-        for share in [0.0, 0.3, 0.6, 1.0] {
+        for share in (0..=24).map(|part| f64::from(part) / 24.0) {
             let (eye, middle) = walk.walker.between(&space, DVec3::Y, share);
             // At most 4 m/s, and the rise of a step's edge.
             assert!(eye.point.distance(last.point) < 0.07, "{last:?} {eye:?}");
