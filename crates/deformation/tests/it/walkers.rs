@@ -312,11 +312,11 @@ fn felt_speed_is_the_same_all_the_way_through_a_tunnel() {
 fn between_steps_the_eye_goes_along_the_way() {
     let (space, scene) = course();
     let mut walk = Walk::from(&space, &scene, 60, v(0.2, 0.0, -2.0));
-    walk.on(v(0.0, 0.0, 4.0), 0.2);
+    walk.on(v(0.0, 0.0, 3.7), 0.2);
     let mut last = walk.walker.eye_place(&space, DVec3::Y);
     let mut inside = 0;
-    for _ in 0..60 * 9 {
-        walk.on(v(0.0, 0.0, 4.0), 1.0 / 60.0);
+    for _ in 0..60 * 10 {
+        walk.on(v(0.0, 0.0, 3.7), 1.0 / 60.0);
         for share in (0..=24).map(|part| f64::from(part) / 24.0) {
             let (eye, middle) = walk.walker.between(&space, DVec3::Y, share);
             // At most 4 m/s, and the rise of a step's edge.
