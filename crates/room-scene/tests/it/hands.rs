@@ -59,6 +59,7 @@ fn a_bullet_hits_what_the_crosshair_is_on() {
             let names = (Some(&hit.object), aimed.object.as_ref());
             // At an edge the bullet, which comes from beside the eye, may meet what is before it.
             if names.0 != names.1 {
+                assert!(hit.felt < felt + 1.0, "{felt} {hit:?}");
                 beside += 1;
                 continue;
             }
@@ -73,7 +74,7 @@ fn a_bullet_hits_what_the_crosshair_is_on() {
             }
         }
     }
-    assert!(tried > 12 && beside <= 2, "{beside} of {tried}");
+    assert!(tried > 12 && 7 * beside <= tried, "{beside} of {tried}");
 }
 
 #[test]
@@ -85,7 +86,7 @@ fn a_bullet_flies_its_felt_length_through_a_tunnel() {
     let probe = after(&mut scene, &SHOOT, 4.0);
     let hit = probe.hit.unwrap();
     assert!(
-        hit.object == "floor" && hit.felt < BULLET_REACH_M,
+        ["floor", "longer-carpet"].contains(&hit.object.as_str()) && hit.felt < BULLET_REACH_M,
         "{hit:?}"
     );
     let mark = of_kind(&scene, ThingKind::Mark)[0].place;

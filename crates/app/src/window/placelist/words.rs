@@ -14,10 +14,11 @@ use crate::wording;
 
 /// The news in words, and of what kind they are; `known` are the places that are known.
 pub fn news<S: Shelf>(texts: &Texts, news: &News, known: &[S::Kept]) -> (String, ToastKind) {
-    let key = |what: &str| format!("{}-{what}", S::WORDS);
-    let named = |what: &str, name: &str| {
+    let key = |what| [S::WORDS, "-", what].concat();
+    let named = |what, name: &str| {
         let values = [("name", name.into())];
-        (texts.say_with(&key(what), &values), ToastKind::Info)
+        let key = key(what);
+        (texts.say_with(&key, &values), ToastKind::Info)
     };
     match news {
         News::Renamed(name) => named("renamed", name),
@@ -25,7 +26,8 @@ pub fn news<S: Shelf>(texts: &Texts, news: &News, known: &[S::Kept]) -> (String,
         News::Imported(name) => named("imported", name),
         News::Exported(file) => {
             let values = [("file", file.display().to_string().into())];
-            (texts.say_with(&key("exported"), &values), ToastKind::Info)
+            let key = key("exported");
+            (texts.say_with(&key, &values), ToastKind::Info)
         }
         News::Failed(failure) => {
             tracing::error!("{failure}");
@@ -35,7 +37,10 @@ pub fn news<S: Shelf>(texts: &Texts, news: &News, known: &[S::Kept]) -> (String,
             tracing::error!("{problem:?}");
             (folder(texts, problem), ToastKind::Problem)
         }
-        News::ListDied => (texts.say(&key("list-died")), ToastKind::Problem),
+        News::ListDied => {
+            let key = key("list-died");
+            (texts.say(&key), ToastKind::Problem)
+        }
         News::WorkDied => (texts.say("worlds-work-died"), ToastKind::Problem),
     }
 }
@@ -63,7 +68,8 @@ pub fn work(texts: &Texts, kind: &str, job: &Job) -> Option<String> {
         Job::Import { .. } => "work-import",
         Job::List | Job::LookAt { .. } | Job::FindArchives => return None,
     };
-    Some(texts.say(&format!("{kind}-{key}")))
+    let key = [kind, "-", key].concat();
+    Some(texts.say(&key))
 }
 
 /// What a world's own records say of it.
