@@ -38,7 +38,8 @@ struct Material {
     optics: vec4<f32>,      // refractive index of glass, or 0; gloss; repeats of the texture for one of uv
 }
 
-@group(1) @binding(0) var<uniform> frame: Frame;
+// No uniform: software adapters compile a shader anew for what it branches by in uniforms, whenever that changes.
+@group(1) @binding(0) var<storage, read> frame: Frame;
 @group(1) @binding(1) var<storage, read> materials: array<Material>;
 // Three for each triangle: its normals and material; the corners' uv, how long one metre is in it, and its colour.
 @group(1) @binding(2) var<storage, read> attributes: array<vec4<u32>>;

@@ -16,7 +16,8 @@ struct Ways {
     corners: Corners,
 }
 
-@group(0) @binding(5) var<uniform> ways: Ways;
+// No uniform, since it changes with every picture: see frame.wgsl.
+@group(0) @binding(5) var<storage, read> ways: Ways;
 
 // How a path has ended.
 struct Ended {

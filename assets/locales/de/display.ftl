@@ -77,3 +77,4 @@ room-half-exact = genau
 room-differs = In der Mitte sieht man { $exact } weit, und nach der Arbeit { $thesis }.
 room-differs-bent = In der Mitte sieht man { $exact } weit, und nach der Arbeit { $thesis }, wo das Licht um { $bent }° gebogen ankommt.
 room-sky = den Himmel
+room-file = Dieser Raum gehört dir. Was in ihm steht, steht in { $file }.

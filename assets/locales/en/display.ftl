@@ -84,3 +84,4 @@ room-half-exact = exact
 room-differs = In the middle one sees { $exact } far, and by the thesis { $thesis }.
 room-differs-bent = In the middle one sees { $exact } far, and by the thesis { $thesis }, where light arrives bent by { $bent }°.
 room-sky = the sky
+room-file = This room is yours. What stands in it is written in { $file }.

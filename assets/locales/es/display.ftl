@@ -77,3 +77,4 @@ room-half-exact = exacto
 room-differs = En el centro se ve a { $exact }, y según la tesis a { $thesis }.
 room-differs-bent = En el centro se ve a { $exact }, y según la tesis a { $thesis }, adonde la luz llega doblada { $bent }°.
 room-sky = el cielo
+room-file = Esta sala es tuya. Lo que hay en ella está escrito en { $file }.

@@ -83,3 +83,4 @@ room-half-exact = dokładnie
 room-differs = Pośrodku widać na { $exact }, a według pracy na { $thesis }.
 room-differs-bent = Pośrodku widać na { $exact }, a według pracy na { $thesis }, dokąd światło dociera zgięte o { $bent }°.
 room-sky = niebo
+room-file = Ten pokój jest twój. To, co w nim stoi, jest zapisane w { $file }.

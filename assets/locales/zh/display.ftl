@@ -77,3 +77,4 @@ room-half-exact = 精确
 room-differs = 画面中央精确地看到 { $exact }，按论文看到 { $thesis }。
 room-differs-bent = 画面中央精确地看到 { $exact }，按论文看到 { $thesis }，光线到达那里时弯曲了 { $bent }°。
 room-sky = 天空
+room-file = 这个房间是你的。里面有什么，写在 { $file } 里。

@@ -34,7 +34,7 @@ pub struct Part {
     pub line: u32,
 }
 
-/// The uniform of a picture.
+/// What a picture needs to know.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Frame {

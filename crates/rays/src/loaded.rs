@@ -59,7 +59,6 @@ impl Loaded {
             .map(|one| material(one, scene.textures.len()))
             .collect();
         let storage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
-        let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
         let movers_at = (scene.instances.len() * INSTANCE_TEXELS).next_multiple_of(ROW);
         let instances = movers_at + MOST_MOVERS * INSTANCE_TEXELS;
         let sum = |of: fn(&Baked) -> usize| parts.iter().map(of).sum::<usize>();
@@ -78,7 +77,7 @@ impl Loaded {
             spaces: spaces(device, queue, scene)?,
             depths: (parts.iter().map(|it| it.depth).max().unwrap_or(0), 0),
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
-            ways: filled(device, queue, "ways", &[ways], uniform)?,
+            ways: filled(device, queue, "ways", &[ways], storage)?,
             materials: filled(device, queue, "materials", &materials, storage)?,
             textures: textures::upload(device, queue, &scene.textures)?,
             host_ways: ways,

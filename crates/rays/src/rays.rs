@@ -86,7 +86,7 @@ impl Rays {
                     device.create_buffer(&wgpu::BufferDescriptor {
                         label: Some("frame of rays"),
                         size: size_of::<Frame>() as u64,
-                        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
                         mapped_at_creation: false,
                     })
                 }),
@@ -164,7 +164,7 @@ impl Rays {
     }
 
     /// Records the pass for some rows of a picture, so that one which takes long can be made bit by bit. Of `scene`, light, sky, fog and the look of outlines are those of this moment; the rest is as it was
-    /// loaded and moved since. One picture a submission, since all share a uniform.
+    /// loaded and moved since. One picture a submission, since all share a buffer.
     pub fn draw_rows(
         &self,
         (device, queue): (&Device, &Queue),
@@ -195,8 +195,8 @@ impl Rays {
                 rows: rows.clone(),
                 line,
             };
-            let uniform = frame(scene, eye, picture.size, options, &part);
-            queue.write_buffer(buffer, 0, bytemuck::bytes_of(&uniform));
+            let packed = frame(scene, eye, picture.size, options, &part);
+            queue.write_buffer(buffer, 0, bytemuck::bytes_of(&packed));
             let scene = scene_group(device, &self.scene_layout, loaded, rule);
             pass.set_bind_group(0, &scene, &[]);
             let picture = self.picture_group(device, loaded, picture, buffer);
@@ -345,7 +345,7 @@ pub fn scene_layout(device: &Device) -> BindGroupLayout {
     layout(
         device,
         "scene of rays",
-        &[uniform, buffer(READ), texels, texels, texels, uniform],
+        &[uniform, buffer(READ), texels, texels, texels, buffer(READ)],
     )
 }
 
@@ -380,7 +380,7 @@ fn picture_layout(device: &Device) -> BindGroupLayout {
         multisampled: false,
     };
     let kinds = [
-        buffer(BufferBindingType::Uniform),
+        buffer(READ),
         buffer(READ),
         buffer(READ),
         pictures,

@@ -2,7 +2,7 @@
 
 use antipode_deformation::Traveller;
 use antipode_rooms::poses;
-use glam::DMat3;
+use glam::{DMat3, DVec3};
 use serde::Serialize;
 
 use crate::pick::Pick;
@@ -96,6 +96,14 @@ impl RoomScene {
     /// How large the player is in the scene, to what it is outside: the cube root of what a felt cubic metre takes up there.
     pub fn scale(&self) -> f64 {
         self.squeeze_here().determinant().abs().cbrt()
+    }
+
+    /// How large the player is in the scene along the axis of it that is squeezed most, and along that which is squeezed least.
+    pub fn scales(&self) -> [f64; 2] {
+        let k = self.squeeze_here();
+        let lengths = [k.x_axis, k.y_axis, k.z_axis].map(DVec3::length);
+        let least = lengths.into_iter().fold(f64::INFINITY, f64::min);
+        [least, lengths.into_iter().fold(0.0, f64::max)]
     }
 
     /// What a felt vector is in the scene where the player is.

@@ -410,6 +410,7 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
     game.told_steps(&[
         ("Tab", "focus: Load"),
         ("Tab", "focus: Delete"),
+        ("Tab", "focus: Rooms"),
         ("Tab", "focus: Settings"),
         ("Tab", "focus: Controls"),
         ("Tab", "focus: About"),

@@ -23,6 +23,13 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
     let scene = visit.scene();
     let is_new = visit.is_new();
     let told = |text: &String| Some(text.clone()).filter(|text| is_new && !text.is_empty());
+    let sentence = match visit.file() {
+        // Who has made a room is told where it is changed.
+        Some(file) if words.sentence.is_empty() => {
+            texts.say_with("room-file", &[("file", file.display().to_string().into())])
+        }
+        _ => words.sentence.clone(),
+    };
     let mut state = state(texts, scene);
     if is_new {
         state.push(keys(texts, profiles));
@@ -33,7 +40,7 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
         show_crosshair: true,
         room: Some(RoomModel {
             title: told(&words.name),
-            sentence: told(&words.sentence),
+            sentence: told(&sentence),
             ahead: ahead(texts, scene).filter(|_| visit.look == View::Exact),
             look: look(texts, visit),
             halves: (visit.look == View::Split)
@@ -114,8 +121,10 @@ fn differ(a: f64, b: f64) -> bool {
 
 /// How large one is, where that is not one's own size.
 fn state(texts: &Texts, scene: &RoomScene) -> Vec<String> {
-    let scale = scene.scale();
-    if !differ(scale, 1.0) {
+    let [least, most] = scene.scales();
+    // Who is narrower only has not another size.
+    let scale = if most < 1.0 { most } else { least };
+    if (most >= 1.0 && least <= 1.0) || !differ(scale, 1.0) {
         return Vec::new();
     }
     let (key, times) = if scale < 1.0 {

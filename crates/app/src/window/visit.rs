@@ -1,9 +1,11 @@
 //! A room that is played in the window: who walks in it, how it is looked at, and what its picture is of.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use antipode_rays::View;
 use antipode_room_scene::{Difference, RoomScene, RoomSound};
+use antipode_rooms::files::ROOM_FILE;
 use antipode_scene::{Actions, Shutter, SoundEvent};
 use antipode_terrain::Cover;
 use glam::DVec2;
@@ -31,6 +33,8 @@ pub struct Visit {
     time_s: f64,
     /// Whether a picture of it is there.
     pub(super) is_drawn: bool,
+    /// Where rooms are.
+    dir: PathBuf,
     /// By which rule it is looked at.
     pub(super) look: View,
     outlines: bool,
@@ -49,10 +53,11 @@ fn next_look(look: View) -> View {
 }
 
 impl Visit {
-    /// The room with that number has just been entered.
-    pub fn new(room: OpenRoom, number: u64) -> Self {
+    /// The room with that number, of rooms in `dir`, has just been entered.
+    pub fn new(room: OpenRoom, number: u64, dir: PathBuf) -> Self {
         Self {
             room,
+            dir,
             number,
             time_s: 0.0,
             is_drawn: false,
@@ -76,6 +81,12 @@ impl Visit {
     pub fn slug(&self) -> String {
         let kept = self.room.kept.as_ref();
         kept.map_or_else(String::new, super::placelist::Kept::slug)
+    }
+
+    /// The file of a room of the player's own.
+    pub fn file(&self) -> Option<PathBuf> {
+        let kept = self.room.kept.as_ref().filter(|kept| !kept.shipped)?;
+        Some(self.dir.join(&kept.slug).join(ROOM_FILE))
     }
 
     /// Whether one is still told what is strange in it.

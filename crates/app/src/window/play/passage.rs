@@ -154,7 +154,11 @@ impl Play {
             Progress::Done(Ok(Opened::Room(room))) => {
                 self.opened += 1;
                 self.pace.rest();
-                return Phase::InRoom(Box::new(Visit::new(*room, self.opened)));
+                return Phase::InRoom(Box::new(Visit::new(
+                    *room,
+                    self.opened,
+                    self.worlds.rooms().path().to_path_buf(),
+                )));
             }
             Progress::Done(Err(failure)) => {
                 tracing::error!("it could not be opened: {failure}");

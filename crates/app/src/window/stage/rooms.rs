@@ -223,8 +223,11 @@ impl Pictures {
         (size, share): ((u32, u32), f32),
     ) -> Result<bool, Failure> {
         let device = &tracer.gpu.device;
-        let along = |pixels: u32| ((pixels as f32 * share).round() as u32).max(1);
-        let quick = (along(size.0), along(size.1));
+        let along = |pixels: u32| plain((pixels as f32 * share).round() as u32);
+        let (quick, size) = (
+            (along(size.0), along(size.1)),
+            (plain(size.0), plain(size.1)),
+        );
         let finer = |rows: u32| match rows {
             _ if quick == size => Made::Quick,
             rows if rows < size.1 => Made::Rows(rows),
@@ -284,6 +287,13 @@ impl Pictures {
     fn is_coming(&self) -> bool {
         matches!(self.progress, Made::Rows(_))
     }
+}
+
+/// A number of pixels near that one which is no power of two. Adapters that compile a shader anew for textures whose sides are
+/// powers of two would do so whenever the number changes to one, and back, which takes seconds.
+fn plain(pixels: u32) -> u32 {
+    let pixels = pixels.max(3);
+    pixels + u32::from(pixels.is_power_of_two())
 }
 
 /// A picture of that size, the one that is there if it has it.
