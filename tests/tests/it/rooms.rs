@@ -25,7 +25,7 @@ fn every_room_of_the_game_is_entered_and_seen() {
         return;
     }
     let enter = |id: &&str| {
-        format!("room load {id}\nhold KeyW 2\nwait 1\naim -90 -10\nprobe\nshot {id}.png\n")
+        format!("room load {id}\nhold KeyW 1.2\nwait 1\naim -90 -10\nprobe\nshot {id}.png\n")
     };
     let script: String = ROOMS.iter().map(enter).collect();
     let run = run_with(saves.path(), &script, &options);
