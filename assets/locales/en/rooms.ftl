@@ -9,10 +9,10 @@ room-twelve-rooms-sentence = In this house of 5 by 5 metres there are twelve roo
 room-nested-boxes-name = Nested boxes
 room-nested-boxes-sentence = Four boxes stand in one another, and each makes you half as large, so that the ball in the middle is a hill.
 room-four-tunnels-name = Four tunnels
-room-four-tunnels-sentence = These four tunnels are all 79 metres long, and feel like 26 metres, like 395, too narrow and too low.
+room-four-tunnels-sentence = All four tunnels are 79 metres long. On foot one takes 26 metres and one 395; the third is narrower than it looks, and the fourth lower.
 room-four-tunnels-shorter-sign = d = +2 along its length: it feels like 26 metres.
 room-four-tunnels-longer-sign = d = -0.8 along its length: it feels like 395 metres.
 room-four-tunnels-narrower-sign = d = +0.7 across it: 9.5 metres feel like 5.6.
 room-four-tunnels-lower-sign = d = +0.8 upward: 10.5 metres feel like 5.8.
 room-thesis-room-name = The room of the thesis
-room-thesis-room-sentence = This room is 12 metres wide and 8 high, and feels half as wide and half as high.
+room-thesis-room-sentence = Walk in and you are twice as large: this hall of 12 by 8 metres is 6 by 4 for who is in it.

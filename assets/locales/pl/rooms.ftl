@@ -9,10 +9,10 @@ room-twelve-rooms-sentence = W tym domu o wymiarach 5 na 5 metrów jest dwanaśc
 room-nested-boxes-name = Pudła w pudłach
 room-nested-boxes-sentence = Cztery pudła stoją jedno w drugim, a każde zmniejsza cię o połowę, tak że kula pośrodku jest wzgórzem.
 room-four-tunnels-name = Cztery tunele
-room-four-tunnels-sentence = Te cztery tunele mają po 79 metrów, a jeden wydaje się mieć 26 metrów, drugi 395, trzeci jest za wąski, a czwarty za niski.
+room-four-tunnels-sentence = Wszystkie cztery tunele mają 79 metrów. Pieszo jeden ma 26 metrów, a drugi 395; trzeci jest węższy, niż wygląda, a czwarty niższy.
 room-four-tunnels-shorter-sign = d = +2 wzdłuż: wydaje się mieć 26 metrów.
 room-four-tunnels-longer-sign = d = -0,8 wzdłuż: wydaje się mieć 395 metrów.
 room-four-tunnels-narrower-sign = d = +0,7 wszerz: 9,5 metra wydaje się mieć 5,6.
 room-four-tunnels-lower-sign = d = +0,8 w górę: 10,5 metra wydaje się mieć 5,8.
 room-thesis-room-name = Sala z pracy dyplomowej
-room-thesis-room-sentence = Ta sala ma 12 metrów szerokości i 8 wysokości, a wydaje się o połowę węższa i o połowę niższa.
+room-thesis-room-sentence = Wejdź, a będziesz dwa razy większy: ta sala 12 na 8 metrów ma 6 na 4 dla tego, kto w niej jest.

@@ -4,8 +4,7 @@ use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
 use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, Shaders};
-use antipode_room_scene::RoomScene;
-use antipode_scene::frame::Frame;
+use antipode_scene::frame::{Frame, Quality};
 use antipode_settings::Settings;
 use antipode_ui::HudModel;
 use image::RgbaImage;
@@ -16,6 +15,7 @@ use crate::mirror::Mirror;
 use crate::options;
 use crate::overlay::Overlay;
 use crate::room_picture::{RoomPictures, RoomView};
+use crate::rooms::OpenRoom;
 
 /// Format of pictures in memory.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -157,25 +157,20 @@ impl Studio {
     /// When the adapter cannot trace rays, the room is too large for it, or it fails.
     pub fn shoot_room(
         &mut self,
-        room: &RoomScene,
+        room: &OpenRoom,
         id: (u64, u64),
-        (options, bounces): (antipode_rays::Options, u32),
+        quality: Quality,
     ) -> Result<RgbaImage, Failure> {
-        let options = antipode_rays::Options {
-            bounces,
-            samples: self.options.samples,
-            ..options
-        };
         let view = RoomView {
             id,
-            moment: room.now(),
-            options,
+            moment: room.scene.now(),
+            options: room.picture_options(quality, self.options.samples),
         };
         let pictures = match &mut self.rooms {
             Some(pictures) => pictures,
             none => none.insert(RoomPictures::new(&self.gpu, &self.options, self.size)?),
         };
-        pictures.shoot(&self.gpu, &self.offscreen, room, &view)
+        pictures.shoot(&self.gpu, &self.offscreen, &room.scene, &view)
     }
 
     fn record(&mut self, frame: &Frame, encoder: &mut wgpu::CommandEncoder) -> DrawStats {

@@ -1,13 +1,18 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
 use antipode_language::Texts;
-use antipode_room_scene::RoomScene;
+use antipode_rays::{Options, View};
+use antipode_room_scene::{RoomScene, Steer};
 use antipode_rooms::folder::assets;
 use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir, shipped};
+use antipode_scene::Actions;
+use antipode_scene::frame::Quality;
 use glam::DVec3;
 
 use crate::common::Common;
 
+/// Mirrors and panes in a row that *exact* pictures follow.
+const MOST_BOUNCES: u32 = 4;
 /// What a room is called that has no name yet.
 const NAMELESS: &str = "Room";
 
@@ -29,6 +34,35 @@ pub struct OpenRoom {
     pub scene: RoomScene,
     /// Where it is kept; none for a room that is not.
     pub kept: Option<RoomSummary>,
+    /// By which rule it is looked at.
+    pub look: View,
+    /// Whether the outlines are shown that it has.
+    pub outlines: bool,
+}
+
+/// What a step of a room takes of what is held and turned.
+fn steer(actions: &Actions) -> Steer {
+    Steer {
+        forward: actions.forward,
+        strafe: actions.strafe,
+        sprint: actions.sprint,
+        jump: actions.jump,
+        look_yaw_rad: actions.look_yaw,
+        look_pitch_rad: actions.look_pitch,
+        shoot: actions.primary,
+        place: actions.secondary,
+        throw: actions.drop_one,
+    }
+}
+
+/// The ways to look at a room, one after another.
+fn next_look(look: View) -> View {
+    match look {
+        View::Exact => View::Split,
+        View::Split => View::Thesis,
+        View::Thesis => View::Plain,
+        View::Plain => View::Exact,
+    }
 }
 
 impl OpenRoom {
@@ -74,7 +108,37 @@ impl OpenRoom {
 
     fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Result<Self, RoomError> {
         let scene = RoomScene::open(loaded)?;
-        Ok(Self { scene, kept })
+        Ok(Self {
+            scene,
+            kept,
+            look: View::Exact,
+            outlines: true,
+        })
+    }
+
+    /// One step of who does that.
+    pub fn step(&mut self, actions: &Actions) {
+        if actions.turn_map {
+            self.look = next_look(self.look);
+        }
+        if actions.toggle_camera {
+            let third_person = !self.scene.third_person();
+            self.scene.set_third_person(third_person);
+        }
+        self.scene.step(&steer(actions));
+    }
+
+    /// How pictures of it are made in that quality, with so many samples a pixel.
+    pub fn picture_options(&self, quality: Quality, samples: u32) -> Options {
+        Options {
+            bounces: match quality {
+                Quality::Exact => MOST_BOUNCES,
+                Quality::Fast | Quality::Balanced => 0,
+            },
+            samples,
+            view: self.look,
+            outlines: self.outlines,
+        }
     }
 }
 
@@ -94,7 +158,12 @@ impl Rooms {
         self.texts = texts.clone();
     }
 
-    /// The open room.
+    /// The open room, as it is played.
+    pub fn open_room(&mut self) -> Option<&mut OpenRoom> {
+        self.open.as_mut()
+    }
+
+    /// What happens in the open room.
     pub fn scene(&mut self) -> Option<&mut RoomScene> {
         self.open.as_mut().map(|open| &mut open.scene)
     }

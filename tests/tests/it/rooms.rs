@@ -114,3 +114,31 @@ fn what_makes_no_sense_is_told_with_its_line() {
         assert!(told.contains(said), "{script}: {told}");
     }
 }
+
+#[test]
+fn a_script_looks_by_the_rules_that_a_player_does() {
+    let saves = tempfile::tempdir().unwrap();
+    let options = ["--adapter", "software", "--size", "96x64"];
+    let adapter = run_with(saves.path(), "room new\nshot probe.png", &options);
+    if adapter.status != Some(0) && may_skip("a software adapter") {
+        return;
+    }
+    let script = "room load four-tunnels\nteleport -8 0 -18\naim -80 2\nwait 0.5\nshot exact.png\ntap KeyH\nshot split.png\n\
+         tap KeyH\nshot thesis.png\ntap KeyH\nshot plain.png\ntap KeyH\nshot again.png";
+    run_with(saves.path(), script, &options);
+    let of = |name: &str| picture(&saves.path().join(format!("{name}.png")));
+    let differs = |one: &str, other: &str, columns: std::ops::Range<u32>| {
+        let (one, other) = (of(one), of(other));
+        let far = |x, y| {
+            let (a, b) = (one.get_pixel(x, y).0, other.get_pixel(x, y).0);
+            a.iter().zip(b).any(|(a, b)| a.abs_diff(b) > 12)
+        };
+        let places = columns.flat_map(|x| (0..64).map(move |y| (x, y)));
+        places.filter(|(x, y)| far(*x, *y)).count()
+    };
+    assert!(differs("exact", "thesis", 0..96) > 100);
+    assert!(differs("exact", "plain", 0..96) > 100);
+    assert_eq!(differs("split", "exact", 52..96), 0, "right exactly");
+    assert_eq!(differs("split", "thesis", 0..44), 0, "left by the thesis");
+    assert_eq!(differs("exact", "again", 0..96), 0);
+}

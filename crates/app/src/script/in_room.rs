@@ -1,7 +1,6 @@
 //! What orders do while a room is open.
 
-use antipode_room_scene::{RoomScene, Steer};
-use antipode_scene::Actions;
+use antipode_room_scene::RoomScene;
 use glam::DVec3;
 
 use super::parse::{Order, Setting};
@@ -39,21 +38,6 @@ fn only_in_worlds(order: &Order) -> Option<&'static str> {
             Some("set")
         }
         _ => None,
-    }
-}
-
-/// What a step of a room takes of what is held and turned.
-pub fn steer(actions: &Actions) -> Steer {
-    Steer {
-        forward: actions.forward,
-        strafe: actions.strafe,
-        sprint: actions.sprint,
-        jump: actions.jump,
-        look_yaw_rad: actions.look_yaw,
-        look_pitch_rad: actions.look_pitch,
-        shoot: actions.primary,
-        place: actions.secondary,
-        throw: actions.drop_one,
     }
 }
 

@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 
 pub use commands::{Argument, COMMANDS, CommandInfo, SETTINGS, command_named};
 pub use host::{Host, obey};
-pub(crate) use in_room::steer;
 pub use parse::{Line, Order, ROOM_ACTS, RoomOrder, Setting, Spawned, parse, parse_line};
 pub use run::Runner;
 pub(crate) use run::steps_in;

@@ -5,14 +5,12 @@ use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
-use antipode_scene::frame::Quality;
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, Scene};
 use antipode_settings::{Config, Language, Value};
 use image::RgbaImage;
 
 use super::host::{Host, obey};
-use super::in_room::steer;
 use super::parse::{Line, Order};
 use super::{Shooting, say};
 use crate::bindings::{Action, Input};
@@ -32,9 +30,6 @@ use crate::session::{NewWorld, Session, Worlds};
 const PATIENCE: Duration = Duration::from_mins(1);
 /// How long a wait for all chunk work goes on before a look at other things.
 const SETTLE_SLICE: Duration = Duration::from_millis(100);
-
-/// Mirrors and panes in a row that pictures of rooms show where they are exact.
-const MOST_BOUNCES: u32 = 4;
 
 /// A running script.
 #[derive(Debug)]
@@ -188,11 +183,8 @@ impl Runner {
     /// One step of the simulation, and all the work it caused.
     fn step_with(&mut self, actions: &Actions) -> Result<(), Failure> {
         self.ending.check()?;
-        if let Some(room) = self.rooms.scene() {
-            if actions.toggle_camera {
-                room.set_third_person(!room.third_person());
-            }
-            room.step(&steer(actions));
+        if let Some(room) = self.rooms.open_room() {
+            room.step(actions);
             return Ok(());
         }
         self.scene()?.step(actions);
@@ -321,18 +313,11 @@ impl Runner {
     }
 
     fn shoot_room(&mut self, path: &Path) -> Result<(), Failure> {
-        let look = self.rooms.look_id();
-        let bounces = match self.worlds.quality() {
-            Quality::Exact => MOST_BOUNCES,
-            _ => 0,
-        };
-        let (Some(studio), Some(room)) = (self.studio.as_mut(), self.rooms.scene()) else {
+        let (id, quality) = (self.rooms.look_id(), self.worlds.quality());
+        let (Some(studio), Some(room)) = (self.studio.as_mut(), self.rooms.open_room()) else {
             return Ok(());
         };
-        write_picture(
-            &studio.shoot_room(room, look, (antipode_rays::Options::default(), bounces))?,
-            path,
-        )
+        write_picture(&studio.shoot_room(room, id, quality)?, path)
     }
 
     pub(super) fn open_studio(&mut self) -> Result<(), Failure> {
@@ -393,7 +378,10 @@ impl Host for Runner {
     fn press(&mut self, input: Input) {
         match self.controls.input(input, true) {
             Some(Action::HideDisplay) => self.display_hidden = !self.display_hidden,
-            Some(Action::HitShapes) => self.hit_shapes_shown = !self.hit_shapes_shown,
+            Some(Action::HitShapes) => match self.rooms.open_room() {
+                Some(room) => room.outlines = !room.outlines,
+                None => self.hit_shapes_shown = !self.hit_shapes_shown,
+            },
             Some(Action::FrameFigures) => self.figures_shown = !self.figures_shown,
             _ => {}
         }

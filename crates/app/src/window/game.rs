@@ -278,10 +278,10 @@ impl Game {
 
     /// What a picture of that width over height is of, if a room is open.
     pub fn room_view(&mut self, aspect: f64) -> Option<RoomView> {
-        let shutter = self.shutter();
+        let (shutter, quality) = (self.shutter(), self.play.worlds.quality());
         let visit = self.play.phase.visit_mut()?;
         visit.aspect = aspect;
-        Some(visit.view(shutter))
+        Some(visit.view(shutter, quality))
     }
 
     /// The open room, with what tells its picture from others.

@@ -41,9 +41,9 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
         room: Some(RoomModel {
             title: told(&words.name),
             sentence: told(&sentence),
-            ahead: ahead(texts, scene).filter(|_| visit.look == View::Exact),
+            ahead: ahead(texts, scene).filter(|_| visit.room.look == View::Exact),
             look: look(texts, visit),
-            halves: (visit.look == View::Split)
+            halves: (visit.room.look == View::Split)
                 .then(|| ["room-half-thesis", "room-half-exact"].map(|key| texts.say(key))),
             state,
         }),
@@ -66,7 +66,7 @@ fn keys(texts: &Texts, profiles: &Profiles) -> String {
 
 /// By which rule the picture is made, if not by the game's own, and what the middle of it shows by either.
 fn look(texts: &Texts, visit: &Visit) -> Option<String> {
-    let key = match visit.look {
+    let key = match visit.room.look {
         View::Exact => return None,
         View::Split => "room-look-split",
         View::Thesis => "room-look-thesis",

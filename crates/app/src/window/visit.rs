@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use antipode_rays::View;
 use antipode_room_scene::{Difference, RoomScene, RoomSound};
 use antipode_rooms::files::ROOM_FILE;
-use antipode_scene::{Actions, Shutter, SoundEvent};
+use antipode_scene::frame::Quality;
+use antipode_scene::{Shutter, SoundEvent};
 use antipode_terrain::Cover;
 use glam::DVec2;
 
@@ -15,7 +15,6 @@ use super::pace::Pace;
 use crate::pad::Feel;
 use crate::room_picture::RoomView;
 use crate::rooms::OpenRoom;
-use crate::script::steer;
 
 /// How long one is told what is strange in a room that one has just entered, seconds.
 const TOLD_S: f64 = 9.0;
@@ -35,21 +34,8 @@ pub struct Visit {
     pub(super) is_drawn: bool,
     /// Where rooms are.
     dir: PathBuf,
-    /// By which rule it is looked at.
-    pub(super) look: View,
-    outlines: bool,
     /// Width over height of its pictures.
     pub(super) aspect: f64,
-}
-
-/// The ways to look at a room, one after another.
-fn next_look(look: View) -> View {
-    match look {
-        View::Exact => View::Split,
-        View::Split => View::Thesis,
-        View::Thesis => View::Plain,
-        View::Plain => View::Exact,
-    }
 }
 
 impl Visit {
@@ -61,8 +47,6 @@ impl Visit {
             number,
             time_s: 0.0,
             is_drawn: false,
-            look: View::Exact,
-            outlines: true,
             aspect: 16.0 / 9.0,
         }
     }
@@ -107,33 +91,18 @@ impl Visit {
         devices.turn(feel, passed_s);
         for _ in 0..steps {
             let actions = devices.take(feel);
-            self.step(&actions);
+            self.room.step(&actions);
             devices.step();
         }
     }
 
-    fn step(&mut self, actions: &Actions) {
-        if actions.turn_map {
-            self.look = next_look(self.look);
-        }
-        let scene = &mut self.room.scene;
-        if actions.toggle_camera {
-            scene.set_third_person(!scene.third_person());
-        }
-        scene.step(&steer(actions));
-    }
-
     /// What a picture of this moment is of: a share of the way of the last step, and turned as no step knows yet.
-    pub fn view(&self, shutter: Shutter) -> RoomView {
+    pub fn view(&self, shutter: Shutter, quality: Quality) -> RoomView {
         let turn = (shutter.turned.right_rad, shutter.turned.up_rad);
         RoomView {
             id: self.id(),
             moment: self.scene().moment(shutter.share, turn),
-            options: antipode_rays::Options {
-                view: self.look,
-                outlines: self.outlines,
-                ..antipode_rays::Options::default()
-            },
+            options: self.room.picture_options(quality, 1),
         }
     }
 
@@ -152,10 +121,5 @@ impl Visit {
     /// What the middle of the picture shows by the exact rule and by that of the thesis.
     pub fn difference(&self) -> Difference {
         self.scene().difference(DVec2::ZERO, self.aspect)
-    }
-
-    /// Shows or hides the outlines of aberrations.
-    pub fn toggle_outlines(&mut self) {
-        self.outlines = !self.outlines;
     }
 }
