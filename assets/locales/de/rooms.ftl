@@ -9,7 +9,7 @@ room-twelve-rooms-sentence = In diesem Haus von 5 mal 5 Metern sind zwölf Zimme
 room-nested-boxes-name = Kästen in Kästen
 room-nested-boxes-sentence = Vier Kästen stehen ineinander, und jeder macht dich halb so groß, sodass die Kugel in der Mitte ein Hügel ist.
 room-four-tunnels-name = Vier Tunnel
-room-four-tunnels-sentence = Alle vier Tunnel sind 79 Meter lang. Zu Fuß sind es in einem 26 Meter und in einem 395; der dritte ist schmaler, als er aussieht, und der vierte niedriger.
+room-four-tunnels-sentence = Alle vier Tunnel sind 79 Meter lang, aber zu Fuß sind es in einem 26 Meter und in einem 395, der dritte ist schmaler, als er aussieht, und der vierte niedriger.
 room-four-tunnels-shorter-sign = d = +2 in der Länge: Er fühlt sich an wie 26 Meter.
 room-four-tunnels-longer-sign = d = -0,8 in der Länge: Er fühlt sich an wie 395 Meter.
 room-four-tunnels-narrower-sign = d = +0,7 in der Breite: 9,5 Meter fühlen sich an wie 5,6.

@@ -9,7 +9,7 @@ room-twelve-rooms-sentence = In this house of 5 by 5 metres there are twelve roo
 room-nested-boxes-name = Nested boxes
 room-nested-boxes-sentence = Four boxes stand in one another, and each makes you half as large, so that the ball in the middle is a hill.
 room-four-tunnels-name = Four tunnels
-room-four-tunnels-sentence = All four tunnels are 79 metres long. On foot one takes 26 metres and one 395; the third is narrower than it looks, and the fourth lower.
+room-four-tunnels-sentence = All four tunnels are 79 metres long, but on foot one takes 26 metres and one 395, the third is narrower than it looks, and the fourth lower.
 room-four-tunnels-shorter-sign = d = +2 along its length: it feels like 26 metres.
 room-four-tunnels-longer-sign = d = -0.8 along its length: it feels like 395 metres.
 room-four-tunnels-narrower-sign = d = +0.7 across it: 9.5 metres feel like 5.6.

@@ -9,7 +9,7 @@ room-twelve-rooms-sentence = En esta casa de 5 por 5 metros hay doce habitacione
 room-nested-boxes-name = Cajas dentro de cajas
 room-nested-boxes-sentence = Hay cuatro cajas, una dentro de otra, y cada una te hace la mitad de grande, de modo que la bola del centro es una colina.
 room-four-tunnels-name = Cuatro túneles
-room-four-tunnels-sentence = Los cuatro túneles miden 79 metros. A pie uno tiene 26 metros y otro 395; el tercero es más estrecho de lo que parece, y el cuarto más bajo.
+room-four-tunnels-sentence = Los cuatro túneles miden 79 metros, pero a pie uno tiene 26 metros y otro 395, el tercero es más estrecho de lo que parece, y el cuarto más bajo.
 room-four-tunnels-shorter-sign = d = +2 a lo largo: parece medir 26 metros.
 room-four-tunnels-longer-sign = d = -0,8 a lo largo: parece medir 395 metros.
 room-four-tunnels-narrower-sign = d = +0,7 a lo ancho: 9,5 metros parecen 5,6.

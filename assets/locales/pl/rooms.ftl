@@ -9,7 +9,7 @@ room-twelve-rooms-sentence = W tym domu o wymiarach 5 na 5 metrów jest dwanaśc
 room-nested-boxes-name = Pudła w pudłach
 room-nested-boxes-sentence = Cztery pudła stoją jedno w drugim, a każde zmniejsza cię o połowę, tak że kula pośrodku jest wzgórzem.
 room-four-tunnels-name = Cztery tunele
-room-four-tunnels-sentence = Wszystkie cztery tunele mają 79 metrów. Pieszo jeden ma 26 metrów, a drugi 395; trzeci jest węższy, niż wygląda, a czwarty niższy.
+room-four-tunnels-sentence = Wszystkie cztery tunele mają 79 metrów, ale pieszo jeden ma 26 metrów, a drugi 395, trzeci jest węższy, niż wygląda, a czwarty niższy.
 room-four-tunnels-shorter-sign = d = +2 wzdłuż: wydaje się mieć 26 metrów.
 room-four-tunnels-longer-sign = d = -0,8 wzdłuż: wydaje się mieć 395 metrów.
 room-four-tunnels-narrower-sign = d = +0,7 wszerz: 9,5 metra wydaje się mieć 5,6.

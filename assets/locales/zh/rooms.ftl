@@ -9,7 +9,7 @@ room-twelve-rooms-sentence = 这座 5 米乘 5 米的房子里有十二个房间
 room-nested-boxes-name = 套盒
 room-nested-boxes-sentence = 四个盒子一个套着一个，每进一个你就缩小一半，于是中间的球成了一座小山。
 room-four-tunnels-name = 四条隧道
-room-four-tunnels-sentence = 四条隧道都长 79 米。走过去，一条是 26 米，一条是 395 米；第三条比看上去窄，第四条比看上去矮。
+room-four-tunnels-sentence = 四条隧道都长 79 米，但走过去，一条是 26 米，一条是 395 米，第三条比看上去窄，第四条比看上去矮。
 room-four-tunnels-shorter-sign = 沿长度 d = +2：感觉像 26 米。
 room-four-tunnels-longer-sign = 沿长度 d = -0.8：感觉像 395 米。
 room-four-tunnels-narrower-sign = 横向 d = +0.7：9.5 米感觉像 5.6 米。
