@@ -14,7 +14,7 @@ const CREATE: (u32, u32) = (332, 672);
 const SAVE_AND_QUIT: (u32, u32) = (132, 220);
 const LOAD: (u32, u32) = (132, 150);
 const FIRST_WORLD: (u32, u32) = (640, 100);
-const QUIT: (u32, u32) = (132, 391);
+const QUIT: (u32, u32) = (132, 439);
 
 /// What it says of what is done in its menus and of what it shows is what the test waits for.
 const TOLD: [&str; 6] = [
@@ -29,7 +29,7 @@ const TOLD: [&str; 6] = [
 /// The main menu: a dark column, and the painted dusk beside it, which reduced motion keeps in place of live worlds.
 fn shows_main_menu(picture: &image::RgbImage) -> bool {
     let [r, g, b] = picture.get_pixel(930, 560).0;
-    let column_is_dark = picture.get_pixel(240, 450).0.iter().all(|c| *c < 50);
+    let column_is_dark = picture.get_pixel(240, 690).0.iter().all(|c| *c < 50);
     column_is_dark && r > 150 && r > g && g > b
 }
 
