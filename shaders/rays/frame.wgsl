@@ -49,10 +49,16 @@ struct Frame {
 }
 
 struct Material {
-    colour: vec4<f32>,      // w: layer of its texture, or -1
-    checker: vec4<f32>,     // w: edge of the checker's squares in metres, or 0
-    glow: vec4<f32>,        // w: share of light that it mirrors
-    optics: vec4<f32>,      // refractive index of glass, or 0; gloss; repeats of the texture for one of uv
+    colour: vec3<f32>,
+    layer: f32,             // of its texture, or -1
+    checker: vec3<f32>,     // colour of the other squares
+    square_m: f32,          // edge of a square, or 0
+    glow: vec3<f32>,
+    mirror: f32,            // share of light that it mirrors
+    glass_index: f32,       // refractive index, or 0
+    gloss: f32,
+    repeats: f32,           // of the texture for one of uv
+    padding: f32,
 }
 
 // No uniform: software adapters compile a shader anew for what it branches by in uniforms, whenever that changes.

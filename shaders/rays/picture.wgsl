@@ -32,16 +32,16 @@ fn along_surface(p: vec3<f32>, n: vec3<f32>) -> vec2<f32> {
 
 // Colour of a material at a place of the thing's own metres, or of its texture; a pixel covers `width` metres there.
 fn colour_of(number: u32, p: vec3<f32>, n: vec3<f32>, uv: vec2<f32>, width: vec3<f32>, uv_width: f32) -> vec3<f32> {
-    var colour = materials[number].colour.rgb;
-    let edge = materials[number].checker.w;
+    var colour = materials[number].colour;
+    let edge = materials[number].square_m;
     if edge > 0.0 {
         // Surfaces lie on the borders of squares: a little inside one is sure to be in one.
         let share = checker_share(along_surface(p - 0.01 * edge * n, n) / edge, along_surface(width, n) / edge);
-        colour = mix(colour, materials[number].checker.rgb, share);
+        colour = mix(colour, materials[number].checker, share);
     }
-    let layer = materials[number].colour.w;
+    let layer = materials[number].layer;
     if layer >= 0.0 {
-        let scale = materials[number].optics.z;
+        let scale = materials[number].repeats;
         let texels = f32(textureDimensions(textures).x) * scale * uv_width;
         colour *= textureSampleLevel(textures, texture_sampler, uv * scale, i32(layer), log2(max(texels, 1.0))).rgb;
     }
@@ -122,7 +122,7 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
 // Light of the sun and of lamps that falls on a surface, and what of it shines.
 fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
-    let gloss = materials[surface.material].optics.y;
+    let gloss = materials[surface.material].gloss;
     for (var light = 0u; light <= frame.lamp_count; light++) {
         let is_sun = light == 0u;
         var tries = frame.sun_count;
@@ -230,11 +230,11 @@ fn see(direction: vec3<f32>) -> Seen {
             seen.length = ended.length;
         }
         let fog = fog_share(far, frame.fog_m);
-        let glow = materials[surface.material].glow;
-        let index = materials[surface.material].optics.x;
+        let mirror = materials[surface.material].mirror;
+        let index = materials[surface.material].glass_index;
         let goes_on = bounce < frame.bounces;
         // Without bounces a mirror shows the sky and a pane is nearly opaque.
-        let mirrored = select(0.6 * glow.w, glow.w, goes_on);
+        let mirrored = select(0.6 * mirror, mirror, goes_on);
         let is_pane = index > 0.0 && goes_on;
         seen.light += left * fog * sky_at(path.w, false);
         left *= 1.0 - fog;
@@ -242,7 +242,7 @@ fn see(direction: vec3<f32>) -> Seen {
             var at = path;
             at.x += lift_of(path.x) * surface.flat;
             let diffuse = direct_light(&at, surface, -path.w) + ambient_light(surface.n, frame.zenith, frame.ambient_sky.rgb, frame.ambient_ground.rgb);
-            seen.light += left * (1.0 - mirrored) * (surface.colour * diffuse + glow.rgb);
+            seen.light += left * (1.0 - mirrored) * (surface.colour * diffuse + materials[surface.material].glow);
         }
         if is_pane {
             left *= surface.colour;
