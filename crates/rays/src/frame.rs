@@ -88,10 +88,8 @@ pub fn frame(
     let pixel_angle = 2.0 * half / f64::from(size.1.max(1));
     let fog_m = scene.fog_m.max(1.0);
     let sky = &scene.sky;
-    let (sun, sun_colour) = match &scene.sun {
-        Some(sun) => (sun.direction, sun.colour),
-        None => (DVec3::Y, Vec3::ZERO),
-    };
+    let (sun, sun_colour) =
+        (scene.sun.as_ref()).map_or((DVec3::Y, Vec3::ZERO), |sun| (sun.direction, sun.colour));
     let shining = scene.lamps.len().min(MAX_LAMPS);
     let outlines = if options.outlines {
         scene.outline.strength
