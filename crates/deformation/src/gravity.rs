@@ -91,25 +91,33 @@ impl Flyer {
                 let what = What::Object(hit.object, hit.part);
                 return Some((struck(k, v, hit.normal, what), left));
             }
-            match next {
-                Next::Face {
-                    number,
-                    axis,
-                    enters,
-                } if self.cross(space, (number, axis), enters) == Crossing::Wall => {
-                    let normal = space.placed()[number].axes.col(axis);
-                    let what = What::Wall(number, axis);
-                    return Some((struck(k, v, normal, what), left));
-                }
-                Next::Portal { number, front } => {
-                    // Its velocity is that of its own axes and sizes, and stays.
-                    let mut state = self.state();
-                    state.pass(space, &mut self.place, number, front);
-                }
-                _ => {}
+            if let Some((normal, what)) = self.meet(space, next) {
+                return Some((struck(k, v, normal, what), left));
             }
         }
         None
+    }
+
+    /// Goes through what comes next; the wall of a box does not let it.
+    fn meet(&mut self, space: &Space, next: Next) -> Option<(DVec3, What)> {
+        match next {
+            Next::Face {
+                number,
+                axis,
+                enters,
+            } => {
+                let is_wall = self.cross(space, (number, axis), enters) == Crossing::Wall;
+                let normal = space.placed()[number].axes.col(axis);
+                is_wall.then_some((normal, What::Wall(number, axis)))
+            }
+            Next::Portal { number, front } => {
+                // Its velocity is that of its own axes and sizes, and stays.
+                let mut state = self.state();
+                state.pass(space, &mut self.place, number, front);
+                None
+            }
+            Next::Spent => None,
+        }
     }
 
     fn cross(&mut self, space: &Space, face: (usize, usize), enters: bool) -> Crossing {
