@@ -15,6 +15,7 @@ mod moment;
 mod pick;
 mod picture;
 mod probe;
+mod righting;
 mod scene;
 mod solids;
 mod sounds;

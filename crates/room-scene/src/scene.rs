@@ -9,6 +9,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::hands::Hands;
+use crate::righting::Righting;
 use crate::solids::{standing, triangles};
 use crate::sounds::RoomSound;
 use crate::things::Things;
@@ -42,6 +43,8 @@ pub struct RoomScene {
     pub(crate) time_s: f64,
     pub(crate) motion: Motion,
     pub(crate) third_person: bool,
+    pub(crate) righting: Righting,
+    pub(crate) rights_at_once: bool,
     pub(crate) sounds: Vec<RoomSound>,
     revision: u64,
 }
@@ -69,6 +72,8 @@ impl RoomScene {
             time_s: 0.0,
             motion: Motion::default(),
             third_person: false,
+            righting: Righting::default(),
+            rights_at_once: false,
             sounds: Vec::new(),
             revision: 0,
         };
