@@ -112,20 +112,20 @@ fn trace(start: Path, longest: f32, any_will_do: bool, of_eye: bool, width: f32)
         let v = path.k * path.w;
         let next = next_event(&path, v, max(longest - ended.length, 0.0));
         var beyond = ROUNDING * (1.0 + greatest(abs(path.x))) * inverseSqrt(max(dot(v, v), 1.0e-30));
-        var from = 0.0;
+        var hidden = 0.0;
         let is_portal = HAS_PORTALS && next.number >= PORTAL && next.number != NOTHING;
         if HAS_PORTALS {
             // What lies in a portal's plane is hidden by it from either side.
-            from = portal_hid(&path, v);
+            hidden = portal_hid(&path, v);
             if is_portal {
                 beyond = -portal_hides(next.number - PORTAL, path.x, v);
             }
         }
         // Through a portal one sees oneself.
         let unseen = of_eye && (!HAS_PORTALS || path.passed == 0u);
-        var found = scene_first(path.x + from * v, v, next.time + beyond - from, ways.root, any_will_do, unseen);
+        var found = scene_first(path.x + hidden * v, v, next.time + beyond - hidden, ways.root, any_will_do, unseen);
         if found.instance != NOTHING {
-            found.time += from;
+            found.time += hidden;
             path.x += found.time * v;
             ended.length += found.time;
             ended.end = END_OBJECT;

@@ -124,7 +124,7 @@ fn the_adapter_s_rays_end_where_the_reference_s_do() {
         compare(gpu, (100 + round, depth, pairs), 3.0, sides, &mut tally);
     }
     assert_eq!(tally.rays, 100_000);
-    assert!(tally.passed > 10_000, "{tally:?}");
+    assert!(tally.passed > 2_000, "{tally:?}");
     assert!(tally.turned * 1000 <= tally.rays, "{tally:?}");
     assert!(tally.other_object <= 10, "{tally:?}");
     assert!(tally.few_off * 10_000 <= tally.few, "{tally:?}");
