@@ -290,6 +290,26 @@ fn who_walks_upright_gets_in() {
             DVec3::new(1.2, 0.0, -19.0),
             DVec3::new(1.2, 0.0, -22.0),
         ),
+        (
+            "two-portals",
+            DVec3::new(0.0, 0.0, -5.0),
+            DVec3::new(0.0, 0.0, -7.9),
+        ),
+        (
+            "closet-flat",
+            DVec3::new(0.0, 0.0, -4.0),
+            DVec3::new(0.0, 0.0, -6.0),
+        ),
+        (
+            "growing-hall",
+            DVec3::new(0.0, 0.0, -4.0),
+            DVec3::new(0.0, 0.0, -6.9),
+        ),
+        (
+            "door-to-itself",
+            DVec3::new(0.0, 0.0, -3.0),
+            DVec3::new(0.0, 0.0, -5.9),
+        ),
     ];
     let rooms = rooms();
     let twelve = &rooms
@@ -310,7 +330,7 @@ fn who_walks_upright_gets_in() {
         ("twelve-rooms", at + ahead, at - ahead * 0.3)
     });
     let ways: Vec<_> = ways.into_iter().chain(through).collect();
-    assert_eq!(ways.len(), 9 + 12);
+    assert_eq!(ways.len(), 13 + 12);
     for (id, from, to) in ways {
         let room = &rooms.iter().find(|(it, _)| *it == id).unwrap().1;
         let aside = (to - from).normalize().cross(DVec3::Y) * 0.35;
