@@ -67,7 +67,7 @@ room-ahead = { $felt } m
 room-ahead-bent = { $felt } m zu Fuß, { $scene } m von außen
 room-smaller = Du bist hier { $times }-mal kleiner als draußen
 room-larger = Du bist hier { $times }-mal größer als draußen
-room-keys = { $look }: anders hinsehen · { $camera }: von hinten · { $gun }: schießen · { $lamp }: Lampe hinstellen oder aufheben · { $ball }: Ball werfen
+room-keys = { $look }: anders hinsehen · { $camera }: von hinten · { $gun }: schießen · { $lamp }: Lampe hinstellen oder aufheben · { $ball }: Ball werfen · { $anew }: von vorn · { $again }: dies noch einmal
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = Links nach der Regel der Arbeit, rechts genau
 room-look-thesis = Nach der Regel der Arbeit

@@ -74,7 +74,7 @@ room-ahead = { $felt } m
 room-ahead-bent = { $felt } m on foot, { $scene } m from outside
 room-smaller = You are { $times } times smaller here than outside
 room-larger = You are { $times } times larger here than outside
-room-keys = { $look }: another way to look · { $camera }: from behind · { $gun }: shoot · { $lamp }: put a lamp down or take it up · { $ball }: throw a ball
+room-keys = { $look }: another way to look · { $camera }: from behind · { $gun }: shoot · { $lamp }: put a lamp down or take it up · { $ball }: throw a ball · { $anew }: begin anew · { $again }: this again
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = Left by the rule of the thesis, right exactly
 room-look-thesis = By the rule of the thesis

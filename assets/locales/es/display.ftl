@@ -67,7 +67,7 @@ room-ahead = { $felt } m
 room-ahead-bent = { $felt } m a pie, { $scene } m desde fuera
 room-smaller = Aquí eres { $times } veces más pequeño que fuera
 room-larger = Aquí eres { $times } veces más grande que fuera
-room-keys = { $look }: mirar de otro modo · { $camera }: desde atrás · { $gun }: disparar · { $lamp }: poner o recoger una lámpara · { $ball }: lanzar una pelota
+room-keys = { $look }: mirar de otro modo · { $camera }: desde atrás · { $gun }: disparar · { $lamp }: poner o recoger una lámpara · { $ball }: lanzar una pelota · { $anew }: empezar de nuevo · { $again }: esto otra vez
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = A la izquierda según la tesis, a la derecha exacto
 room-look-thesis = Según la regla de la tesis

@@ -73,7 +73,7 @@ room-ahead = { $felt } m
 room-ahead-bent = { $felt } m pieszo, { $scene } m z zewnątrz
 room-smaller = Jesteś tu { $times } razy mniejszy niż na zewnątrz
 room-larger = Jesteś tu { $times } razy większy niż na zewnątrz
-room-keys = { $look }: patrz inaczej · { $camera }: z tyłu · { $gun }: strzelaj · { $lamp }: postaw lub podnieś lampę · { $ball }: rzuć piłkę
+room-keys = { $look }: patrz inaczej · { $camera }: z tyłu · { $gun }: strzelaj · { $lamp }: postaw lub podnieś lampę · { $ball }: rzuć piłkę · { $anew }: zacznij od nowa · { $again }: to samo jeszcze raz
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = Po lewej według pracy, po prawej dokładnie
 room-look-thesis = Według reguły pracy

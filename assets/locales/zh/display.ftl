@@ -67,7 +67,7 @@ room-ahead = { $felt } 米
 room-ahead-bent = 走过去 { $felt } 米，从外面看 { $scene } 米
 room-smaller = 你在这里比在外面小 { $times } 倍
 room-larger = 你在这里比在外面大 { $times } 倍
-room-keys = { $look }：换一种看法 · { $camera }：从背后看 · { $gun }：射击 · { $lamp }：放下或拾起灯 · { $ball }：扔球
+room-keys = { $look }：换一种看法 · { $camera }：从背后看 · { $gun }：射击 · { $lamp }：放下或拾起灯 · { $ball }：扔球 · { $anew }：重新开始 · { $again }：再看一次
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = 左边按论文的规则，右边是精确的
 room-look-thesis = 按论文的规则

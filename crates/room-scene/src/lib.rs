@@ -9,6 +9,8 @@ mod camera;
 mod difference;
 mod figure;
 mod hands;
+mod held;
+mod hints;
 mod light;
 mod looks;
 mod moment;
@@ -24,6 +26,8 @@ mod walk;
 
 pub use difference::{Difference, Lying};
 pub use figure::RoomFigure;
+pub use held::{InHand, RoomViewing};
+pub use hints::RoomHint;
 pub use moment::{Moment, Turn};
 pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;

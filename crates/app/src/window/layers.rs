@@ -2,6 +2,7 @@
 //! on; what all pass is for the interface.
 
 use antipode_settings::Value;
+use antipode_ui::{ToastKind, first_input_label};
 
 use super::game::Game;
 use super::hints::HintContext;
@@ -67,6 +68,13 @@ impl Game {
             Action::Console => {
                 self.devices.release_all();
                 self.overlays.console.open(self.play.opened);
+            }
+            Action::PhotoMode | Action::Backpack if self.play.phase.visit().is_some() => {
+                let profiles = &self.options.config.profiles;
+                let key = first_input_label(&self.menus.texts, profiles, action);
+                let values = [("key", key.into())];
+                self.menus
+                    .toast(ToastKind::State, "room-hint-for-worlds", &values);
             }
             Action::PhotoMode => {
                 self.hints.use_action(action);

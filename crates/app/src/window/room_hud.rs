@@ -59,6 +59,8 @@ fn keys(texts: &Texts, profiles: &Profiles) -> String {
         ("gun", Action::Use),
         ("lamp", Action::SecondUse),
         ("ball", Action::Drop),
+        ("anew", Action::FlipCar),
+        ("again", Action::Talk),
     ]
     .map(|(name, action)| (name, first_input_label(texts, profiles, action).into()));
     texts.say_with("room-keys", &values)

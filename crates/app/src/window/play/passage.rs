@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use antipode_language::Texts;
 use antipode_rooms::RoomsDir;
 use antipode_settings::Settings;
 use antipode_ui::{Screen, ToastKind, legible_name};
@@ -130,10 +129,7 @@ impl Play {
             _ => "busy-opening-room",
         };
         menus.busy("busy-opening", None, menus.texts.say(about));
-        let texts = menus.texts.clone();
-        Phase::Opening(Task::start("open", move || {
-            opened(&worlds, request, &texts)
-        }))
+        Phase::Opening(Task::start("open", move || opened(&worlds, request)))
     }
 
     fn opening(
@@ -273,7 +269,7 @@ fn free_room_name(rooms: &RoomsDir) -> Result<String, Failure> {
 }
 
 /// Opens what was asked for. Waits for the disk.
-fn opened(worlds: &Worlds, request: Request, texts: &Texts) -> Result<Opened, Failure> {
+fn opened(worlds: &Worlds, request: Request) -> Result<Opened, Failure> {
     let rooms = worlds.rooms();
     let room = match request {
         Request::New(wanted) => return Ok(Opened::World(Box::new(worlds.create(&wanted)?))),
@@ -282,8 +278,8 @@ fn opened(worlds: &Worlds, request: Request, texts: &Texts) -> Result<Opened, Fa
             let name = name.map_or_else(|| free_room_name(&rooms), Ok)?;
             OpenRoom::make(&rooms, Some(&name), None)?
         }
-        Request::Room(slug) => OpenRoom::enter(&rooms, room_of(&rooms, &slug)?, texts)?,
-        Request::RoomNamed(name) => OpenRoom::enter(&rooms, rooms.find(&name)?, texts)?,
+        Request::Room(slug) => OpenRoom::enter(&rooms, room_of(&rooms, &slug)?)?,
+        Request::RoomNamed(name) => OpenRoom::enter(&rooms, rooms.find(&name)?)?,
     };
     Ok(Opened::Room(Box::new(room)))
 }
