@@ -1,7 +1,7 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
 use antipode_language::Texts;
-use antipode_rays::{Options, View};
+use antipode_rays::{Options, Outlines, View};
 use antipode_room_scene::{RoomScene, Steer};
 use antipode_rooms::folder::assets;
 use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir, shipped};
@@ -36,8 +36,8 @@ pub struct OpenRoom {
     pub kept: Option<RoomSummary>,
     /// By which rule it is looked at.
     pub look: View,
-    /// Whether the outlines are shown that it has.
-    pub outlines: bool,
+    /// Of which aberrations the outlines are shown.
+    pub outlines: Outlines,
 }
 
 /// What a step of a room takes of what is held and turned.
@@ -112,7 +112,7 @@ impl OpenRoom {
             scene,
             kept,
             look: View::Exact,
-            outlines: true,
+            outlines: Outlines::default(),
         })
     }
 

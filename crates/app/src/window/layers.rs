@@ -55,7 +55,7 @@ impl Game {
             Action::Menu => self.pause(),
             Action::HideDisplay => display.hidden = !display.hidden,
             Action::HitShapes => match self.play.phase.visit_mut() {
-                Some(visit) => visit.room.outlines = !visit.room.outlines,
+                Some(visit) => visit.room.outlines = visit.room.outlines.next(),
                 None => display.hit_shapes = !display.hit_shapes,
             },
             Action::FrameFigures => display.figures = !display.figures,
