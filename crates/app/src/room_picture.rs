@@ -210,7 +210,7 @@ fn written(context: &egui::Context, board: &SignBoard, size: (u32, u32)) -> egui
         let (paper, ink) = colours(board.colour);
         painter.rect_filled(rect, 0.0, paper);
         let inner = rect.shrink(0.07 * rect.height()).size();
-        let mut points = 0.5 * rect.height();
+        let mut points = rect.height();
         let words = loop {
             let font = FontId::proportional(points);
             let words = painter.layout(board.text.clone(), font, ink, inner.x);

@@ -1,6 +1,6 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
-use antipode_rays::{Options, View};
+use antipode_rays::{Options, Outlines, View};
 use antipode_room_scene::{Moment, RoomScene, RoomViewing, Steer};
 use antipode_rooms::folder::assets;
 use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir};
@@ -36,8 +36,8 @@ pub struct OpenRoom {
     pub kept: Option<RoomSummary>,
     /// By which rule it is looked at.
     pub look: View,
-    /// Whether the outlines are shown that it has.
-    pub outlines: bool,
+    /// Of which aberrations the outlines are shown.
+    pub outlines: Outlines,
 }
 
 /// What a step of a room takes of what is held and turned.
@@ -105,7 +105,7 @@ impl OpenRoom {
             scene,
             kept,
             look: View::Exact,
-            outlines: true,
+            outlines: Outlines::default(),
         })
     }
 
@@ -233,7 +233,7 @@ impl Rooms {
     /// When the room comes with the game or has no name and is given none, the name is taken, or the disk refuses.
     pub fn save(&mut self, name: Option<&str>) -> Option<Result<(), RoomError>> {
         let open = self.open.as_mut()?;
-        Some(keep(&self.dir, open, name))
+        Some(open.save(&self.dir, name))
     }
 
     /// Deletes a room of the player.
@@ -257,11 +257,28 @@ impl Rooms {
     /// As [`RoomScene::edit`].
     pub fn edit(&mut self, words: &[&str]) -> Option<Result<(), RoomError>> {
         let open = self.open.as_mut()?;
+        Some(open.edit(&self.dir, words))
+    }
+}
+
+impl OpenRoom {
+    /// Changes it by the words of a command.
+    ///
+    /// # Errors
+    /// As [`RoomScene::edit`].
+    pub fn edit(&mut self, dir: &RoomsDir, words: &[&str]) -> Result<(), RoomError> {
         // A room that is kept nowhere has no files.
-        let own = open.kept.as_ref().filter(|kept| !kept.shipped);
-        let dir = self.dir.path().join(own.map_or("", |kept| &kept.slug));
-        let read = |room: &Room| assets(&dir, room);
-        Some(open.scene.edit(words, read))
+        let own = self.kept.as_ref().filter(|kept| !kept.shipped);
+        let dir = dir.path().join(own.map_or("", |kept| &kept.slug));
+        self.scene.edit(words, |room: &Room| assets(&dir, room))
+    }
+
+    /// Keeps it as it is now; under another name as another room, which it is then.
+    ///
+    /// # Errors
+    /// When it comes with the game or has no name and is given none, the name is taken, or the disk refuses.
+    pub fn save(&mut self, dir: &RoomsDir, name: Option<&str>) -> Result<(), RoomError> {
+        keep(dir, self, name)
     }
 }
 

@@ -6,6 +6,7 @@ use antipode_deformation::{
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
+use crate::rays::Outlines;
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
 use crate::tree::NOTHING;
 
@@ -39,7 +40,8 @@ pub struct PackedWays {
     pub outermost_count: u32,
     /// What the root of all solids is.
     pub root: u32,
-    pub room: u32,
+    /// The flags of a box whose outline is drawn, any of them.
+    pub outlined: u32,
     pub low: Vec4,
     pub high: Vec4,
 }
@@ -53,16 +55,39 @@ impl PackedWays {
             ..self
         }
     }
+
+    /// With the outlines that are drawn.
+    pub fn with_outlines(self, outlines: Outlines) -> Self {
+        Self {
+            outlined: match outlines {
+                Outlines::Hidden => 0,
+                Outlines::Chosen => OUTLINED,
+                Outlines::All => OUTLINED | IS_BOX,
+            },
+            ..self
+        }
+    }
 }
+
+/// Flag of an aberration that has an outline of its own.
+const OUTLINED: u32 = 256;
+/// Flag of every aberration.
+const IS_BOX: u32 = 512;
 
 /// A material, as frame.wgsl has it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct PackedMaterial {
-    colour: Vec4,
-    checker: Vec4,
-    glow: Vec4,
-    optics: Vec4,
+    colour: Vec3,
+    layer: f32,
+    checker: Vec3,
+    square_m: f32,
+    glow: Vec3,
+    mirror: f32,
+    glass_index: f32,
+    gloss: f32,
+    repeats: f32,
+    padding: f32,
 }
 
 /// By which rule light goes through aberrations.
@@ -181,7 +206,7 @@ pub fn neighbours(scene: &RayScene) -> (Vec<u32>, PackedWays) {
         outermost: neighbours.len() as u32,
         outermost_count: outermost.len() as u32,
         root: NOTHING,
-        room: 0,
+        outlined: OUTLINED,
         low: Vec4::ZERO,
         high: Vec4::ZERO,
     };
@@ -228,7 +253,7 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
         squeeze_z: row(&placed.squeeze, 2),
         count: placed.neighbours.len() as u32,
         legacy: placed.legacy.as_vec3(),
-        flags: exit | (u32::from(is_outlined) << 8),
+        flags: exit | IS_BOX | if is_outlined { OUTLINED } else { 0 },
         stretch: aberration.stretch.as_vec3(),
         rank: placed.rank as u32,
         wall_material: wall as u32,
@@ -253,21 +278,25 @@ pub fn stack(stack: &Stack) -> [u32; 4] {
 /// A material; one that names a picture that there is not is plain.
 pub fn material(material: &Material, textures: usize) -> PackedMaterial {
     let mut packed = PackedMaterial {
-        colour: material.colour.extend(-1.0),
-        checker: Vec4::ZERO,
-        glow: material.glow.extend(material.mirror.clamp(0.0, 1.0)),
-        optics: Vec4::new(
-            material.glass.map_or(0.0, |index| index.max(1.0)),
-            material.gloss,
-            1.0,
-            0.0,
-        ),
+        colour: material.colour,
+        layer: -1.0,
+        checker: Vec3::ZERO,
+        square_m: 0.0,
+        glow: material.glow,
+        mirror: material.mirror.clamp(0.0, 1.0),
+        glass_index: material.glass.map_or(0.0, |index| index.max(1.0)),
+        gloss: material.gloss,
+        repeats: 1.0,
+        padding: 0.0,
     };
     match material.pattern {
-        Pattern::Checker { other, edge_m } => packed.checker = other.extend(edge_m.max(0.0)),
+        Pattern::Checker { other, edge_m } => {
+            packed.checker = other;
+            packed.square_m = edge_m.max(0.0);
+        }
         Pattern::Texture { number, repeats } if number < textures => {
-            packed.colour.w = number as f32;
-            packed.optics.z = repeats;
+            packed.layer = number as f32;
+            packed.repeats = repeats;
         }
         _ => {}
     }

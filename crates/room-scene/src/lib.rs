@@ -31,7 +31,7 @@ pub use hints::RoomHint;
 pub use moment::{Moment, Turn};
 pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;
-pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe};
+pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe, Sizes};
 pub use scene::{NoSuchPlace, RoomScene};
 pub use sounds::RoomSound;
 pub use things::{Struck, Thing, ThingKind};

@@ -1,12 +1,12 @@
 //! An open room: what is worked out of it, and who is in it.
 
-use antipode_deformation::{Space, Triangles, Walker};
+use antipode_deformation::{Place, Space, Triangles, Walker};
 use antipode_frame::Hand;
 use antipode_frame::hand::HandMotion;
 use antipode_frame::motion::Motion;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
-use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space};
+use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space_so_far};
 use glam::DVec3;
 use thiserror::Error;
 
@@ -32,6 +32,8 @@ pub struct RoomScene {
     pub(crate) space: Space,
     /// The object of each aberration of the space.
     pub(crate) boxes: Vec<usize>,
+    /// The object of each portal of the space.
+    pub(crate) portals: Vec<usize>,
     pub(crate) meshes: Vec<SolidMesh>,
     pub(crate) solids: Triangles,
     pub(crate) walker: Walker,
@@ -66,9 +68,10 @@ impl RoomScene {
             assets: loaded.assets,
             space: Space::default(),
             boxes: Vec::new(),
+            portals: Vec::new(),
             meshes: Vec::new(),
             solids: Triangles::default(),
-            walker: Walker::new(antipode_deformation::Place::default(), SHAPE),
+            walker: Walker::new(Place::default(), SHAPE),
             jumps: Jumps::default(),
             look: Look::default(),
             looked: Look::default(),
@@ -132,13 +135,16 @@ impl RoomScene {
 
     fn work_out(&mut self) -> Result<(), RoomError> {
         let room = self.editor.room();
-        self.space = space(room).map_err(RoomError::Unsound)?;
+        (self.space, self.portals) = space_so_far(room).map_err(RoomError::Unsound)?;
         self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
         self.meshes = standing(room, &self.assets);
         self.solids = triangles(&self.meshes);
         self.lowest_m = self.lowest();
         let place = &mut self.walker.body.place;
-        place.stack = self.space.stack_at(place.point);
+        *place = Place {
+            scale: place.scale,
+            ..Place::at(&self.space, place.point)
+        };
         self.walker.stay();
         self.things.wake(&self.space);
         self.revision += 1;

@@ -89,7 +89,7 @@ pub const MUZZLE_M: (f64, f64, f64) = (0.22, -0.16, 0.7);
 /// Least time between two shots, seconds.
 pub const SHOT_EVERY_S: f64 = 0.12;
 /// Felt radius of what a bullet leaves, metres.
-pub const MARK_RADIUS_M: f64 = 0.05;
+pub const MARK_RADIUS_M: f64 = 0.03;
 /// Marks at once; the oldest goes.
 pub const MOST_MARKS: usize = 64;
 /// What is thrown.
@@ -97,7 +97,7 @@ pub const THROWN: BallShape = BallShape {
     radius_m: 0.12,
     bounce: 0.6,
     slide: 0.9,
-    rolling_m_s2: 0.8,
+    rolling_m_s2: 1.6,
 };
 /// Felt speed at which it is thrown, metres per second.
 pub const THROW_SPEED_M_S: f64 = 9.0;

@@ -383,7 +383,7 @@ impl Host for Runner {
         match self.controls.input(input, true) {
             Some(Action::HideDisplay) => self.display_hidden = !self.display_hidden,
             Some(Action::HitShapes) => match self.rooms.open_room() {
-                Some(room) => room.outlines = !room.outlines,
+                Some(room) => room.outlines = room.outlines.next(),
                 None => self.hit_shapes_shown = !self.hit_shapes_shown,
             },
             Some(Action::FrameFigures) => self.figures_shown = !self.figures_shown,

@@ -218,30 +218,35 @@ fn the_gun_keeps_its_felt_size() {
     );
     scene.teleport(DVec3::new(0.0, 0.0, 0.0)).unwrap();
     scene.aim(-90.0, 0.0);
+    scene.step(&Steer::default());
     let pose = scene.now().hand.unwrap().pose;
     let ahead = pose.transform_vector3(Vec3::NEG_Z).length();
     let right = pose.transform_vector3(Vec3::X).length();
     assert!((ahead - 0.25).abs() < 1e-5 && (right - 1.0).abs() < 1e-5);
 }
 
-/// On a slope of 40 degrees that rises behind who walks the camera would look into the ground.
+/// Over a wall at one's back that hides the legs the camera rises, and over a low one it stays.
 #[test]
 fn the_camera_behind_rises_until_it_sees_the_legs() {
-    let mut scene = empty();
-    edit(&mut scene, "add ramp name=hill at=0,6,0 size=14.3,12,30");
-    edit(&mut scene, "add box name=plate at=0,-0.5,0 size=90,1,90");
-    scene.teleport(DVec3::new(-8.5, 0.0, 0.0)).unwrap();
-    // The ramp rises along +x; one looks away from it, and down it.
-    scene.teleport(DVec3::new(-4.0, 2.7, 0.0)).unwrap();
-    scene.aim(180.0, 0.0);
-    (0..30).for_each(|_| scene.step(&Steer::default()));
-    scene.set_third_person(true);
-    let eye = scene.eye().place.point;
-    let lift = eye.y - scene.feet().y;
-    assert!(eye.x > scene.feet().x, "behind: {eye}");
-    assert!(lift > 2.2, "{lift} m above the feet");
-    assert!(
-        lift < 1.62 + 0.45 + 1.5 + 0.01,
-        "as high as in worlds at most: {lift}"
-    );
+    let lift_m = |height_m: f64| {
+        let mut scene = standing();
+        let wall = format!(
+            "add box name=wall at=0,{},402.5 size=9,{height_m},0.3",
+            0.5 * height_m
+        );
+        edit(&mut scene, &wall);
+        scene.set_third_person(true);
+        let eye = scene.eye().place.point;
+        assert!((eye.z - 405.2).abs() < 1e-6, "behind: {eye}");
+        eye.y - scene.feet().y
+    };
+    let plain = 1.62 + 0.45;
+    assert!((lift_m(0.5) - plain).abs() < 1e-3);
+    // The shins are 0.3 m up and 2.35 m before the wall: (h - 0.3) 2.35 / 5.2 = 1.2.
+    let seen = 0.3 + 1.2 * 5.2 / 2.35;
+    let rises = lift_m(1.5);
+    assert!((rises - seen).abs() < 0.03, "{rises}, not {seen}");
+    // Not even from so high up.
+    let most = lift_m(2.0);
+    assert!((most - plain - 1.5).abs() < 0.02, "{most}");
 }

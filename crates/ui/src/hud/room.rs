@@ -65,13 +65,14 @@ pub(super) fn show(painter: &Painter, screen: Rect, top: f32, room: &RoomModel) 
             );
         }
     }
+    // Above: below it stands who walks, seen from behind.
     if let Some(ahead) = &room.ahead {
-        let at = painter.clip_rect().center() + vec2(0.0, 18.0);
+        let at = painter.clip_rect().center() - vec2(0.0, 18.0);
         plate(
             painter,
             screen,
             at,
-            Align2::CENTER_TOP,
+            Align2::CENTER_BOTTOM,
             ahead,
             small(),
             WEAK,

@@ -45,7 +45,15 @@ impl Play {
                 Phase::Closing(closing, next)
             }
             Phase::Closing(task, _) => Phase::Closing(task, next),
-            Phase::Menu | Phase::InRoom(_) | Phase::RoomPaused(_) => self.go_on(next, menus),
+            Phase::Menu => self.go_on(next, menus),
+            Phase::InRoom(_) | Phase::RoomPaused(_) => {
+                let phase = self.go_on(next, menus);
+                if matches!(phase, Phase::Menu) {
+                    // The next room is chosen there.
+                    menus.shell.open(Screen::Rooms);
+                }
+                phase
+            }
             Phase::Over => Phase::Over,
         };
     }

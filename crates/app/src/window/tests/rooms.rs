@@ -315,7 +315,7 @@ fn what_does_nothing_in_a_room_says_why() {
     enter(&mut game, "game:long-house");
     let mut now = Instant::now();
     pass(&mut game, &mut now, 5);
-    for key in ["KeyE", "KeyP"] {
+    for key in ["KeyE", "KeyP", "F4"] {
         input(&mut game, Input::Key(key), true);
         let said = words(&mut game);
         assert!(said.contains("is for worlds"), "{said}");
@@ -404,4 +404,38 @@ fn pausing_in_a_room_of_ones_own_gives_the_list_a_picture_of_it() {
     let found = rooms.list().unwrap().into_iter().find(|it| it.slug == slug);
     let opened = rooms.open(&found.unwrap()).unwrap();
     assert_eq!(opened.files, ["room.ron"]);
+}
+
+#[test]
+fn a_room_of_ones_own_is_changed_and_kept_from_the_console_and_one_of_the_game_is_not() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    let slug = copied(&mut game, "long-house");
+    let order = |game: &mut Game, line: &str| {
+        let order = parse_line(line).unwrap().unwrap();
+        obey(game, &order).map_err(|why| why.to_string())
+    };
+    let has_wall = |game: &Game| scene(game).room().find("wall").is_some();
+    enter(&mut game, "game:long-house");
+    let add = "add box name=wall at=0,1.5,9 size=6,3,0.2";
+    let refused = order(&mut game, add).unwrap_err();
+    assert!(
+        refused.contains("comes with the game") && !has_wall(&game),
+        "{refused}"
+    );
+    enter(&mut game, &slug);
+    order(&mut game, add).unwrap();
+    assert!(has_wall(&game));
+    order(&mut game, "undo").unwrap();
+    assert!(!has_wall(&game));
+    order(&mut game, "redo").unwrap();
+    assert!(
+        order(&mut game, "add box name=wall").is_err(),
+        "the name is taken"
+    );
+    order(&mut game, "room save").unwrap();
+    game.leave(super::super::phase::Next::Menu);
+    assert!(matches!(game.menus.shell.screen(), Screen::Rooms));
+    enter(&mut game, &slug);
+    assert!(has_wall(&game), "it was kept");
 }
