@@ -115,7 +115,7 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     let s = select(vec3<f32>(1.0), space.boxes[number].stretch, is_inside);
     let n = normalize(flat * path.k);
     let local_n = local_vector(number, flat);
-    let width = felt_width / max(abs(dot(n, path.w)), 0.04);
+    let width = path.scale * felt_width / max(abs(dot(n, path.w)), 0.04);
     let material = space.boxes[number].wall_material;
     let at = (local + half_of(number)) * s;
     let colour = colour_of(material, at, local_n, along_surface(at, local_n), vec3<f32>(width), width);
@@ -133,12 +133,27 @@ fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>, on
         if !is_sun {
             tries = lamp_tries(at, light - 1u);
         }
+        let without = tries;
+        if HAS_PORTALS && tries + u32(!is_sun) > 0u {
+            tries += ways.portal_count;
+        }
         for (var attempt = 0u; attempt < tries; attempt++) {
-            var aim = Aim(frame.sun, frame.reach_m);
+            var aim = Aim(frame.sun, frame.reach_m, 1.0);
+            var through = NO_PORTAL;
+            if HAS_PORTALS && attempt >= without {
+                through = attempt - without;
+                if is_sun {
+                    aim = sun_through_portal(at, through);
+                }
+            }
             var radius = 0.0;
             var strength = frame.sun_colour;
             if !is_sun {
-                aim = lamp_aim(at, light - 1u, attempt);
+                if HAS_PORTALS && through != NO_PORTAL {
+                    aim = lamp_through_portal(at, light - 1u, through);
+                } else {
+                    aim = lamp_aim(at, light - 1u, attempt);
+                }
                 radius = frame.lamps[light - 1u].radius_m;
                 strength = frame.lamps[light - 1u].colour * lamp_through(max(aim.length, 0.0), frame.lamps[light - 1u].reach_m);
             }
@@ -153,8 +168,8 @@ fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>, on
                 let k = squeeze_of(frame.lamps[light - 1u].stack, frame.lamps[light - 1u].depth, aim.w, false);
                 longest = max(longest - radius / length(k * aim.w), 0.0);
             }
-            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false), longest, true, on_held, 0.0);
-            if ended.end != END_SPENT {
+            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false, aim.scale), longest, true, on_held, 0.0);
+            if ended.end != END_SPENT || (HAS_PORTALS && is_sun && !is_sunward(ended.path, through)) {
                 continue;
             }
             if !is_sun {
@@ -206,7 +221,7 @@ fn see(direction: vec3<f32>) -> Seen {
     var left = vec3<f32>(1.0);
     var far = 0.0;
     var in_glass = false;
-    var path = path_from(frame.eye, direction, frame.stack, frame.depth, true);
+    var path = path_from(frame.eye, direction, frame.stack, frame.depth, true, frame.scale);
     for (var bounce = 0u; bounce <= frame.bounces; bounce++) {
         var ended = trace(path, frame.reach_m - far, false, bounce == 0u, frame.pixel_rad);
         path = ended.path;
@@ -273,7 +288,7 @@ fn see(direction: vec3<f32>) -> Seen {
         if greatest(left) < FAINT {
             break;
         }
-        path.k = squeeze_of(path.stack, path.depth, path.w, true);
+        path.k = carry(&path);
     }
     return seen;
 }

@@ -15,6 +15,7 @@ mod frame;
 mod loaded;
 mod mesh;
 mod packed;
+mod packed_portals;
 mod picture;
 mod prober;
 mod rays;

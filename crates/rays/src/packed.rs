@@ -42,6 +42,8 @@ pub struct PackedWays {
     pub root: u32,
     /// The flags of a box whose outline is drawn, any of them.
     pub outlined: u32,
+    pub portal_count: u32,
+    pub padding: [u32; 3],
     pub low: Vec4,
     pub high: Vec4,
 }
@@ -126,11 +128,12 @@ impl Rule {
 }
 
 /// What shaders are told of beforehand, so that what is not there takes no time: whether there are boxes of *snell* and of
-/// *legacy*, and whether the hierarchies are deep.
+/// *legacy*, and portals, and whether the hierarchies are deep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kinds {
     pub snell: bool,
     pub legacy: bool,
+    pub portals: bool,
     pub deep: bool,
 }
 
@@ -139,12 +142,16 @@ impl Kinds {
     pub const ALL: Self = Self {
         snell: true,
         legacy: true,
+        portals: true,
         deep: true,
     };
 
     /// Of a space by a rule.
     pub fn of(space: &Space, rule: Rule) -> Self {
-        let mut kinds = Self::default();
+        let mut kinds = Self {
+            portals: !space.portals().is_empty(),
+            ..Self::default()
+        };
         for placed in space.placed() {
             let sides = rule.of(placed).aberration.sides;
             kinds.snell |= sides == Sides::Snell;
@@ -153,16 +160,19 @@ impl Kinds {
         kinds
     }
 
-    /// A number below 8.
+    /// A number below 16.
     pub fn number(self) -> usize {
-        usize::from(self.snell) + 2 * usize::from(self.legacy) + 4 * usize::from(self.deep)
+        let all = [self.snell, self.legacy, self.deep, self.portals];
+        let bits = all.into_iter().enumerate();
+        bits.map(|(bit, it)| usize::from(it) << bit).sum()
     }
 
     /// What the shaders' constants are set to.
-    pub fn constants(self) -> [(&'static str, f64); 2] {
+    pub fn constants(self) -> [(&'static str, f64); 3] {
         [
             ("HAS_SNELL", f64::from(u8::from(self.snell))),
             ("HAS_LEGACY", f64::from(u8::from(self.legacy))),
+            ("HAS_PORTALS", f64::from(u8::from(self.portals))),
         ]
     }
 }
@@ -207,6 +217,8 @@ pub fn neighbours(scene: &RayScene) -> (Vec<u32>, PackedWays) {
         outermost_count: outermost.len() as u32,
         root: NOTHING,
         outlined: OUTLINED,
+        portal_count: space.portals().len() as u32,
+        padding: [0; 3],
         low: Vec4::ZERO,
         high: Vec4::ZERO,
     };

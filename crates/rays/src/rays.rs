@@ -84,7 +84,7 @@ impl Default for Options {
 #[derive(Debug)]
 pub struct Rays {
     /// By the number of what is told beforehand; compiled when they are asked for.
-    pipelines: [OnceLock<ComputePipeline>; 8],
+    pipelines: [OnceLock<ComputePipeline>; 16],
     scene_layout: BindGroupLayout,
     picture_layout: BindGroupLayout,
     /// One for each part of a picture.
@@ -370,7 +370,15 @@ pub fn scene_layout(device: &Device) -> BindGroupLayout {
     layout(
         device,
         "scene of rays",
-        &[uniform, buffer(READ), texels, texels, texels, buffer(READ)],
+        &[
+            uniform,
+            buffer(READ),
+            texels,
+            texels,
+            texels,
+            buffer(READ),
+            uniform,
+        ],
     )
 }
 
@@ -389,6 +397,7 @@ pub fn scene_group(
         TextureView(&loaded.triangles.view),
         TextureView(&loaded.instances.view),
         loaded.ways.as_entire_binding(),
+        loaded.portals.as_entire_binding(),
     ];
     group(device, "scene of rays", layout, resources)
 }

@@ -8,6 +8,7 @@ const SHALLOW: &str = "const WAITING_ROOM: u32 = 40u;";
 pub const SHALLOW_ROOM: usize = 40;
 
 const SPACE: &str = include_str!("../../../shaders/rays/space.wgsl");
+const PORTAL: &str = include_str!("../../../shaders/rays/portal.wgsl");
 const SCENE: &str = include_str!("../../../shaders/rays/scene.wgsl");
 const TRACE: &str = include_str!("../../../shaders/rays/trace.wgsl");
 const SHADING: &str = include_str!("../../../shaders/rays/shading.wgsl");
@@ -15,9 +16,10 @@ const FRAME: &str = include_str!("../../../shaders/rays/frame.wgsl");
 const LAMPS: &str = include_str!("../../../shaders/rays/lamps.wgsl");
 
 /// The files of the pass that draws a picture, in their order.
-pub const PICTURE: [&str; 8] = [
+pub const PICTURE: [&str; 9] = [
     DEEP,
     SPACE,
+    PORTAL,
     SCENE,
     TRACE,
     FRAME,
@@ -27,9 +29,10 @@ pub const PICTURE: [&str; 8] = [
 ];
 
 /// The files of the pass that traces a list of rays.
-pub const PROBE: [&str; 5] = [
+pub const PROBE: [&str; 6] = [
     DEEP,
     SPACE,
+    PORTAL,
     SCENE,
     TRACE,
     include_str!("../../../shaders/rays/probe.wgsl"),

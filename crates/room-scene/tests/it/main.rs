@@ -11,6 +11,7 @@ mod edits;
 mod figure;
 mod hands;
 mod picture;
+mod portals;
 mod soak;
 mod sounds;
 mod walking;
