@@ -5,6 +5,9 @@ const FAINT: f32 = 0.004;
 // Light of the line between the halves of a picture.
 const LINE: vec3<f32> = vec3<f32>(1.2, 1.2, 1.2);
 
+// Pictures are taken from a copy as if pixels were this much smaller: writing would blur else before it is too small to be read.
+const SHARPER: f32 = 0.6;
+
 // A surface as it looks where it is hit.
 struct Surface {
     colour: vec3<f32>,
@@ -43,7 +46,7 @@ fn colour_of(number: u32, p: vec3<f32>, n: vec3<f32>, uv: vec2<f32>, width: vec3
     if layer >= 0.0 {
         let scale = materials[number].repeats;
         let texels = f32(textureDimensions(textures).x) * scale * uv_width;
-        colour *= textureSampleLevel(textures, texture_sampler, uv * scale, i32(layer), log2(max(texels, 1.0))).rgb;
+        colour *= textureSampleLevel(textures, texture_sampler, uv * scale, i32(layer), log2(max(SHARPER * texels, 1.0))).rgb;
     }
     return colour;
 }
@@ -119,8 +122,9 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     return Surface(colour, n, flat, material);
 }
 
-// Light of the sun and of lamps that falls on a surface, and what of it shines.
-fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) -> vec3<f32> {
+// Light of the sun and of lamps that falls on a surface, and what of it shines. What the eye looks through throws no shadow on
+// what is held before it.
+fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>, on_held: bool) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     let gloss = materials[surface.material].gloss;
     for (var light = 0u; light <= frame.lamp_count; light++) {
@@ -164,7 +168,7 @@ fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) ->
                 let k = squeeze_of(frame.lamps[light - 1u].stack, frame.lamps[light - 1u].depth, aim.w, false);
                 longest = max(longest - radius / length(k * aim.w), 0.0);
             }
-            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false, aim.scale), longest, true, false, 0.0);
+            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false, aim.scale), longest, true, on_held, 0.0);
             if ended.end != END_SPENT || (HAS_PORTALS && is_sun && !is_sunward(ended.path, through)) {
                 continue;
             }
@@ -233,10 +237,13 @@ fn see(direction: vec3<f32>) -> Seen {
             break;
         }
         var surface: Surface;
+        var is_held = false;
         var what = 0x80000000u + ended.wall;
         if ended.end == END_OBJECT {
             surface = object_surface(&ended, frame.pixel_rad * far);
-            what = 1u + instance_part(ended.found.instance, 3u).y;
+            let about = instance_part(ended.found.instance, 3u);
+            what = 1u + about.y;
+            is_held = (about.w & HELD) != 0u;
         } else {
             surface = wall_surface(&ended, frame.pixel_rad * far);
         }
@@ -256,7 +263,7 @@ fn see(direction: vec3<f32>) -> Seen {
         if !is_pane && mirrored < 1.0 {
             var at = path;
             at.x += lift_of(path.x) * surface.flat;
-            let diffuse = direct_light(&at, surface, -path.w) + ambient_light(surface.n, frame.zenith, frame.ambient_sky.rgb, frame.ambient_ground.rgb);
+            let diffuse = direct_light(&at, surface, -path.w, is_held) + ambient_light(surface.n, frame.zenith, frame.ambient_sky.rgb, frame.ambient_ground.rgb);
             seen.light += left * (1.0 - mirrored) * (surface.colour * diffuse + materials[surface.material].glow);
         }
         if is_pane {
