@@ -1,4 +1,5 @@
-// The picture: light, what is seen at each pixel, and how far off. Follows frame.wgsl, shading.wgsl and lamps.wgsl.
+// The picture: light, what is seen at each pixel, and how far off. Follows frame.wgsl, shading.wgsl and lamps.wgsl, and takes from
+// first_by_rays.wgsl or first_by_raster.wgsl what light of the eye meets.
 
 // Light below this share is not looked for.
 const FAINT: f32 = 0.004;
@@ -197,14 +198,15 @@ struct Seen {
     length: f32,
 }
 
-fn see(direction: vec3<f32>) -> Seen {
+// What is seen in a direction; `pixel` is where a raster has it.
+fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
     var seen = Seen(vec3<f32>(0.0), 0u, frame.front.w);
     var left = vec3<f32>(1.0);
     var far = 0.0;
     var in_glass = false;
     var path = path_from(frame.eye.xyz, direction, frame.stack, frame.counts.x, true);
     for (var bounce = 0u; bounce <= frame.size.z; bounce++) {
-        var ended = trace(path, frame.front.w - far, false, bounce == 0u, frame.eye.w);
+        var ended = next_seen(path, frame.front.w - far, bounce, pixel);
         path = ended.path;
         let before = far;
         far += ended.length;
@@ -284,7 +286,8 @@ fn draw(@builtin(global_invocation_id) invocation: vec3<u32>) {
         let angle = 0.4636 + 1.5707963 * f32(sample);
         let offset = select(vec2<f32>(0.0), 0.3953 * vec2<f32>(cos(angle), sin(angle)), frame.size.w > 1u);
         let place = 2.0 * (vec2<f32>(id) + 0.5 + offset) / vec2<f32>(frame.size.xy) - 1.0;
-        let seen = see(normalize(frame.front.xyz + place.x * frame.right.xyz - place.y * frame.up.xyz));
+        let pixel = id + vec2<u32>(0u, sample * frame.size.y);
+        let seen = see(normalize(frame.front.xyz + place.x * frame.right.xyz - place.y * frame.up.xyz), pixel);
         light += seen.light;
         if sample == 0u {
             first = seen;

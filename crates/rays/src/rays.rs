@@ -13,11 +13,13 @@ use crate::frame::{Frame, Part, corners, frame};
 use crate::loaded::Loaded;
 use crate::packed::{Kinds, Rule};
 use crate::picture::{LIGHT_FORMAT, Picture, SEEN_FORMAT};
+use crate::raster::{Raster, Way, way};
+use crate::rastered::sight;
 use crate::scene::{Eye, RayScene};
 use crate::shaders::{PICTURE, compile};
 
 /// Pixels of a group along each side.
-const GROUP: u32 = 8;
+pub const GROUP: u32 = 8;
 
 /// How much is made of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +32,8 @@ pub struct Options {
     pub view: View,
     /// Whether the outlines of aberrations are drawn that have one.
     pub outlines: bool,
+    /// Whether a raster finds what is seen first where it can, which is sooner; the picture is the same.
+    pub raster: bool,
 }
 
 /// By which rule a picture shows aberrations. Who walks goes by the exact one always.
@@ -53,6 +57,7 @@ impl Default for Options {
             samples: 1,
             view: View::Exact,
             outlines: true,
+            raster: false,
         }
     }
 }
@@ -62,10 +67,11 @@ impl Default for Options {
 pub struct Rays {
     /// By the number of what is told beforehand; compiled when they are asked for.
     pipelines: [OnceLock<ComputePipeline>; 8],
-    scene_layout: BindGroupLayout,
-    picture_layout: BindGroupLayout,
+    pub(crate) raster: Raster,
+    pub(crate) scene_layout: BindGroupLayout,
+    pub(crate) picture_layout: BindGroupLayout,
     /// One for each part of a picture.
-    frames: [Buffer; 2],
+    pub(crate) frames: [Buffer; 2],
     sampler: wgpu::Sampler,
 }
 
@@ -80,6 +86,7 @@ impl Rays {
             let picture_layout = picture_layout(device);
             let rays = Self {
                 pipelines: Default::default(),
+                raster: Raster::new(device),
                 scene_layout,
                 picture_layout,
                 frames: [(); 2].map(|()| {
@@ -148,6 +155,9 @@ impl Rays {
         for rule in Rule::ALL {
             self.pipeline(device, loaded.kinds(rule));
         }
+        for rule in [Rule::Exact, Rule::Plain] {
+            self.rastered(device, loaded.kinds(rule));
+        }
     }
 
     /// Records the pass for a whole picture, as [`Self::draw_rows`] does.
@@ -178,6 +188,15 @@ impl Rays {
             bounces: options.bounces.min(4),
             ..options
         };
+        if options.raster {
+            let way = way(&sight(scene, loaded, eye, options));
+            if way != Way::Rays {
+                let gpu = (device, queue);
+                let what = (scene, loaded, way);
+                self.draw_rastered(gpu, encoder, what, (eye, picture), options, rows);
+                return;
+            }
+        }
         let width = picture.size.0;
         let lines = rows.end.saturating_sub(rows.start).div_ceil(GROUP);
         let ways = loaded.host_ways.with_corners(&corners(eye, picture.size));
@@ -205,7 +224,7 @@ impl Rays {
         }
     }
 
-    fn picture_group(
+    pub(crate) fn picture_group(
         &self,
         device: &Device,
         loaded: &Loaded,

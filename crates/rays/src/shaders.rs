@@ -12,10 +12,11 @@ const SCENE: &str = include_str!("../../../shaders/rays/scene.wgsl");
 const TRACE: &str = include_str!("../../../shaders/rays/trace.wgsl");
 const SHADING: &str = include_str!("../../../shaders/rays/shading.wgsl");
 const FRAME: &str = include_str!("../../../shaders/rays/frame.wgsl");
+const LIGHT: &str = include_str!("../../../shaders/rays/picture.wgsl");
 const LAMPS: &str = include_str!("../../../shaders/rays/lamps.wgsl");
 
 /// The files of the pass that draws a picture, in their order.
-pub const PICTURE: [&str; 8] = [
+pub const PICTURE: [&str; 9] = [
     DEEP,
     SPACE,
     SCENE,
@@ -23,8 +24,25 @@ pub const PICTURE: [&str; 8] = [
     FRAME,
     SHADING,
     LAMPS,
-    include_str!("../../../shaders/rays/picture.wgsl"),
+    LIGHT,
+    include_str!("../../../shaders/rays/first_by_rays.wgsl"),
 ];
+
+/// The files of the same pass behind a raster.
+pub const RASTERED: [&str; 9] = [
+    DEEP,
+    SPACE,
+    SCENE,
+    TRACE,
+    FRAME,
+    SHADING,
+    LAMPS,
+    LIGHT,
+    include_str!("../../../shaders/rays/first_by_raster.wgsl"),
+];
+
+/// The raster.
+pub const RASTER: &str = include_str!("../../../shaders/rays/raster.wgsl");
 
 /// The files of the pass that traces a list of rays.
 pub const PROBE: [&str; 5] = [

@@ -1,0 +1,116 @@
+// Where light of the eye is met first, as raster.wgsl has found it, and how it goes on: by rays. Follows picture.wgsl;
+// first_by_rays.wgsl is the other one. Mirrors crates/rays/src/raster.
+
+// A view through a row of doors: light of felt direction w is at origin + t K w after t felt metres.
+struct View {
+    origin: vec4<f32>,      // w: depth of the stack
+    k_x: vec4<f32>,         // columns of K
+    k_y: vec4<f32>,
+    k_z: vec4<f32>,
+    stack: vec4<u32>,
+}
+
+struct Views {
+    levels: u32,
+    boxes: u32,             // aberrations in which places have to be looked for, since views pass their faces; or 0
+    room_x: u32,
+    room_y: u32,
+    list: array<View>,
+}
+
+// What is seen: 1 + a triangle; a wall, with its box, axis and side; a door, with the view through it; or what only rays know.
+const WALL_SEEN: u32 = 0x80000000u;
+const DOOR_SEEN: u32 = 0xc0000000u;
+const RAYS_SEE: u32 = 0xe0000000u;
+// How far outside of a triangle a place may be by rounding, as a share of it: the raster's corners are on a grid.
+const OUTSIDE: f32 = 0.25;
+
+@group(2) @binding(0) var visible: texture_2d_array<u32>;
+@group(2) @binding(1) var<storage, read> views: Views;
+
+fn visible_at(pixel: vec2<u32>) -> vec2<u32> {
+    var seen = textureLoad(visible, pixel, 0, 0).xy;
+    for (var level = 1u; level < views.levels; level++) {
+        if seen.x < DOOR_SEEN || seen.x >= RAYS_SEE {
+            break;
+        }
+        seen = textureLoad(visible, pixel, level, 0).xy;
+    }
+    return seen;
+}
+
+// The boxes that a path is in just before it comes to a place.
+fn look_for_boxes(path: ptr<function, Path>, v: vec3<f32>) {
+    let back = 8.0 * ROUNDING * (1.0 + greatest(abs((*path).x)));
+    let place = (*path).x - v * (back * inverseSqrt(max(dot(v, v), 1.0e-30)));
+    (*path).stack = vec4<u32>(0u);
+    (*path).depth = 0u;
+    for (var number = 0u; number < views.boxes; number++) {
+        let room = abs(local_vector(number, place - space.boxes[number].centre)) - half_of(number);
+        if greatest(room) < 0.0 {
+            stack_push(path, number);
+        }
+    }
+}
+
+fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
+    var seen = vec2<u32>(RAYS_SEE, 0u);
+    if bounce == 0u {
+        seen = visible_at(pixel);
+    }
+    var ended = Ended(path, END_SPENT, longest, Found(0.0, NOTHING, 0u, vec2<f32>(0.0)), 0u, 0u, 0u, -1.0);
+    var by_rays = seen.x >= DOOR_SEEN;
+    if seen.x != 0u && !by_rays {
+        let view = seen.y & 255u;
+        let k = mat3x3<f32>(views.list[view].k_x.xyz, views.list[view].k_y.xyz, views.list[view].k_z.xyz);
+        let origin = views.list[view].origin;
+        let v = k * path.w;
+        var time = 0.0;
+        if seen.x < WALL_SEEN {
+            let instance = seen.y >> 8u;
+            let found = meet_again(seen.x - 1u, instance, origin.xyz, v);
+            time = found.time;
+            by_rays = any(found.along < vec2<f32>(-OUTSIDE)) || found.along.x + found.along.y > 1.0 + OUTSIDE;
+            ended.found = found;
+            ended.end = END_OBJECT;
+        } else {
+            ended.wall = (seen.x >> 3u) & 255u;
+            ended.axis = (seen.x >> 1u) & 3u;
+            let normal = axis_of(ended.wall, ended.axis);
+            let side = select(-1.0, 1.0, (seen.x & 1u) != 0u) * half_of(ended.wall)[ended.axis];
+            time = (side - dot(normal, origin.xyz - space.boxes[ended.wall].centre)) / dot(normal, v);
+            ended.end = END_WALL;
+        }
+        // Where a surface is seen from its edge, rounding has the last word.
+        by_rays = by_rays || !(time >= 0.0);
+        if time > longest {
+            ended.end = END_SPENT;
+        } else {
+            ended.length = time;
+            var there = Path(origin.xyz + time * v, path.w, path.w, k, views.list[view].stack, u32(origin.w), true);
+            if views.boxes > 0u {
+                look_for_boxes(&there, v);
+            }
+            ended.path = there;
+        }
+    }
+    if by_rays {
+        ended = trace(path, longest, false, bounce == 0u, frame.eye.w);
+    }
+    return ended;
+}
+
+// Where a straight path meets the plane of a triangle of which one knows that it does.
+fn meet_again(triangle: u32, instance: u32, x: vec3<f32>, v: vec3<f32>) -> Found {
+    let moves = (instance_part(instance, 3u).w & MOVES) != 0u;
+    let to_mesh = to_mesh_of(instance);
+    let o = select(x, vec4<f32>(x, 1.0) * to_mesh, moves);
+    let d = select(v, vec4<f32>(v, 0.0) * to_mesh, moves);
+    let ab = bitcast<vec3<f32>>(triangle_part(triangle, 1u).xyz);
+    let ac = bitcast<vec3<f32>>(triangle_part(triangle, 2u).xyz);
+    let across = cross(d, ac);
+    let one = 1.0 / dot(ab, across);
+    let from_corner = o - bitcast<vec3<f32>>(triangle_part(triangle, 0u).xyz);
+    let turned = cross(from_corner, ab);
+    return Found(dot(ac, turned) * one, instance, triangle, vec2<f32>(dot(from_corner, across), dot(d, turned)) * one);
+}
