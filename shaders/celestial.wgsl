@@ -17,8 +17,8 @@ fn corner_of(index: u32) -> vec2<f32> {
 // Clip coordinates of a chart direction, infinitely far away.
 fn clip_of(direction: vec3<f32>) -> vec4<f32> {
     return vec4<f32>(
-        scene.space.project.x * dot(direction, scene.right),
-        scene.space.project.y * dot(direction, scene.up),
+        scene.space.focal_x * dot(direction, scene.right),
+        scene.space.focal_y * dot(direction, scene.up),
         0.0,
         dot(direction, scene.front),
     );
@@ -121,7 +121,7 @@ fn vertex_orb(@builtin(vertex_index) index: u32, @builtin(instance_index) instan
     let at = middle + vec4<f32>(across * corner.x + along * corner.y, 0.0) * (ORB_REACH * scene.orb_radius);
     let space = scene.space;
     var out: VertexOut;
-    out.view = vec4<f32>(at.xyz / space.curve.x, at.w);
+    out.view = vec4<f32>(at.xyz / space.k_per_m, at.w);
     out.clip = clip_from_view(space, out.view);
     out.place = corner;
     out.light = select(vec3<f32>(0.20, 0.24, 0.34), vec3<f32>(3.4, 2.6, 1.5), is_sun);

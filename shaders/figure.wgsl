@@ -174,8 +174,8 @@ fn vertex_hand(in: VertexIn) -> VertexOut {
     let v = in.offset + stance.place;
     let normal = normalize(stance.normal);
     let direction = direction_of(v);
-    let aspect = scene.space.project.x / scene.space.project.y;
-    let depth = mix(scene.space.project.z, -v.z, HAND_DEPTH);
+    let aspect = scene.space.focal_x / scene.space.focal_y;
+    let depth = mix(scene.space.near_m, -v.z, HAND_DEPTH);
     var out: VertexOut;
     out.clip = vec4<f32>(HAND_FOCAL * aspect * v.x, HAND_FOCAL * v.y, depth, -v.z);
     out.normal = scene.right * normal.x + scene.up * normal.y - scene.front * normal.z;

@@ -21,13 +21,21 @@
 struct Space {
     // Applied to the ported point, xyz in metres and w without unit.
     view: mat4x4<f32>,
-    // Focal factors sx and sy, near distance in metres, radius in metres (0 where flat).
-    project: vec4<f32>,
-    // Raised and sphere: curvature k per metre, offset h in radii, sinh h, cosh h. Horizon: kappa
-    // per square metre (negative where hyperbolic), height H of the eye in metres, S(H), C(H).
-    curve: vec4<f32>,
-    // How far a chart is drawn: along its ground from the reference, and up and down, in metres; k per metre.
-    edge: vec4<f32>,
+    focal_x: f32,
+    focal_y: f32,
+    near_m: f32,
+    radius_m: f32,      // 0 where flat
+    kappa: f32,         // curvature per square metre, negative where hyperbolic
+    // How high the eye's map lies over its sheet: radii on the raised map, metres on the horizon, and its sine and cosine
+    // of the space's kind: sinh and cosh, or S and C of kappa.
+    lift: f32,
+    lift_sine: f32,
+    lift_cosine: f32,
+    // How far a chart is drawn: along its ground from the reference, and up and down.
+    level_m: f32,
+    upright_m: f32,
+    k_per_m: f32,       // root of |kappa|
+    padding: f32,
 }
 
 // Squares of lengths between this and its reciprocal neither overflow nor vanish.
@@ -38,7 +46,7 @@ const GEO_FAR_FRAME: f32 = 12.0;
 
 // Metres by which a point lies beyond what its chart is drawn of; far below zero where all is.
 fn geo_beyond_edge(space: Space, p: vec3<f32>) -> f32 {
-    return max(length(p.xz) - space.edge.x, abs(p.y + space.curve.y) - space.edge.y);
+    return max(length(p.xz) - space.level_m, abs(p.y + space.lift) - space.upright_m);
 }
 
 // A chart point in view coordinates. p is in metres relative to the reference.
@@ -48,7 +56,7 @@ fn port_to_view(space: Space, p: vec3<f32>) -> vec4<f32> {
 
 // Clip coordinates of a view point.
 fn clip_from_view(space: Space, v: vec4<f32>) -> vec4<f32> {
-    return vec4<f32>(space.project.x * v.x, space.project.y * v.y, depth_of(space, v), -v.z);
+    return vec4<f32>(space.focal_x * v.x, space.focal_y * v.y, depth_of(space, v), -v.z);
 }
 
 // (sinc - 1)/s of the sign `flip` belongs to, from a sinc already known where that does not cancel.

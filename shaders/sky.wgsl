@@ -17,8 +17,8 @@ fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
     // Depth 0 is infinitely far in reversed depth.
     out.clip = vec4<f32>(corner, 0.0, 1.0);
     out.ray = scene.front
-        + scene.right * (corner.x / scene.space.project.x)
-        + scene.up * (corner.y / scene.space.project.y);
+        + scene.right * (corner.x / scene.space.focal_x)
+        + scene.up * (corner.y / scene.space.focal_y);
     return out;
 }
 
@@ -60,7 +60,7 @@ fn fragment_clouds(in: VertexOut) -> @location(0) vec4<f32> {
     let rise = max(d.y, 0.0) + 0.06;
     let at = d.xz / rise * CLOUD_SCALE;
     // A pixel's width in the layer grows with the square of the way there.
-    let pixel = scene.pixel_height / scene.space.project.y;
+    let pixel = scene.pixel_height / scene.space.focal_y;
     let level = clamp(log2(CLOUD_SCALE * CLOUD_TEXELS * pixel / (rise * rise)), 0.0, 6.0);
     let thick = thickness(at, level);
     let clear = 0.74 - 0.48 * scene.cloud_cover;

@@ -95,7 +95,7 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
         }
     }
     if by_rays {
-        ended = trace(path, longest, false, bounce == 0u, frame.eye.w);
+        ended = trace(path, longest, false, bounce == 0u, frame.pixel_rad);
     }
     return ended;
 }

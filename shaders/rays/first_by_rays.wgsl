@@ -2,5 +2,5 @@
 // other one.
 
 fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
-    return trace(path, longest, false, bounce == 0u, frame.eye.w);
+    return trace(path, longest, false, bounce == 0u, frame.pixel_rad);
 }

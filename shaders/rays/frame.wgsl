@@ -1,41 +1,64 @@
 // What a picture needs to know: the eye, the light, and how surfaces look. Follows trace.wgsl.
 
 struct Lamp {
-    place: vec4<f32>,       // w: its radius, scene metres
-    colour: vec4<f32>,      // rgb; w: reach, felt metres
+    place: vec3<f32>,
+    radius_m: f32,          // of the scene
+    colour: vec3<f32>,
+    reach_m: f32,           // felt
     stack: vec4<u32>,
     depth: u32,
-    room_x: u32,
-    room_y: u32,
-    room_z: u32,
+    padding_x: u32,
+    padding_y: u32,
+    padding_z: u32,
 }
 
 struct Frame {
-    eye: vec4<f32>,         // w: the angle of a pixel, rad
-    right: vec4<f32>,       // felt directions, times half of the picture; w of front: how far one sees, felt metres
+    eye: vec3<f32>,
+    pixel_rad: f32,
+    right: vec4<f32>,       // felt directions, times half of the picture
     up: vec4<f32>,
-    front: vec4<f32>,
-    zenith: vec4<f32>,      // w: felt distance at which fog is complete
-    sun: vec4<f32>,         // w: cosine of the angle of its radius
-    sun_colour: vec4<f32>,  // w: 1 where it throws light
+    front: vec3<f32>,
+    reach_m: f32,           // how far one sees, felt
+    zenith: vec3<f32>,
+    fog_m: f32,             // felt distance at which fog is complete
+    sun: vec3<f32>,
+    sun_cosine: f32,        // of the angle of its radius
+    sun_colour: vec3<f32>,
+    sun_count: u32,         // 0 or 1
     top: vec4<f32>,
     horizon: vec4<f32>,
     ground: vec4<f32>,
     ambient_sky: vec4<f32>,
     ambient_ground: vec4<f32>,
-    outline: vec4<f32>,     // colour of the outlines of boxes
-    stack: vec4<u32>,
-    size: vec4<u32>,        // pixels; mirrors and panes in a row; samples a pixel
-    counts: vec4<u32>,      // depth of the eye's stack; lamps; columns from and to which are drawn
-    marks: vec4<u32>,       // column that is a line; rows from and to which are drawn
+    outline_colour: vec3<f32>,  // of the outlines of boxes
+    outline_strength: f32,
+    stack: vec4<u32>,       // the eye's, depth deep
+    width: u32,             // pixels
+    height: u32,
+    bounces: u32,           // mirrors and panes in a row
+    samples: u32,           // for a pixel
+    depth: u32,
+    lamp_count: u32,
+    first_column: u32,      // the part that is drawn ends before end_column and end_row
+    end_column: u32,
+    line_column: u32,       // shown as a line
+    first_row: u32,
+    end_row: u32,
+    padding: u32,
     lamps: array<Lamp, 8>,
 }
 
 struct Material {
-    colour: vec4<f32>,      // w: layer of its texture, or -1
-    checker: vec4<f32>,     // w: edge of the checker's squares in metres, or 0
-    glow: vec4<f32>,        // w: share of light that it mirrors
-    optics: vec4<f32>,      // refractive index of glass, or 0; gloss; repeats of the texture for one of uv
+    colour: vec3<f32>,
+    layer: f32,             // of its texture, or -1
+    checker: vec3<f32>,     // colour of the other squares
+    square_m: f32,          // edge of a square, or 0
+    glow: vec3<f32>,
+    mirror: f32,            // share of light that it mirrors
+    glass_index: f32,       // refractive index, or 0
+    gloss: f32,
+    repeats: f32,           // of the texture for one of uv
+    padding: f32,
 }
 
 // No uniform: software adapters compile a shader anew for what it branches by in uniforms, whenever that changes.

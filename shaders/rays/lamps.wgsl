@@ -99,7 +99,7 @@ fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
     let own_depth = (*from_path).depth;
     let lamp_stack = frame.lamps[lamp].stack;
     let lamp_depth = frame.lamps[lamp].depth;
-    let place = frame.lamps[lamp].place.xyz;
+    let place = frame.lamps[lamp].place;
     let away = place - (*from_path).x;
     let is_same = own_depth == lamp_depth;
     // What both are in, and what only one of them is.

@@ -33,16 +33,16 @@ fn along_surface(p: vec3<f32>, n: vec3<f32>) -> vec2<f32> {
 
 // Colour of a material at a place of the thing's own metres, or of its texture; a pixel covers `width` metres there.
 fn colour_of(number: u32, p: vec3<f32>, n: vec3<f32>, uv: vec2<f32>, width: vec3<f32>, uv_width: f32) -> vec3<f32> {
-    var colour = materials[number].colour.rgb;
-    let edge = materials[number].checker.w;
+    var colour = materials[number].colour;
+    let edge = materials[number].square_m;
     if edge > 0.0 {
         // Surfaces lie on the borders of squares: a little inside one is sure to be in one.
         let share = checker_share(along_surface(p - 0.01 * edge * n, n) / edge, along_surface(width, n) / edge);
-        colour = mix(colour, materials[number].checker.rgb, share);
+        colour = mix(colour, materials[number].checker, share);
     }
-    let layer = materials[number].colour.w;
+    let layer = materials[number].layer;
     if layer >= 0.0 {
-        let scale = materials[number].optics.z;
+        let scale = materials[number].repeats;
         let texels = f32(textureDimensions(textures).x) * scale * uv_width;
         colour *= textureSampleLevel(textures, texture_sampler, uv * scale, i32(layer), log2(max(texels, 1.0))).rgb;
     }
@@ -123,21 +123,21 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
 // Light of the sun and of lamps that falls on a surface, and what of it shines.
 fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
-    let gloss = materials[surface.material].optics.y;
-    for (var light = 0u; light <= frame.counts.y; light++) {
+    let gloss = materials[surface.material].gloss;
+    for (var light = 0u; light <= frame.lamp_count; light++) {
         let is_sun = light == 0u;
-        var tries = u32(frame.sun_colour.w);
+        var tries = frame.sun_count;
         if !is_sun {
             tries = lamp_tries(at, light - 1u);
         }
         for (var attempt = 0u; attempt < tries; attempt++) {
-            var aim = Aim(frame.sun.xyz, frame.front.w);
+            var aim = Aim(frame.sun, frame.reach_m);
             var radius = 0.0;
-            var strength = frame.sun_colour.rgb;
+            var strength = frame.sun_colour;
             if !is_sun {
                 aim = lamp_aim(at, light - 1u, attempt);
-                radius = frame.lamps[light - 1u].place.w;
-                strength = frame.lamps[light - 1u].colour.rgb * lamp_through(max(aim.length, 0.0), frame.lamps[light - 1u].colour.w);
+                radius = frame.lamps[light - 1u].radius_m;
+                strength = frame.lamps[light - 1u].colour * lamp_through(max(aim.length, 0.0), frame.lamps[light - 1u].reach_m);
             }
             let cosine = dot(surface.n, aim.w);
             var share = select(lamp_diffuse(cosine), max(cosine, 0.0), is_sun);
@@ -156,7 +156,7 @@ fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) ->
             }
             if !is_sun {
                 // Where it met other boxes it has gone elsewhere.
-                let left = frame.lamps[light - 1u].place.xyz - ended.path.x;
+                let left = frame.lamps[light - 1u].place - ended.path.x;
                 if length(left) > radius + 0.002 * (1.0 + aim.length) {
                     continue;
                 }
@@ -169,10 +169,10 @@ fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) ->
 }
 
 fn sky_at(w: vec3<f32>, with_sun: bool) -> vec3<f32> {
-    var light = sky_light(w, frame.zenith.xyz, frame.top.rgb, frame.horizon.rgb, frame.ground.rgb);
-    if with_sun && frame.sun_colour.w > 0.0 {
-        let toward = dot(w, frame.sun.xyz);
-        light += frame.sun_colour.rgb * (4.0 * smoothstep(frame.sun.w - 0.0004, frame.sun.w + 0.0004, toward));
+    var light = sky_light(w, frame.zenith, frame.top.rgb, frame.horizon.rgb, frame.ground.rgb);
+    if with_sun && frame.sun_count > 0u {
+        let toward = dot(w, frame.sun);
+        light += frame.sun_colour * (4.0 * smoothstep(frame.sun_cosine - 0.0004, frame.sun_cosine + 0.0004, toward));
     }
     return light;
 }
@@ -200,19 +200,19 @@ struct Seen {
 
 // What is seen in a direction; `pixel` is where a raster has it.
 fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
-    var seen = Seen(vec3<f32>(0.0), 0u, frame.front.w);
+    var seen = Seen(vec3<f32>(0.0), 0u, frame.reach_m);
     var left = vec3<f32>(1.0);
     var far = 0.0;
     var in_glass = false;
-    var path = path_from(frame.eye.xyz, direction, frame.stack, frame.counts.x, true);
-    for (var bounce = 0u; bounce <= frame.size.z; bounce++) {
-        var ended = next_seen(path, frame.front.w - far, bounce, pixel);
+    var path = path_from(frame.eye, direction, frame.stack, frame.depth, true);
+    for (var bounce = 0u; bounce <= frame.bounces; bounce++) {
+        var ended = next_seen(path, frame.reach_m - far, bounce, pixel);
         path = ended.path;
         let before = far;
         far += ended.length;
         if ended.outline >= 0.0 {
-            let strength = frame.outline.w * (1.0 - fog_share(before + ended.outline, frame.zenith.w));
-            seen.light += left * strength * frame.outline.rgb;
+            let strength = frame.outline_strength * (1.0 - fog_share(before + ended.outline, frame.fog_m));
+            seen.light += left * strength * frame.outline_colour;
             left *= 1.0 - strength;
         }
         if ended.end == END_SPENT || ended.end == END_TOO_MANY {
@@ -222,29 +222,29 @@ fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
         var surface: Surface;
         var what = 0x80000000u + ended.wall;
         if ended.end == END_OBJECT {
-            surface = object_surface(&ended, frame.eye.w * far);
+            surface = object_surface(&ended, frame.pixel_rad * far);
             what = 1u + instance_part(ended.found.instance, 3u).y;
         } else {
-            surface = wall_surface(&ended, frame.eye.w * far);
+            surface = wall_surface(&ended, frame.pixel_rad * far);
         }
         if bounce == 0u {
             seen.what = what;
             seen.length = ended.length;
         }
-        let fog = fog_share(far, frame.zenith.w);
-        let glow = materials[surface.material].glow;
-        let index = materials[surface.material].optics.x;
-        let goes_on = bounce < frame.size.z;
+        let fog = fog_share(far, frame.fog_m);
+        let mirror = materials[surface.material].mirror;
+        let index = materials[surface.material].glass_index;
+        let goes_on = bounce < frame.bounces;
         // Without bounces a mirror shows the sky and a pane is nearly opaque.
-        let mirrored = select(0.6 * glow.w, glow.w, goes_on);
+        let mirrored = select(0.6 * mirror, mirror, goes_on);
         let is_pane = index > 0.0 && goes_on;
         seen.light += left * fog * sky_at(path.w, false);
         left *= 1.0 - fog;
         if !is_pane && mirrored < 1.0 {
             var at = path;
             at.x += lift_of(path.x) * surface.flat;
-            let diffuse = direct_light(&at, surface, -path.w) + ambient_light(surface.n, frame.zenith.xyz, frame.ambient_sky.rgb, frame.ambient_ground.rgb);
-            seen.light += left * (1.0 - mirrored) * (surface.colour * diffuse + glow.rgb);
+            let diffuse = direct_light(&at, surface, -path.w) + ambient_light(surface.n, frame.zenith, frame.ambient_sky.rgb, frame.ambient_ground.rgb);
+            seen.light += left * (1.0 - mirrored) * (surface.colour * diffuse + materials[surface.material].glow);
         }
         if is_pane {
             left *= surface.colour;
@@ -275,25 +275,25 @@ fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
 
 @compute @workgroup_size(8, 8)
 fn draw(@builtin(global_invocation_id) invocation: vec3<u32>) {
-    let id = invocation.xy + vec2<u32>(frame.counts.z, frame.marks.y);
-    if id.x >= frame.counts.w || id.y >= min(frame.marks.z, frame.size.y) {
+    let id = invocation.xy + vec2<u32>(frame.first_column, frame.first_row);
+    if id.x >= frame.end_column || id.y >= min(frame.end_row, frame.height) {
         return;
     }
     var light = vec3<f32>(0.0);
     var first: Seen;
-    for (var sample = 0u; sample < frame.size.w; sample++) {
+    for (var sample = 0u; sample < frame.samples; sample++) {
         // Of one sample the middle; of several a turned square's corners.
         let angle = 0.4636 + 1.5707963 * f32(sample);
-        let offset = select(vec2<f32>(0.0), 0.3953 * vec2<f32>(cos(angle), sin(angle)), frame.size.w > 1u);
-        let place = 2.0 * (vec2<f32>(id) + 0.5 + offset) / vec2<f32>(frame.size.xy) - 1.0;
-        let pixel = id + vec2<u32>(0u, sample * frame.size.y);
-        let seen = see(normalize(frame.front.xyz + place.x * frame.right.xyz - place.y * frame.up.xyz), pixel);
+        let offset = select(vec2<f32>(0.0), 0.3953 * vec2<f32>(cos(angle), sin(angle)), frame.samples > 1u);
+        let place = 2.0 * (vec2<f32>(id) + 0.5 + offset) / vec2<f32>(vec2<u32>(frame.width, frame.height)) - 1.0;
+        let pixel = id + vec2<u32>(0u, sample * frame.height);
+        let seen = see(normalize(frame.front + place.x * frame.right.xyz - place.y * frame.up.xyz), pixel);
         light += seen.light;
         if sample == 0u {
             first = seen;
         }
     }
-    light = select(light / f32(frame.size.w), LINE, id.x == frame.marks.x);
+    light = select(light / f32(frame.samples), LINE, id.x == frame.line_column);
     textureStore(light_out, id, vec4<f32>(light, 1.0));
     textureStore(seen_out, id, vec4<u32>(first.what, bitcast<u32>(first.length), 0u, 0u));
 }

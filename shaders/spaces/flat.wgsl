@@ -14,7 +14,7 @@ fn frame_vector(space: Space, p: vec3<f32>, n: vec3<f32>) -> vec4<f32> {
 
 // n/d, once it is divided by the distance ahead.
 fn depth_of(space: Space, v: vec4<f32>) -> f32 {
-    return space.project.z;
+    return space.near_m;
 }
 
 fn eye_distance(space: Space, v: vec4<f32>) -> f32 {

@@ -12,8 +12,8 @@ const GEO_ENDLESS: f32 = 3.0e38;
 // A point from the eye, drawn in where products of its coordinates would leave the range of f32.
 fn geo_within_horizon(space: Space, p: vec3<f32>) -> vec3<f32> {
     let bounded = clamp(p, vec3<f32>(-1.0e18), vec3<f32>(1.0e18));
-    let far = length(bounded) * space.edge.z;
-    if (space.curve.x < 0.0) & (far > GEO_FAR_LEVEL) {
+    let far = length(bounded) * space.k_per_m;
+    if (space.kappa < 0.0) & (far > GEO_FAR_LEVEL) {
         return bounded * (GEO_FAR_LEVEL / far);
     }
     return bounded;
@@ -31,15 +31,15 @@ struct geo_Climb {
 }
 
 fn geo_climb(space: Space, y: f32) -> geo_Climb {
-    let kappa = space.curve.x;
-    let steep = space.edge.z * abs(y);
+    let kappa = space.kappa;
+    let steep = space.k_per_m * abs(y);
     if (kappa < 0.0) & (steep > 1.0) {
         // One exponential for all three: its error scales the point and leaves the direction.
         let sense = select(1.0, -1.0, y < 0.0);
         let e = geo_half_exp(steep, 0.0);
-        let lifted = space.curve.w + sense * space.edge.z * space.curve.z;
+        let lifted = space.lift_cosine + sense * space.k_per_m * space.lift_sine;
         return geo_Climb(
-            sense * space.project.w * (e.x + e.x * (e.y + (e.z - e.w))),
+            sense * space.radius_m * (e.x + e.x * (e.y + (e.z - e.w))),
             e.x + e.x * (e.y + (e.z + e.w)),
             e.x,
             lifted,
@@ -48,7 +48,7 @@ fn geo_climb(space: Space, y: f32) -> geo_Climb {
     }
     let near = geo_excess(kappa * y * y);
     let rise = y + y * near.x;
-    let upright = (space.curve.w - 1.0) + (space.curve.w * near.y - kappa * rise * space.curve.z);
+    let upright = (space.lift_cosine - 1.0) + (space.lift_cosine * near.y - kappa * rise * space.lift_sine);
     return geo_Climb(rise, 1.0 + near.y, 1.0, 1.0, upright);
 }
 
@@ -56,11 +56,11 @@ fn geo_climb(space: Space, y: f32) -> geo_Climb {
 // Y' = S(u.y) - S(H) C(y) (C(r) - 1), W' = C(u.y) + C(H) C(y) (C(r) - 1).
 fn port(space: Space, p: vec3<f32>) -> vec4<f32> {
     let u = geo_within_horizon(space, p);
-    let s = space.curve.x * (u.x * u.x + u.z * u.z);
+    let s = space.kappa * (u.x * u.x + u.z * u.z);
     // (scale, sine, cosine, divisor) of the level distance.
     var level = vec4<f32>(1.0, geo_excess(s), 1.0);
     if s <= -1.0 {
-        level = geo_parts_far(space.edge.z * vec3<f32>(u.x, 0.0, u.z));
+        level = geo_parts_far(space.k_per_m * vec3<f32>(u.x, 0.0, u.z));
     }
     let climb = geo_climb(space, u.y);
     let upright = climb.scale * climb.lifted;
@@ -71,55 +71,55 @@ fn port(space: Space, p: vec3<f32>) -> vec4<f32> {
     let across = geo_product(upright * level.x, level.y, climb.upright) / level.w;
     return vec4<f32>(
         across * u.x,
-        climb.rise - space.curve.z * sag,
+        climb.rise - space.lift_sine * sag,
         across * u.z,
-        climb.fall + space.curve.w * sag,
+        climb.fall + space.lift_cosine * sag,
     );
 }
 
 fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>) -> vec3<f32> {
     let u = geo_within_horizon(space, p);
-    let s = space.curve.x * (u.x * u.x + u.z * u.z);
+    let s = space.kappa * (u.x * u.x + u.z * u.z);
     let climb = geo_climb(space, u.y);
     let upright = climb.scale * climb.lifted * (1.0 + climb.upright);
-    let flip = select(1.0, -1.0, space.curve.x > 0.0);
-    return geo_normal_cylindrical(n, u, s, upright, flip, abs(space.curve.x));
+    let flip = select(1.0, -1.0, space.kappa > 0.0);
+    return geo_normal_cylindrical(n, u, s, upright, flip, abs(space.kappa));
 }
 
 // The chart stands on the sheet below the eye.
 fn frame_vector(space: Space, p: vec3<f32>, n: vec3<f32>) -> vec4<f32> {
-    let s = select(-1.0, 1.0, space.curve.x > 0.0);
-    let k = space.edge.z;
-    let m = geo_frame_cylindrical(n, k * vec2<f32>(p.x, p.z), k * (p.y + space.curve.y), s);
+    let s = select(-1.0, 1.0, space.kappa > 0.0);
+    let k = space.k_per_m;
+    let m = geo_frame_cylindrical(n, k * vec2<f32>(p.x, p.z), k * (p.y + space.lift), s);
     // Down to the eye, by its height.
-    let sine = k * space.curve.z;
+    let sine = k * space.lift_sine;
     return space.view * vec4<f32>(
         m.x,
-        space.curve.w * m.y - sine * m.w,
+        space.lift_cosine * m.y - sine * m.w,
         m.z,
-        space.curve.w * m.w + s * sine * m.y,
+        space.lift_cosine * m.w + s * sine * m.y,
     );
 }
 
 // n/d where flat, n exp(-d) over the hyperbolic distance, and the height over the equator where it bends in, once it is
 // divided by the distance ahead.
 fn depth_of(space: Space, v: vec4<f32>) -> f32 {
-    let near = space.project.z;
-    let outwards = near / (v.w + space.edge.z * geo_length(v.xyz));
-    return select(outwards, 0.5 * near * (1.0 + v.w), space.curve.x > 0.0);
+    let near = space.near_m;
+    let outwards = near / (v.w + space.k_per_m * geo_length(v.xyz));
+    return select(outwards, 0.5 * near * (1.0 + v.w), space.kappa > 0.0);
 }
 
 fn eye_distance(space: Space, v: vec4<f32>) -> f32 {
     let rho = geo_length(v.xyz);
-    if (space.curve.x < 0.0) & (rho < GEO_ENDLESS) {
-        return space.project.w * geo_asinh(rho * space.edge.z);
+    if (space.kappa < 0.0) & (rho < GEO_ENDLESS) {
+        return space.radius_m * geo_asinh(rho * space.k_per_m);
     }
-    if (space.curve.x > 0.0) & (rho < GEO_ENDLESS) {
-        return space.project.w * geo_angle(rho * space.edge.z, v.w);
+    if (space.kappa > 0.0) & (rho < GEO_ENDLESS) {
+        return space.radius_m * geo_angle(rho * space.k_per_m, v.w);
     }
     return rho;
 }
 
 fn curvature_of(space: Space) -> vec2<f32> {
-    return vec2<f32>(select(1.0, -1.0, space.curve.x < 0.0), space.edge.z);
+    return vec2<f32>(select(1.0, -1.0, space.kappa < 0.0), space.k_per_m);
 }

@@ -10,7 +10,7 @@ const DAY: f32 = 0.48;
 
 // A view point as a unit vector of the model.
 fn model_of(view: vec4<f32>) -> vec4<f32> {
-    return vec4<f32>(view.xyz * scene.space.curve.x, view.w);
+    return vec4<f32>(view.xyz * scene.space.k_per_m, view.w);
 }
 
 // How much of the day's light there is at a place, 0 to 1.
@@ -31,7 +31,7 @@ fn in_common_axes(v: vec3<f32>) -> vec3<f32> {
 // The place on the sphere, since two charts agree at the equator there alone. Their places are not wrapped: p is one, from
 // the chart's middle.
 fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
-    let radius = scene.space.project.w;
+    let radius = scene.space.radius_m;
     let r = max(length(p.xz), 1e-3);
     let sine = sin(r / radius) / r;
     let home = chart.home * vec4<f32>(sine * p.x, 0.0, sine * p.z, cos(r / radius));
@@ -117,7 +117,7 @@ fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool
 // The space itself.
 fn caster_point(p: vec3<f32>) -> vec4<f32> {
     var space: Space;
-    space.curve.x = caster.curvature_per_m;
+    space.k_per_m = caster.curvature_per_m;
     return port(space, p);
 }
 

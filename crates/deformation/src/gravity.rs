@@ -84,17 +84,9 @@ impl Flyer {
             .min(left);
             self.velocity += a * passed;
             left -= passed;
-            let struck = |normal: DVec3, what| {
-                let normal = if normal.dot(v) > 0.0 { -normal } else { normal };
-                Hit {
-                    what,
-                    normal,
-                    felt_normal: felt_normal(k, normal),
-                }
-            };
             if let Some(hit) = hit {
                 let what = What::Object(hit.object, hit.part);
-                return Some((struck(hit.normal, what), left));
+                return Some((struck(k, v, hit.normal, what), left));
             }
             if let Next::Face {
                 number,
@@ -104,7 +96,7 @@ impl Flyer {
                 && self.cross(space, (number, axis), enters) == Crossing::Wall
             {
                 let normal = space.placed()[number].axes.col(axis);
-                return Some((struck(normal, What::Wall(number, axis)), left));
+                return Some((struck(k, v, normal, What::Wall(number, axis)), left));
             }
         }
         None
@@ -122,6 +114,16 @@ impl Flyer {
         self.place.stack = state.stack;
         self.velocity = state.w * speed;
         crossing
+    }
+}
+
+/// What a body that moves at v hit, with its normal towards the body.
+fn struck(k: DMat3, v: DVec3, normal: DVec3, what: What) -> Hit {
+    let normal = if normal.dot(v) > 0.0 { -normal } else { normal };
+    Hit {
+        what,
+        normal,
+        felt_normal: felt_normal(k, normal),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing, Globe};
 /// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
 /// here only as far as what stands near the edge needs it.
 ///
-/// Shaders know a rectangle from its chart and a disc from the space ([`crate::SpaceUniform`]'s edge), so that all discs of
+/// Shaders know a rectangle from its chart and a disc from the space ([`crate::SpaceUniform`]'s `level_m`), so that all discs of
 /// a space are alike and lie about the reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Domain {

@@ -1,5 +1,6 @@
 //! The `f32` kernels of the geometry crate on vectors: the arithmetic of `shaders/geometry.wgsl`.
 
+use antipode_geometry::kernel::horizon::HorizonMap;
 use antipode_geometry::kernel::raised::RaisedMap;
 use antipode_geometry::kernel::{distance, exponential, sphere as sphere_kernel};
 use antipode_geometry::{Real, SpaceUniform};
@@ -15,9 +16,26 @@ pub fn sinhc_cosh(t: f32) -> (f32, f32) {
     <f32 as Real>::sinhc_cosh(t).into()
 }
 
+/// The raised map as the shader has it.
+pub fn raised_map(space: &SpaceUniform) -> RaisedMap<f32> {
+    let lift = [
+        space.k_per_m,
+        space.lift,
+        space.lift_sine,
+        space.lift_cosine,
+    ];
+    RaisedMap::from_uniform(lift, space.radius_m)
+}
+
+/// The horizon map as the shader has it.
+pub fn horizon_map(space: &SpaceUniform) -> HorizonMap<f32> {
+    let lift = [space.kappa, space.lift, space.lift_sine, space.lift_cosine];
+    HorizonMap::from_uniform(lift, space.k_per_m, space.radius_m)
+}
+
 /// The raised map, p in metres from the eye: before the camera's rotation.
 pub fn raised(space: &SpaceUniform, p: Vec3) -> Vec4 {
-    let map = RaisedMap::from_uniform(space.curve, space.project[3]);
+    let map = raised_map(space);
     map.port(p.to_array()).into()
 }
 

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use antipode_deformation::PictureCorners;
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, Vec4};
+use glam::{DVec3, Vec3, Vec4};
 
-use crate::packed::{stack, vector};
+use crate::packed::stack;
 use crate::rays::Options;
 use crate::scene::{Eye, Lamp, MAX_LAMPS, RayScene};
 
@@ -16,11 +16,13 @@ const SUN_COSINE: f64 = 0.9995;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 struct PackedLamp {
-    place: Vec4,
-    colour: Vec4,
+    place: Vec3,
+    radius_m: f32,
+    colour: Vec3,
+    reach_m: f32,
     stack: [u32; 4],
     depth: u32,
-    room: [u32; 3],
+    padding: [u32; 3],
 }
 
 /// A part of a picture.
@@ -38,23 +40,38 @@ pub struct Part {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Frame {
-    eye: Vec4,
+    eye: Vec3,
+    pixel_rad: f32,
     right: Vec4,
     up: Vec4,
-    front: Vec4,
-    zenith: Vec4,
-    sun: Vec4,
-    sun_colour: Vec4,
+    front: Vec3,
+    reach_m: f32,
+    zenith: Vec3,
+    fog_m: f32,
+    sun: Vec3,
+    sun_cosine: f32,
+    sun_colour: Vec3,
+    sun_count: u32,
     top: Vec4,
     horizon: Vec4,
     ground: Vec4,
     ambient_sky: Vec4,
     ambient_ground: Vec4,
-    outline: Vec4,
+    outline_colour: Vec3,
+    outline_strength: f32,
     stack: [u32; 4],
-    size: [u32; 4],
-    counts: [u32; 4],
-    marks: [u32; 4],
+    width: u32,
+    height: u32,
+    bounces: u32,
+    samples: u32,
+    depth: u32,
+    lamp_count: u32,
+    first_column: u32,
+    end_column: u32,
+    line_column: u32,
+    first_row: u32,
+    end_row: u32,
+    padding: u32,
     lamps: [PackedLamp; MAX_LAMPS],
 }
 
@@ -69,12 +86,10 @@ pub fn frame(
     let half = (0.5 * eye.fov_y_rad).tan();
     let aspect = f64::from(size.0) / f64::from(size.1.max(1));
     let pixel_angle = 2.0 * half / f64::from(size.1.max(1));
-    let fog = f64::from(scene.fog_m).max(1.0);
+    let fog_m = scene.fog_m.max(1.0);
     let sky = &scene.sky;
-    let (sun, sun_colour) = match &scene.sun {
-        Some(sun) => (sun.direction, sun.colour.extend(1.0)),
-        None => (DVec3::Y, Vec4::ZERO),
-    };
+    let (sun, sun_colour) =
+        (scene.sun.as_ref()).map_or((DVec3::Y, Vec3::ZERO), |sun| (sun.direction, sun.colour));
     let shining = scene.lamps.len().min(MAX_LAMPS);
     let outlines = if options.outlines {
         scene.outline.strength
@@ -86,39 +101,51 @@ pub fn frame(
         *packed = pack_lamp(lamp);
     }
     Frame {
-        eye: vector(eye.place.point, pixel_angle),
-        right: vector(eye.right * (half * aspect), 0.0),
-        up: vector(eye.up * half, 0.0),
-        front: vector(eye.front, fog),
-        zenith: vector(sky.zenith, fog),
-        sun: vector(sun, SUN_COSINE),
+        eye: eye.place.point.as_vec3(),
+        pixel_rad: pixel_angle as f32,
+        right: (eye.right * (half * aspect)).as_vec3().extend(0.0),
+        up: (eye.up * half).as_vec3().extend(0.0),
+        front: eye.front.as_vec3(),
+        reach_m: fog_m,
+        zenith: sky.zenith.as_vec3(),
+        fog_m,
+        sun: sun.as_vec3(),
+        sun_cosine: SUN_COSINE as f32,
         sun_colour,
+        sun_count: u32::from(scene.sun.is_some()),
         top: sky.top.extend(0.0),
         horizon: sky.horizon.extend(0.0),
         ground: sky.ground.extend(0.0),
         ambient_sky: sky.ambient_sky.extend(0.0),
         ambient_ground: sky.ambient_ground.extend(0.0),
-        outline: scene.outline.colour.extend(outlines),
+        outline_colour: scene.outline.colour,
+        outline_strength: outlines,
         stack: stack(&eye.place.stack),
-        size: [size.0, size.1, options.bounces, options.samples.clamp(1, 4)],
-        counts: [
-            eye.place.stack.len() as u32,
-            shining as u32,
-            part.columns.start,
-            part.columns.end,
-        ],
-        marks: [part.line, part.rows.start, part.rows.end, 0],
+        width: size.0,
+        height: size.1,
+        bounces: options.bounces,
+        samples: options.samples.clamp(1, 4),
+        depth: eye.place.stack.len() as u32,
+        lamp_count: shining as u32,
+        first_column: part.columns.start,
+        end_column: part.columns.end,
+        line_column: part.line,
+        first_row: part.rows.start,
+        end_row: part.rows.end,
+        padding: 0,
         lamps,
     }
 }
 
 fn pack_lamp(lamp: &Lamp) -> PackedLamp {
     PackedLamp {
-        place: vector(lamp.place.point, f64::from(lamp.radius_m.max(0.0))),
-        colour: lamp.colour.extend(lamp.reach_m.max(1e-3)),
+        place: lamp.place.point.as_vec3(),
+        radius_m: lamp.radius_m.max(0.0),
+        colour: lamp.colour,
+        reach_m: lamp.reach_m.max(1e-3),
         stack: stack(&lamp.place.stack),
         depth: lamp.place.stack.len() as u32,
-        room: [0; 3],
+        padding: [0; 3],
     }
 }
 

@@ -59,10 +59,16 @@ impl PackedWays {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct PackedMaterial {
-    colour: Vec4,
-    checker: Vec4,
-    glow: Vec4,
-    optics: Vec4,
+    colour: Vec3,
+    layer: f32,
+    checker: Vec3,
+    square_m: f32,
+    glow: Vec3,
+    mirror: f32,
+    glass_index: f32,
+    gloss: f32,
+    repeats: f32,
+    padding: f32,
 }
 
 /// By which rule light goes through aberrations.
@@ -253,21 +259,25 @@ pub fn stack(stack: &Stack) -> [u32; 4] {
 /// A material; one that names a picture that there is not is plain.
 pub fn material(material: &Material, textures: usize) -> PackedMaterial {
     let mut packed = PackedMaterial {
-        colour: material.colour.extend(-1.0),
-        checker: Vec4::ZERO,
-        glow: material.glow.extend(material.mirror.clamp(0.0, 1.0)),
-        optics: Vec4::new(
-            material.glass.map_or(0.0, |index| index.max(1.0)),
-            material.gloss,
-            1.0,
-            0.0,
-        ),
+        colour: material.colour,
+        layer: -1.0,
+        checker: Vec3::ZERO,
+        square_m: 0.0,
+        glow: material.glow,
+        mirror: material.mirror.clamp(0.0, 1.0),
+        glass_index: material.glass.map_or(0.0, |index| index.max(1.0)),
+        gloss: material.gloss,
+        repeats: 1.0,
+        padding: 0.0,
     };
     match material.pattern {
-        Pattern::Checker { other, edge_m } => packed.checker = other.extend(edge_m.max(0.0)),
+        Pattern::Checker { other, edge_m } => {
+            packed.checker = other;
+            packed.square_m = edge_m.max(0.0);
+        }
         Pattern::Texture { number, repeats } if number < textures => {
-            packed.colour.w = number as f32;
-            packed.optics.z = repeats;
+            packed.layer = number as f32;
+            packed.repeats = repeats;
         }
         _ => {}
     }

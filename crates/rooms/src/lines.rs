@@ -55,19 +55,7 @@ impl<F: FnMut(&str, Range<usize>) -> bool> Walk<'_, F> {
     fn step(&mut self) -> bool {
         let byte = self.text[self.at];
         match byte {
-            b'(' | b'[' | b'{' => {
-                self.element(self.at);
-                self.at += 1;
-                let base = self.path.len();
-                let is_list = byte == b'[';
-                self.open.push(Frame {
-                    is_list,
-                    base,
-                    index: 0,
-                    began: None,
-                });
-                self.open.len() <= MOST_DEEP
-            }
+            b'(' | b'[' | b'{' => self.opened(byte == b'['),
             b')' | b']' | b'}' => {
                 let goes_on = self.close();
                 self.at += 1;
@@ -113,6 +101,19 @@ impl<F: FnMut(&str, Range<usize>) -> bool> Walk<'_, F> {
                 true
             }
         }
+    }
+
+    /// Goes into a bracket; whether it is not too deep.
+    fn opened(&mut self, is_list: bool) -> bool {
+        self.element(self.at);
+        self.at += 1;
+        self.open.push(Frame {
+            is_list,
+            base: self.path.len(),
+            index: 0,
+            began: None,
+        });
+        self.open.len() <= MOST_DEEP
     }
 
     fn rest(&self) -> &[u8] {

@@ -6,7 +6,7 @@ use crate::fixed::{self, PART_BITS, Ray};
 use crate::fractal::{Column, Octave};
 use crate::lattice::{Cell, Lattice, SCALE, blend, fade};
 use crate::region::{Batch, LIMIT, Region};
-use crate::relief::{BLOCK, Ground};
+use crate::relief::{BLOCK, Ground, Relief};
 
 /// Columns of fewer samples than this would leave most of a vector empty.
 const SHORT: usize = 3;
@@ -36,13 +36,7 @@ pub(crate) fn fill(
         count: height,
     } = heights;
     let Some(regions) = regions(lattice, octaves, columns, heights) else {
-        for (column, out) in columns.iter().zip(out.chunks_exact_mut(height.max(1))) {
-            for (n, value) in out.iter_mut().enumerate() {
-                let y = first_m + n as f64 * step_m;
-                *value = relief.value(y, sum_at(lattice, octaves, column, y));
-            }
-        }
-        return;
+        return fill_far(lattice, octaves, relief, (columns, heights), out);
     };
     if height < SHORT {
         return fill_short(&regions, ground, columns, heights, out);
@@ -80,6 +74,23 @@ pub(crate) fn fill(
                 relief.values(base, sum).write_to_slice(four);
             }
             out.copy_from_slice(&values[..height]);
+        }
+    }
+}
+
+/// [`fill`] of columns that no regions hold.
+fn fill_far(
+    lattice: &Lattice,
+    octaves: &[Octave],
+    relief: &Relief,
+    (columns, heights): (&[Column], Heights),
+    out: &mut [f32],
+) {
+    let height = heights.count.max(1);
+    for (column, out) in columns.iter().zip(out.chunks_exact_mut(height)) {
+        for (n, value) in out.iter_mut().enumerate() {
+            let y = heights.first_m + n as f64 * heights.step_m;
+            *value = relief.value(y, sum_at(lattice, octaves, column, y));
         }
     }
 }

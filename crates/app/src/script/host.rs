@@ -71,12 +71,8 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
     }
     match order {
         Order::Delete(name) => delete(host, name),
-        Order::Press(input, true) => {
-            host.press(*input);
-            Ok(())
-        }
-        Order::Press(input, false) => {
-            host.controls().input(*input, false);
+        Order::Press(input, is_down) => {
+            press(host, *input, *is_down);
             Ok(())
         }
         Order::Tap(input) => tap(host, *input),
@@ -125,6 +121,14 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
         host.scene()?.mark_cheated();
     }
     Ok(())
+}
+
+fn press<H: Host + ?Sized>(host: &mut H, input: Input, is_down: bool) {
+    if is_down {
+        host.press(input);
+    } else {
+        host.controls().input(input, false);
+    }
 }
 
 fn name_nearest_flag<H: Host + ?Sized>(host: &mut H, name: &str) -> Result<(), Failure> {

@@ -72,7 +72,7 @@ impl Optics for Euclidean {
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
-        SpaceUniform::new(view, projection, f64::INFINITY, 0.0)
+        SpaceUniform::new(view, projection, f64::INFINITY, 0.0, 0.0)
     }
 
     fn shader(&self) -> &'static MapShader {

@@ -224,7 +224,7 @@ impl Optics for Raised {
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
         let h = self.offset(eye);
-        SpaceUniform::new(view, projection, self.radius_m, h)
+        SpaceUniform::new(view, projection, self.radius_m, -1.0, h)
     }
 
     fn shader(&self) -> &'static MapShader {

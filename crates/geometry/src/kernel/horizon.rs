@@ -60,7 +60,7 @@ impl HorizonMap<f64> {
 }
 
 impl HorizonMap<f32> {
-    /// The map as the shader has it: `curve`, k of `edge` and the radius of a `SpaceUniform`.
+    /// The map as the shader has it: of a `SpaceUniform` kappa, the lift, its sine and cosine, k per metre and the radius.
     #[inline]
     pub fn from_uniform([kappa, lift_m, sin, cos]: [f32; 4], k: f32, radius_m: f32) -> Self {
         Self {

@@ -44,7 +44,7 @@ impl RaisedMap<f64> {
 }
 
 impl RaisedMap<f32> {
-    /// The map as the shader has it: `curve` and the radius of a `SpaceUniform`.
+    /// The map as the shader has it: of a `SpaceUniform` k per metre, the lift, its sine and cosine, and the radius.
     #[inline]
     pub fn from_uniform([k, offset, sinh, cosh]: [f32; 4], radius_m: f32) -> Self {
         Self {

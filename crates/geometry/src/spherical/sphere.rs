@@ -319,7 +319,7 @@ impl Optics for Spherical {
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
-        SpaceUniform::new(view, projection, self.radius_m, 0.0).within(self.rim_m())
+        SpaceUniform::new(view, projection, self.radius_m, 1.0, 0.0).within(self.rim_m())
     }
 
     fn home_matrix(&self, chart: ChartId) -> DMat4 {

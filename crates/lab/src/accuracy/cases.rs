@@ -3,8 +3,6 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::kernel::horizon::HorizonMap;
-use antipode_geometry::kernel::raised::RaisedMap;
 use antipode_geometry::kernel::sphere as sphere_kernel;
 use antipode_geometry::shader::MAPS;
 use antipode_geometry::{
@@ -17,6 +15,7 @@ use glam::{DVec3, Mat4, Vec3, Vec4};
 
 use crate::compute;
 use crate::error::LabError;
+use crate::single;
 
 /// The picture that pixels are counted in.
 pub const WIDTH: f64 = 1280.0;
@@ -107,13 +106,12 @@ pub fn sent(space: &dyn Strategy, eye: &Eye, chunk: ChunkCoord, local: Vec3) -> 
 /// The view of a case in single precision on the processor: the shader's arithmetic.
 pub fn single_view(case: &Case) -> Vec4 {
     let p = case.p.to_array();
-    let (curve, radius_m) = (case.space.curve, case.space.project[3]);
     let map = MAPS.get(case.map as usize).map_or("", |map| map.name);
     let ported = match map {
         "flat" => [p[0], p[1], p[2], 1.0],
-        "raised" => RaisedMap::from_uniform(curve, radius_m).port(p),
-        "sphere" => sphere_kernel::port(curve[0], false, p),
-        _ => HorizonMap::from_uniform(curve, case.space.edge[2], radius_m).port(p),
+        "raised" => single::raised_map(&case.space).port(p),
+        "sphere" => sphere_kernel::port(case.space.k_per_m, false, p),
+        _ => single::horizon_map(&case.space).port(p),
     };
     Mat4::from_cols_array_2d(&case.space.view) * Vec4::from_array(ported)
 }

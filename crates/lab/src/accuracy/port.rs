@@ -31,18 +31,24 @@ const EXPONENTIAL: &str = "let p = inputs[i].xyz;
     outputs[i] = vec4<f32>(p * ((both.x + both.x * both.y) / both.w), both.x + both.x * both.z);";
 /// The unit sphere, seen from the pole along the axes.
 const SPHERE: &str = "var space = unit();
-    space.curve = vec4<f32>(1.0, 0.0, 0.0, 1.0);
+    space.k_per_m = 1.0;
     outputs[i] = port_to_view(space, inputs[i].xyz);";
 /// The horizon map at curvature -1 from the height of its own sheet.
 const HORIZON: &str = "var space = unit();
-    space.curve = vec4<f32>(-1.0, 0.0, 0.0, 1.0);
-    space.edge = vec4<f32>(1e18, 1e18, 1.0, 0.0);
+    space.kappa = -1.0;
+    space.k_per_m = 1.0;
     outputs[i] = port_to_view(space, inputs[i].xyz);";
 const UNIT: &str = "fn unit() -> Space {
     var space: Space;
     space.view = mat4x4<f32>(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0),
         vec4<f32>(0.0, 0.0, 1.0, 0.0), vec4<f32>(0.0, 0.0, 0.0, 1.0));
-    space.project = vec4<f32>(1.0, 1.0, 0.05, 1.0);
+    space.focal_x = 1.0;
+    space.focal_y = 1.0;
+    space.near_m = 0.05;
+    space.radius_m = 1.0;
+    space.lift_cosine = 1.0;
+    space.level_m = 1e18;
+    space.upright_m = 1e18;
     return space;
 }";
 

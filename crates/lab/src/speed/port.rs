@@ -198,7 +198,7 @@ pub fn sphere_group(effort: Effort) -> Group {
     };
     let uniform = strategy(Geometry::Spherical, SPHERE_RADIUS_M)
         .uniform(&eye, &Projection::new(1.3, 1.6, 0.02));
-    let k = uniform.curve[0];
+    let k = uniform.k_per_m;
     let view = uniform.view;
     let columns = view.map(wide);
     let map = move |p: [f64; 3]| library::seen(&columns, sphere::port(f64::from(k), false, p));

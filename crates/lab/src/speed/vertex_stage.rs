@@ -43,21 +43,21 @@ const RIGID: &str = "
     extra = clip_from_view(space, v).z + dot(n, LIGHT) + eye_distance(space, v);";
 /// The textbook's raised map: port by the built-in functions, boost, a four-vector's normal and acosh.
 const NAIVE_RAISED: &str = "
-    let q = space.curve.x * p + vec3<f32>(0.0, space.curve.y, 0.0);
+    let q = space.k_per_m * p + vec3<f32>(0.0, space.lift, 0.0);
     let d = length(q);
     let s = sinh(d) / d;
     let c = cosh(d);
-    let x = vec4<f32>(s * q.x, space.curve.w * s * q.y - space.curve.z * c, s * q.z, space.curve.w * c - space.curve.z * s * q.y);
-    v = space.view * vec4<f32>(x.xyz * space.project.w, x.w);
+    let x = vec4<f32>(s * q.x, space.lift_cosine * s * q.y - space.lift_sine * c, s * q.z, space.lift_cosine * c - space.lift_sine * s * q.y);
+    v = space.view * vec4<f32>(x.xyz * space.radius_m, x.w);
     let along = dot(n, q) / (d * d);
     let carried = normalize(vec4<f32>(n + q * ((c - 1.0) * along), s * d * d * along));
     extra = clip_from_view(space, v).z + dot(carried.xyz, LIGHT) + acosh(x.w);";
 /// The textbook's sphere: the built-in functions, a normal carried like a direction and acos.
 const NAIVE_SPHERE: &str = "
-    let u = space.curve.x * p;
+    let u = space.k_per_m * p;
     let r = length(u.xz);
     let s = sin(r) / r;
-    v = space.view * vec4<f32>(cos(u.y) * s * p.x, sin(u.y) * space.project.w, cos(u.y) * s * p.z, cos(u.y) * cos(r));
+    v = space.view * vec4<f32>(cos(u.y) * s * p.x, sin(u.y) * space.radius_m, cos(u.y) * s * p.z, cos(u.y) * cos(r));
     extra = clip_from_view(space, v).z + dot(n, LIGHT) + acos(v.w);";
 
 /// A map in doubles: from metres to view coordinates.
@@ -116,7 +116,7 @@ fn spaces() -> [Variant; 4] {
     let lifted = raised_form();
     let k = 0.125;
     let level = HorizonMap::<f64>::new(-k * k, LIFT_M);
-    let ball_k = f64::from(sphere.1.curve[0]);
+    let ball_k = f64::from(sphere.1.k_per_m);
     let one = |name: &str, (map, space): (_, SpaceUniform), lift_m, exact: Exact| Variant {
         name: name.to_owned(),
         body: GAME,

@@ -87,14 +87,7 @@ pub(super) fn show(
     } else {
         screen.max.x
     };
-    let middle = screen.center().x;
-    let even = 2.0 * (middle - from).min(to - middle);
-    // In the middle of the screen where that is not too narrow, else in the middle of the gap.
-    let (centre, width) = if even >= 0.6 * WIDTH.0 {
-        (middle, even)
-    } else {
-        (f32::midpoint(from, to), to - from)
-    };
+    let (centre, width) = in_gap(screen.center().x, from, to);
     let width = width.min(WIDTH.0);
     if width < WIDTH.1 || screen.height() < 4.0 * HEIGHT || !model.heading_rad.is_finite() {
         return Rect::NOTHING;
@@ -124,6 +117,17 @@ pub(super) fn show(
         }
     }
     covered
+}
+
+/// Where the strip's middle is between `from` and `to`, and its width: in the middle of the screen where that is not too
+/// narrow, else in the middle of the gap.
+fn in_gap(middle: f32, from: f32, to: f32) -> (f32, f32) {
+    let even = 2.0 * (middle - from).min(to - middle);
+    if even >= 0.6 * WIDTH.0 {
+        (middle, even)
+    } else {
+        (f32::midpoint(from, to), to - from)
+    }
 }
 
 /// The flag nearest to straight ahead, if one is about there.

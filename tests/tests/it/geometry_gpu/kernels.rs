@@ -16,16 +16,21 @@ use super::tables::{Worst, rows};
 const KERNELS: &str = include_str!("../../../reference/kernels.json");
 
 /// A uniform whose view is the identity: the map alone.
-fn bare(project_w: f64, curve: [f64; 4], k: f64) -> SpaceUniform {
+fn bare(radius_m: f64, kappa: f64, lift: [f64; 3]) -> SpaceUniform {
     let eye = Eye::default();
     let projection = Projection::new(1.2, 1.6, 0.05);
     let space = picture(Geometry::Euclidean, 1.0, HyperbolicMap::Raised, false);
-    let mut uniform = space.uniform(&eye, &projection);
-    uniform.view = glam::Mat4::IDENTITY.to_cols_array_2d();
-    uniform.project[3] = project_w as f32;
-    uniform.curve = curve.map(|x| x as f32);
-    uniform.edge[2] = k as f32;
-    uniform
+    let [lift, lift_sine, lift_cosine] = lift.map(|x| x as f32);
+    SpaceUniform {
+        view: glam::Mat4::IDENTITY.to_cols_array_2d(),
+        radius_m: radius_m as f32,
+        kappa: kappa as f32,
+        k_per_m: kappa.abs().sqrt() as f32,
+        lift,
+        lift_sine,
+        lift_cosine,
+        ..space.uniform(&eye, &projection)
+    }
 }
 
 /// A map and its uniform.
@@ -33,14 +38,14 @@ type Mapped = (&'static MapShader, SpaceUniform);
 
 fn raised(radius_m: f64, offset_m: f64) -> Mapped {
     let map = RaisedMap::new(radius_m, offset_m);
-    let curve = [map.k, map.offset, map.sinh, map.cosh];
-    (&RAISED, bare(radius_m, curve, map.k))
+    let lift = [map.offset, map.sinh, map.cosh];
+    (&RAISED, bare(radius_m, -map.k * map.k, lift))
 }
 
 fn horizon(kappa: f64, lift_m: f64) -> Mapped {
     let map = HorizonMap::new(kappa, lift_m);
-    let curve = [kappa, lift_m, map.sin, map.cos];
-    (&HORIZON, bare(map.radius_m, curve, map.k))
+    let lift = [lift_m, map.sin, map.cos];
+    (&HORIZON, bare(map.radius_m, kappa, lift))
 }
 
 fn vector(row: &[f64]) -> DVec3 {
@@ -203,7 +208,7 @@ fn the_bend_through_zero_has_no_step_and_no_nan_on_the_adapter() {
         return;
     };
     for (answer, case) in answers.iter().zip(&cases) {
-        let kappa = f64::from(case.space.curve[0]).abs();
+        let kappa = f64::from(case.space.kappa).abs();
         assert!(
             answer.view.is_finite() && answer.normal.is_finite() && answer.distance.is_finite()
         );

@@ -41,8 +41,9 @@ impl Probe {
         if self.space.geometry() != Geometry::Hyperbolic {
             return 1.0;
         }
-        let curve = self.case.space.curve.map(f64::from);
-        let q = self.case.p.as_dvec3() * curve[0] + DVec3::Y * curve[1];
+        let space = &self.case.space;
+        let q =
+            self.case.p.as_dvec3() * f64::from(space.k_per_m) + DVec3::Y * f64::from(space.lift);
         let along = self.case.n.as_dvec3().dot(q.normalize_or_zero());
         along.hypot(1.0 / scalar::sinhc(q.length()))
     }
