@@ -22,8 +22,8 @@ struct Views {
 const WALL_SEEN: u32 = 0x80000000u;
 const DOOR_SEEN: u32 = 0xc0000000u;
 const RAYS_SEE: u32 = 0xe0000000u;
-// How far outside of a triangle a place may be by rounding, as a share of it: the raster's corners are on a grid.
-const OUTSIDE: f32 = 0.25;
+// Whether there is nothing that only rays know, and nothing that light goes on from: what is not needed takes no time.
+override SEES_ALL: bool = false;
 
 @group(2) @binding(0) var visible: texture_2d_array<u32>;
 @group(2) @binding(1) var<storage, read> views: Views;
@@ -59,7 +59,7 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
         seen = visible_at(pixel);
     }
     var ended = Ended(path, END_SPENT, longest, Found(0.0, NOTHING, 0u, vec2<f32>(0.0)), 0u, 0u, 0u, -1.0);
-    var by_rays = seen.x >= DOOR_SEEN;
+    let by_rays = seen.x >= DOOR_SEEN;
     if seen.x != 0u && !by_rays {
         let view = seen.y & 255u;
         let k = mat3x3<f32>(views.list[view].k_x.xyz, views.list[view].k_y.xyz, views.list[view].k_z.xyz);
@@ -67,22 +67,17 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
         let v = k * path.w;
         var time = 0.0;
         if seen.x < WALL_SEEN {
-            let instance = seen.y >> 8u;
-            let found = meet_again(seen.x - 1u, instance, origin.xyz, v);
-            time = found.time;
-            by_rays = any(found.along < vec2<f32>(-OUTSIDE)) || found.along.x + found.along.y > 1.0 + OUTSIDE;
-            ended.found = found;
+            ended.found = meet_again(seen.x - 1u, seen.y >> 8u, origin.xyz, v);
+            time = ended.found.time;
             ended.end = END_OBJECT;
         } else {
             ended.wall = (seen.x >> 3u) & 255u;
             ended.axis = (seen.x >> 1u) & 3u;
             let normal = axis_of(ended.wall, ended.axis);
             let side = select(-1.0, 1.0, (seen.x & 1u) != 0u) * half_of(ended.wall)[ended.axis];
-            time = (side - dot(normal, origin.xyz - space.boxes[ended.wall].centre)) / dot(normal, v);
+            time = max((side - dot(normal, origin.xyz - space.boxes[ended.wall].centre)) / dot(normal, v), 0.0);
             ended.end = END_WALL;
         }
-        // Where a surface is seen from its edge, rounding has the last word.
-        by_rays = by_rays || !(time >= 0.0);
         if time > longest {
             ended.end = END_SPENT;
         } else {
@@ -94,13 +89,14 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
             ended.path = there;
         }
     }
-    if by_rays {
+    if !SEES_ALL && by_rays {
         ended = trace(path, longest, false, bounce == 0u, frame.pixel_rad);
     }
     return ended;
 }
 
-// Where a straight path meets the plane of a triangle of which one knows that it does.
+// Where a straight path meets a triangle of which one knows that it does. The raster's corners are on a grid, so that the path may
+// miss it by a little: then the nearest place of the triangle counts.
 fn meet_again(triangle: u32, instance: u32, x: vec3<f32>, v: vec3<f32>) -> Found {
     let moves = (instance_part(instance, 3u).w & MOVES) != 0u;
     let to_mesh = to_mesh_of(instance);
@@ -111,6 +107,9 @@ fn meet_again(triangle: u32, instance: u32, x: vec3<f32>, v: vec3<f32>) -> Found
     let across = cross(d, ac);
     let one = 1.0 / dot(ab, across);
     let from_corner = o - bitcast<vec3<f32>>(triangle_part(triangle, 0u).xyz);
-    let turned = cross(from_corner, ab);
-    return Found(dot(ac, turned) * one, instance, triangle, vec2<f32>(dot(from_corner, across), dot(d, turned)) * one);
+    let b = clamp(dot(from_corner, across) * one, 0.0, 1.0);
+    let c = clamp(dot(d, cross(from_corner, ab)) * one, 0.0, 1.0 - b);
+    // Where the place that is b and c along the edges lies along the path.
+    let time = dot(b * ab + c * ac - from_corner, d) / dot(d, d);
+    return Found(max(time, 0.0), instance, triangle, vec2<f32>(b, c));
 }

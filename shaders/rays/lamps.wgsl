@@ -135,6 +135,10 @@ fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
     }
     let one = vec3<f32>(1.0);
     let s = select(one, space.boxes[number].stretch, is_felt(number, away));
+    if is_same && all(s == one) {
+        // The way through it is the straight one.
+        return none;
+    }
     let leaves = !is_same && !is_lamp_inner;
     let row = Row(number, array<vec3<f32>, 3>(select(one, s, leaves), select(s, one, leaves), select(one, s, is_lamp_inner)), select(2u, 3u, is_same), select(vec2<f32>(-1.0, 1.0), vec2<f32>(1.0, -1.0), leaves));
     let p = local_vector(number, (*from_path).x - space.boxes[number].centre);

@@ -120,49 +120,74 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     return Surface(colour, n, flat, material);
 }
 
-// Light of the sun and of lamps that falls on a surface, and what of it shines.
+// A way by which light may come: from the sun, which is 0, or a lamp, and how strongly it shines there if nothing is between.
+struct Beam {
+    light: u32,
+    attempt: u32,   // the next of the ways from this light
+    aim: Aim,
+    strength: vec3<f32>,
+    share: f32,
+    is_there: bool,
+}
+
+// The next way by which enough light may come to a surface.
+fn next_beam(at: ptr<function, Path>, surface: Surface, from_light: u32, from_attempt: u32) -> Beam {
+    var beam = Beam(from_light, from_attempt, Aim(frame.sun, frame.reach_m), frame.sun_colour, 0.0, false);
+    loop {
+        if beam.is_there || beam.light > frame.lamp_count {
+            break;
+        }
+        let is_sun = beam.light == 0u;
+        let lamp = select(beam.light - 1u, 0u, is_sun);
+        let tries = select(lamp_tries(at, lamp), frame.sun_count, is_sun);
+        if beam.attempt >= tries {
+            beam.light += 1u;
+            beam.attempt = 0u;
+            continue;
+        }
+        if !is_sun {
+            beam.aim = lamp_aim(at, lamp, beam.attempt);
+            beam.strength = frame.lamps[lamp].colour * lamp_through(max(beam.aim.length, 0.0), frame.lamps[lamp].reach_m);
+        }
+        let cosine = dot(surface.n, beam.aim.w);
+        beam.share = select(lamp_diffuse(cosine), max(cosine, 0.0), is_sun);
+        beam.is_there = !(beam.aim.length < 0.0 || cosine <= 0.0 || greatest(beam.strength) * beam.share < FAINT * 0.1);
+        beam.attempt += 1u;
+    }
+    return beam;
+}
+
+// Whether nothing is in the way of a beam.
+fn beam_arrives(at: ptr<function, Path>, beam: Beam) -> bool {
+    let is_sun = beam.light == 0u;
+    let lamp = select(beam.light - 1u, 0u, is_sun);
+    let radius = select(frame.lamps[lamp].radius_m, 0.0, is_sun);
+    var longest = beam.aim.length;
+    if !is_sun {
+        // The lamp is as large as it is in the scene, whatever it feels like.
+        let k = squeeze_of(frame.lamps[lamp].stack, frame.lamps[lamp].depth, beam.aim.w, false);
+        longest = max(longest - radius / length(k * beam.aim.w), 0.0);
+    }
+    let ended = trace(path_from((*at).x, beam.aim.w, (*at).stack, (*at).depth, false), longest, true, false, 0.0);
+    // Where it met other boxes it has gone elsewhere.
+    let left = frame.lamps[lamp].place - ended.path.x;
+    return ended.end == END_SPENT && (is_sun || length(left) <= radius + 0.002 * (1.0 + beam.aim.length));
+}
+
+// Light of the sun and of lamps that falls on a surface, and what of it shines. Software adapters go through the body of a loop
+// for lanes that have left it, too: so that they trace no more often than the lane with the most beams, all of a beam but the
+// tracing is found out in a loop of its own, before and at the end of the one that traces.
 fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     let gloss = materials[surface.material].gloss;
-    for (var light = 0u; light <= frame.lamp_count; light++) {
-        let is_sun = light == 0u;
-        var tries = frame.sun_count;
-        if !is_sun {
-            tries = lamp_tries(at, light - 1u);
+    var beam = next_beam(at, surface, 0u, 0u);
+    loop {
+        if beam.is_there && beam_arrives(at, beam) {
+            sum += beam.strength * (beam.share + gloss * shine(surface.n, beam.aim.w, to_eye));
         }
-        for (var attempt = 0u; attempt < tries; attempt++) {
-            var aim = Aim(frame.sun, frame.reach_m);
-            var radius = 0.0;
-            var strength = frame.sun_colour;
-            if !is_sun {
-                aim = lamp_aim(at, light - 1u, attempt);
-                radius = frame.lamps[light - 1u].radius_m;
-                strength = frame.lamps[light - 1u].colour * lamp_through(max(aim.length, 0.0), frame.lamps[light - 1u].reach_m);
-            }
-            let cosine = dot(surface.n, aim.w);
-            var share = select(lamp_diffuse(cosine), max(cosine, 0.0), is_sun);
-            if aim.length < 0.0 || cosine <= 0.0 || greatest(strength) * share < FAINT * 0.1 {
-                continue;
-            }
-            var longest = aim.length;
-            if !is_sun {
-                // The lamp is as large as it is in the scene, whatever it feels like.
-                let k = squeeze_of(frame.lamps[light - 1u].stack, frame.lamps[light - 1u].depth, aim.w, false);
-                longest = max(longest - radius / length(k * aim.w), 0.0);
-            }
-            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false), longest, true, false, 0.0);
-            if ended.end != END_SPENT {
-                continue;
-            }
-            if !is_sun {
-                // Where it met other boxes it has gone elsewhere.
-                let left = frame.lamps[light - 1u].place - ended.path.x;
-                if length(left) > radius + 0.002 * (1.0 + aim.length) {
-                    continue;
-                }
-            }
-            share += gloss * shine(surface.n, aim.w, to_eye);
-            sum += strength * share;
+        beam = next_beam(at, surface, beam.light, beam.attempt);
+        if !beam.is_there {
+            break;
         }
     }
     return sum;

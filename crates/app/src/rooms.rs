@@ -138,6 +138,7 @@ impl OpenRoom {
             samples,
             view: self.look,
             outlines: self.outlines,
+            raster: true,
         }
     }
 }

@@ -39,9 +39,14 @@ pub fn sight<'a>(
 
 impl Rays {
     /// The pass that goes on where a raster has seen something.
-    pub(crate) fn rastered(&self, device: &Device, kinds: Kinds) -> &ComputePipeline {
+    pub(crate) fn rastered(
+        &self,
+        device: &Device,
+        kinds: Kinds,
+        sees_all: bool,
+    ) -> &ComputePipeline {
         let layouts = [&self.scene_layout, &self.picture_layout];
-        self.raster.rays(device, layouts, kinds)
+        self.raster.rays(device, layouts, kinds, sees_all)
     }
 
     /// Records the passes of a picture that a raster begins.
@@ -91,7 +96,8 @@ impl Rays {
             label: Some("rays of a raster"),
             timestamp_writes: None,
         });
-        pass.set_pipeline(self.rastered(device, loaded.kinds(rule)));
+        let sees_all = plan.sees_all() && options.bounces == 0;
+        pass.set_pipeline(self.rastered(device, loaded.kinds(rule), sees_all));
         let scene = scene_group(device, &self.scene_layout, loaded, rule);
         pass.set_bind_group(0, &scene, &[]);
         let pixels = self.picture_group(device, loaded, picture, buffer);

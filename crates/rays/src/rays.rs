@@ -156,7 +156,9 @@ impl Rays {
             self.pipeline(device, loaded.kinds(rule));
         }
         for rule in [Rule::Exact, Rule::Plain] {
-            self.rastered(device, loaded.kinds(rule));
+            for sees_all in [false, true] {
+                self.rastered(device, loaded.kinds(rule), sees_all);
+            }
         }
     }
 
@@ -283,6 +285,18 @@ pub fn pipeline(
     layouts: &[&BindGroupLayout],
     kinds: Kinds,
 ) -> ComputePipeline {
+    pipeline_with(device, (label, files, entry), layouts, kinds, &[])
+}
+
+/// The same with more constants.
+pub fn pipeline_with(
+    device: &Device,
+    (label, files, entry): (&str, &[&str], &str),
+    layouts: &[&BindGroupLayout],
+    kinds: Kinds,
+    more: &[(&str, f64)],
+) -> ComputePipeline {
+    let constants = [&kinds.constants()[..], more].concat();
     let module = compile(device, label, files, kinds.deep);
     let groups: Vec<_> = layouts.iter().map(|layout| Some(*layout)).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -296,7 +310,7 @@ pub fn pipeline(
         module: &module,
         entry_point: Some(entry),
         compilation_options: wgpu::PipelineCompilationOptions {
-            constants: &kinds.constants(),
+            constants: &constants,
             ..Default::default()
         },
         cache: None,

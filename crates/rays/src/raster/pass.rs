@@ -15,7 +15,7 @@ use super::plan::Plan;
 use super::target::{DEPTH_FORMAT, VISIBLE_FORMAT, Visible};
 use crate::loaded::Loaded;
 use crate::packed::{Kinds, Rule};
-use crate::rays::{READ, buffer, group, layout, pipeline};
+use crate::rays::{READ, buffer, group, layout, pipeline_with};
 use crate::shaders::{RASTER, RASTERED};
 
 /// Views that a picture has at most; their numbers are bytes.
@@ -32,7 +32,7 @@ pub struct Raster {
     first: Pair,
     deeper: Pair,
     /// By the number of what is told beforehand; compiled when they are asked for.
-    rays: [OnceLock<ComputePipeline>; 8],
+    rays: [[OnceLock<ComputePipeline>; 8]; 2],
     views: Buffer,
     nothing: TextureView,
 }
@@ -88,21 +88,25 @@ impl Raster {
         }
     }
 
-    /// The pass by rays that goes on where a raster has seen something.
+    /// The pass by rays that goes on where a raster has seen something. `sees_all`: there is nothing that only rays know, and
+    /// light goes on from nothing.
     pub fn rays(
         &self,
         device: &Device,
         layouts: [&BindGroupLayout; 2],
         kinds: Kinds,
+        sees_all: bool,
     ) -> &ComputePipeline {
-        self.rays[kinds.number()].get_or_init(|| {
+        self.rays[usize::from(sees_all)][kinds.number()].get_or_init(|| {
             let [scene, picture] = layouts;
             let layouts = [scene, picture, &self.visible_layout];
-            pipeline(
+            let more = [("SEES_ALL", f64::from(u8::from(sees_all)))];
+            pipeline_with(
                 device,
                 ("rays of a raster", &RASTERED, "draw"),
                 &layouts,
                 kinds,
+                &more,
             )
         })
     }

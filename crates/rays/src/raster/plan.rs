@@ -136,6 +136,11 @@ impl Plan {
         maker.plan
     }
 
+    /// Whether there is nothing in it that only rays know.
+    pub fn sees_all(&self) -> bool {
+        self.faces.iter().all(|face| face.kind != Kind::Rays)
+    }
+
     /// Levels that it has.
     pub fn levels(&self) -> usize {
         self.views
@@ -330,7 +335,9 @@ mod tests {
                 let w = eye.direction(middle.x, middle.y, 1.6);
                 let felt_m = just_behind(view, w);
                 let path = trace(&space, &eye.place, w, felt_m, &Void, &Traveller::Body);
-                if path.place.stack != view.stack || path.events.len() != view.level {
+                let is_whole = (path.length - felt_m).abs() < 1e-9;
+                let is_there = path.place.stack == view.stack && path.events.len() == view.level;
+                if !(is_whole && is_there) {
                     continue;
                 }
                 let there = view.origin + felt_m * (view.k * w);

@@ -10,6 +10,7 @@ mod agreement;
 mod common;
 mod movers;
 mod pictures;
+mod raster;
 mod shaders;
 mod surfaces;
 mod views;

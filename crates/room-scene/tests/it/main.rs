@@ -8,9 +8,11 @@
 
 mod difference;
 mod edits;
+mod eyes;
 mod figure;
 mod hands;
 mod picture;
+mod raster;
 mod soak;
 mod sounds;
 mod walking;
