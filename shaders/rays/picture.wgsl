@@ -6,6 +6,9 @@ const FAINT: f32 = 0.004;
 // Light of the line between the halves of a picture.
 const LINE: vec3<f32> = vec3<f32>(1.2, 1.2, 1.2);
 
+// Pictures are taken from a copy as if pixels were this much smaller: writing would blur else before it is too small to be read.
+const SHARPER: f32 = 0.6;
+
 // A surface as it looks where it is hit.
 struct Surface {
     colour: vec3<f32>,
@@ -44,7 +47,7 @@ fn colour_of(number: u32, p: vec3<f32>, n: vec3<f32>, uv: vec2<f32>, width: vec3
     if layer >= 0.0 {
         let scale = materials[number].repeats;
         let texels = f32(textureDimensions(textures).x) * scale * uv_width;
-        colour *= textureSampleLevel(textures, texture_sampler, uv * scale, i32(layer), log2(max(texels, 1.0))).rgb;
+        colour *= textureSampleLevel(textures, texture_sampler, uv * scale, i32(layer), log2(max(SHARPER * texels, 1.0))).rgb;
     }
     return colour;
 }
@@ -158,7 +161,7 @@ fn next_beam(at: ptr<function, Path>, surface: Surface, from_light: u32, from_at
 }
 
 // Whether nothing is in the way of a beam.
-fn beam_arrives(at: ptr<function, Path>, beam: Beam) -> bool {
+fn beam_arrives(at: ptr<function, Path>, beam: Beam, on_held: bool) -> bool {
     let is_sun = beam.light == 0u;
     let lamp = select(beam.light - 1u, 0u, is_sun);
     let radius = select(frame.lamps[lamp].radius_m, 0.0, is_sun);
@@ -168,7 +171,7 @@ fn beam_arrives(at: ptr<function, Path>, beam: Beam) -> bool {
         let k = squeeze_of(frame.lamps[lamp].stack, frame.lamps[lamp].depth, beam.aim.w, false);
         longest = max(longest - radius / length(k * beam.aim.w), 0.0);
     }
-    let ended = trace(path_from((*at).x, beam.aim.w, (*at).stack, (*at).depth, false), longest, true, false, 0.0);
+    let ended = trace(path_from((*at).x, beam.aim.w, (*at).stack, (*at).depth, false), longest, true, on_held, 0.0);
     // Where it met other boxes it has gone elsewhere.
     let left = frame.lamps[lamp].place - ended.path.x;
     return ended.end == END_SPENT && (is_sun || length(left) <= radius + 0.002 * (1.0 + beam.aim.length));
@@ -176,13 +179,14 @@ fn beam_arrives(at: ptr<function, Path>, beam: Beam) -> bool {
 
 // Light of the sun and of lamps that falls on a surface, and what of it shines. Software adapters go through the body of a loop
 // for lanes that have left it, too: so that they trace no more often than the lane with the most beams, all of a beam but the
-// tracing is found out in a loop of its own, before and at the end of the one that traces.
-fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>) -> vec3<f32> {
+// tracing is found out in a loop of its own, before and at the end of the one that traces. What the eye looks through throws no
+// shadow on what is held before it.
+fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>, on_held: bool) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     let gloss = materials[surface.material].gloss;
     var beam = next_beam(at, surface, 0u, 0u);
     loop {
-        if beam.is_there && beam_arrives(at, beam) {
+        if beam.is_there && beam_arrives(at, beam, on_held) {
             sum += beam.strength * (beam.share + gloss * shine(surface.n, beam.aim.w, to_eye));
         }
         beam = next_beam(at, surface, beam.light, beam.attempt);
@@ -245,10 +249,13 @@ fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
             break;
         }
         var surface: Surface;
+        var is_held = false;
         var what = 0x80000000u + ended.wall;
         if ended.end == END_OBJECT {
             surface = object_surface(&ended, frame.pixel_rad * far);
-            what = 1u + instance_part(ended.found.instance, 3u).y;
+            let about = instance_part(ended.found.instance, 3u);
+            what = 1u + about.y;
+            is_held = (about.w & HELD) != 0u;
         } else {
             surface = wall_surface(&ended, frame.pixel_rad * far);
         }
@@ -268,7 +275,7 @@ fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
         if !is_pane && mirrored < 1.0 {
             var at = path;
             at.x += lift_of(path.x) * surface.flat;
-            let diffuse = direct_light(&at, surface, -path.w) + ambient_light(surface.n, frame.zenith, frame.ambient_sky.rgb, frame.ambient_ground.rgb);
+            let diffuse = direct_light(&at, surface, -path.w, is_held) + ambient_light(surface.n, frame.zenith, frame.ambient_sky.rgb, frame.ambient_ground.rgb);
             seen.light += left * (1.0 - mirrored) * (surface.colour * diffuse + materials[surface.material].glow);
         }
         if is_pane {

@@ -12,7 +12,7 @@ struct Ways {
     outermost: u32,     // where in `neighbours` the boxes begin that can be entered from outside of all
     outermost_count: u32,
     root: u32,          // of the hierarchy of all solids, or NOTHING
-    room: u32,
+    outlined: u32,      // the flags of a box whose outline is drawn, any of them
     corners: Corners,
 }
 
@@ -117,7 +117,7 @@ fn trace(start: Path, longest: f32, any_will_do: bool, of_eye: bool, width: f32)
             ended.end = END_SPENT;
             break;
         }
-        if width > 0.0 && ended.outline < 0.0 && (space.boxes[next.number].flags & 256u) != 0u && is_at_edge(next.number, next.axis, path.x, 0.002 + width * ended.length * length(v)) {
+        if width > 0.0 && ended.outline < 0.0 && (space.boxes[next.number].flags & ways.outlined) != 0u && is_at_edge(next.number, next.axis, path.x, 0.002 + width * ended.length * length(v)) {
             ended.outline = ended.length;
         }
         ended.events += 1u;

@@ -11,8 +11,12 @@ room-nested-boxes-sentence = Vier Kästen stehen ineinander, und jeder macht dic
 room-four-tunnels-name = Vier Tunnel
 room-four-tunnels-sentence = Alle vier Tunnel sind 79 Meter lang, aber zu Fuß sind es in einem 26 Meter und in einem 395, der dritte ist schmaler, als er aussieht, und der vierte niedriger.
 room-four-tunnels-shorter-sign = d = +2 in der Länge: Er fühlt sich an wie 26 Meter.
+room-four-tunnels-shorter-number = 26 m lang
 room-four-tunnels-longer-sign = d = -0,8 in der Länge: Er fühlt sich an wie 395 Meter.
+room-four-tunnels-longer-number = 395 m lang
 room-four-tunnels-narrower-sign = d = +0,7 in der Breite: 9,5 Meter fühlen sich an wie 5,6.
+room-four-tunnels-narrower-number = 5,6 m breit
 room-four-tunnels-lower-sign = d = +0,8 in der Höhe: 10,5 Meter fühlen sich an wie 5,8.
+room-four-tunnels-lower-number = 5,8 m hoch
 room-thesis-room-name = Der Raum der Abschlussarbeit
 room-thesis-room-sentence = Geh hinein, und du bist doppelt so groß: Diese Halle von 12 mal 8 Metern misst für den, der in ihr ist, 6 mal 4.

@@ -11,8 +11,12 @@ room-nested-boxes-sentence = Four boxes stand in one another, and each makes you
 room-four-tunnels-name = Four tunnels
 room-four-tunnels-sentence = All four tunnels are 79 metres long, but on foot one takes 26 metres and one 395, the third is narrower than it looks, and the fourth lower.
 room-four-tunnels-shorter-sign = d = +2 along its length: it feels like 26 metres.
+room-four-tunnels-shorter-number = 26 m long
 room-four-tunnels-longer-sign = d = -0.8 along its length: it feels like 395 metres.
+room-four-tunnels-longer-number = 395 m long
 room-four-tunnels-narrower-sign = d = +0.7 across it: 9.5 metres feel like 5.6.
+room-four-tunnels-narrower-number = 5.6 m wide
 room-four-tunnels-lower-sign = d = +0.8 upward: 10.5 metres feel like 5.8.
+room-four-tunnels-lower-number = 5.8 m high
 room-thesis-room-name = The room of the thesis
 room-thesis-room-sentence = Walk in and you are twice as large: this hall of 12 by 8 metres is 6 by 4 for who is in it.

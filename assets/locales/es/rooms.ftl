@@ -11,8 +11,12 @@ room-nested-boxes-sentence = Hay cuatro cajas, una dentro de otra, y cada una te
 room-four-tunnels-name = Cuatro túneles
 room-four-tunnels-sentence = Los cuatro túneles miden 79 metros, pero a pie uno tiene 26 metros y otro 395, el tercero es más estrecho de lo que parece, y el cuarto más bajo.
 room-four-tunnels-shorter-sign = d = +2 a lo largo: parece medir 26 metros.
+room-four-tunnels-shorter-number = 26 m de largo
 room-four-tunnels-longer-sign = d = -0,8 a lo largo: parece medir 395 metros.
+room-four-tunnels-longer-number = 395 m de largo
 room-four-tunnels-narrower-sign = d = +0,7 a lo ancho: 9,5 metros parecen 5,6.
+room-four-tunnels-narrower-number = 5,6 m de ancho
 room-four-tunnels-lower-sign = d = +0,8 a lo alto: 10,5 metros parecen 5,8.
+room-four-tunnels-lower-number = 5,8 m de alto
 room-thesis-room-name = La sala de la tesis
 room-thesis-room-sentence = Entra y serás el doble de grande: esta sala de 12 por 8 metros mide 6 por 4 para quien está en ella.

@@ -11,8 +11,12 @@ room-nested-boxes-sentence = Cztery pudła stoją jedno w drugim, a każde zmnie
 room-four-tunnels-name = Cztery tunele
 room-four-tunnels-sentence = Wszystkie cztery tunele mają 79 metrów, ale pieszo jeden ma 26 metrów, a drugi 395, trzeci jest węższy, niż wygląda, a czwarty niższy.
 room-four-tunnels-shorter-sign = d = +2 wzdłuż: wydaje się mieć 26 metrów.
+room-four-tunnels-shorter-number = 26 m długości
 room-four-tunnels-longer-sign = d = -0,8 wzdłuż: wydaje się mieć 395 metrów.
+room-four-tunnels-longer-number = 395 m długości
 room-four-tunnels-narrower-sign = d = +0,7 wszerz: 9,5 metra wydaje się mieć 5,6.
+room-four-tunnels-narrower-number = 5,6 m szerokości
 room-four-tunnels-lower-sign = d = +0,8 w górę: 10,5 metra wydaje się mieć 5,8.
+room-four-tunnels-lower-number = 5,8 m wysokości
 room-thesis-room-name = Sala z pracy dyplomowej
 room-thesis-room-sentence = Wejdź, a będziesz dwa razy większy: ta sala 12 na 8 metrów ma 6 na 4 dla tego, kto w niej jest.

@@ -11,8 +11,12 @@ room-nested-boxes-sentence = 四个盒子一个套着一个，每进一个你就
 room-four-tunnels-name = 四条隧道
 room-four-tunnels-sentence = 四条隧道都长 79 米，但走过去，一条是 26 米，一条是 395 米，第三条比看上去窄，第四条比看上去矮。
 room-four-tunnels-shorter-sign = 沿长度 d = +2：感觉像 26 米。
+room-four-tunnels-shorter-number = 长 26 米
 room-four-tunnels-longer-sign = 沿长度 d = -0.8：感觉像 395 米。
+room-four-tunnels-longer-number = 长 395 米
 room-four-tunnels-narrower-sign = 横向 d = +0.7：9.5 米感觉像 5.6 米。
+room-four-tunnels-narrower-number = 宽 5.6 米
 room-four-tunnels-lower-sign = 向上 d = +0.8：10.5 米感觉像 5.8 米。
+room-four-tunnels-lower-number = 高 5.8 米
 room-thesis-room-name = 论文中的房间
 room-thesis-room-sentence = 走进去，你就大了一倍：这个 12 乘 8 米的大厅，对里面的人来说是 6 乘 4 米。

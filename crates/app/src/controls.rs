@@ -7,6 +7,19 @@ use antipode_settings::{Action, Config, Input, Profile, Settings};
 
 use crate::bindings::wheel_input;
 
+/// Uses of what is in hand: one step begins one of them only.
+const USES: [Action; 2] = [Action::Use, Action::SecondUse];
+/// Of these every press counts, however long a frame takes.
+const COUNTED: [Action; 5] = [
+    Action::Use,
+    Action::SecondUse,
+    Action::Drop,
+    Action::Camera,
+    Action::OtherMap,
+];
+/// So many presses of one of them are remembered.
+const MOST_PRESSES: usize = 8;
+
 /// What is held and what has happened since the last step.
 #[derive(Debug)]
 pub struct Controls {
@@ -16,8 +29,11 @@ pub struct Controls {
     look_up: f64,
     curvature_step: f64,
     held: HashSet<Input>,
-    /// What went down since the last step: a press shorter than a step still acts in one.
+    /// What went down since the last step, in order: a press shorter than a step still acts in one. Where each press counts,
+    /// those after the first wait for steps of their own.
     pressed: Vec<Action>,
+    /// Uses of what is in hand that the last step took for held.
+    used: Vec<Action>,
     events: Actions,
     /// How far the view is turned since the last step.
     turned: LookTurn,
@@ -41,6 +57,7 @@ impl Default for Controls {
             curvature_step: 1.0,
             held: HashSet::new(),
             pressed: Vec::new(),
+            used: Vec::new(),
             events: Actions::default(),
             turned: LookTurn::default(),
             shown: LookTurn::default(),
@@ -168,14 +185,10 @@ impl Controls {
 
     /// As [`Controls::take`], but that the view does not turn: while the world stands still.
     pub fn take_keys(&mut self) -> Actions {
-        let mut pressed = std::mem::take(&mut self.pressed);
-        let waits = waiting(&pressed);
-        if let Some(action) = waits {
-            pressed.retain(|other| *other != action);
-            self.pressed.push(action);
-        }
-        let held =
-            |action| waits != Some(action) && (self.is_held(action) || pressed.contains(&action));
+        let (pressed, lets_go) = self.take_pressed();
+        let held = |action| {
+            !lets_go.contains(&action) && (self.is_held(action) || pressed.contains(&action))
+        };
         let axis = |plus, minus| f64::from(i8::from(held(plus)) - i8::from(held(minus)));
         let actions = Actions {
             forward: axis(Action::Forward, Action::Backward),
@@ -185,10 +198,35 @@ impl Controls {
             sink: held(Action::Sink),
             primary: held(Action::Use),
             secondary: held(Action::SecondUse),
+            drop_one: pressed.contains(&Action::Drop),
+            toggle_camera: pressed.contains(&Action::Camera),
+            turn_map: pressed.contains(&Action::OtherMap),
             ..self.events
         };
+        self.used = USES.into_iter().filter(|action| held(*action)).collect();
         self.events = Actions::default();
         actions
+    }
+
+    /// What the next step takes of what went down, and which uses of what is in hand it takes for let go: a button that was down
+    /// in the last step has to come up before it goes down again, and of both uses that went down the later waits.
+    fn take_pressed(&mut self) -> (Vec<Action>, Vec<Action>) {
+        let (mut now, mut lets_go) = (Vec::new(), Vec::new());
+        for action in std::mem::take(&mut self.pressed) {
+            let is_use = USES.contains(&action);
+            let comes_up = is_use && self.used.contains(&action);
+            let waits = is_use && now.iter().any(|it| USES.contains(it));
+            if comes_up || waits || now.contains(&action) {
+                self.pressed.push(action);
+                // Of one that has just gone down, only the presses after it wait.
+                if is_use && !now.contains(&action) {
+                    lets_go.push(action);
+                }
+            } else {
+                now.push(action);
+            }
+        }
+        (now, lets_go)
     }
 
     /// Lets go of everything, as when the menu opens or the window loses focus. What a picture has shown of a turn is
@@ -196,6 +234,7 @@ impl Controls {
     pub fn release_all(&mut self) {
         self.held.clear();
         self.pressed.clear();
+        self.used.clear();
         self.events = Actions::default();
         self.turned = self.shown;
         self.notches = 0.0;
@@ -214,7 +253,13 @@ impl Controls {
 
     /// Does once what an action does once.
     fn act(&mut self, action: Action) -> Option<Action> {
-        if !self.pressed.contains(&action) {
+        let known = self.pressed.iter().filter(|it| **it == action).count();
+        let most = if COUNTED.contains(&action) {
+            MOST_PRESSES
+        } else {
+            1
+        };
+        if known < most {
             self.pressed.push(action);
         }
         match action {
@@ -229,9 +274,6 @@ impl Controls {
             Action::FlipCar => self.events.flip_car = true,
             Action::Horn => self.events.horn = true,
             Action::Talk => self.events.talk = true,
-            Action::Drop => self.events.drop_one = true,
-            Action::Camera => self.events.toggle_camera = !self.events.toggle_camera,
-            Action::OtherMap => self.events.turn_map = !self.events.turn_map,
             Action::Menu
             | Action::HideDisplay
             | Action::HitShapes
@@ -250,13 +292,6 @@ impl Controls {
 
 fn is_slot_step(action: Action) -> bool {
     matches!(action, Action::PreviousSlot | Action::NextSlot)
-}
-
-/// Of both uses of what is in hand, pressed since the last step, the later: one step begins one of them only.
-fn waiting(pressed: &[Action]) -> Option<Action> {
-    let is_use = |action: &&Action| matches!(action, Action::Use | Action::SecondUse);
-    let mut uses = pressed.iter().filter(is_use);
-    uses.next().and_then(|_| uses.next()).copied()
 }
 
 #[cfg(test)]
@@ -284,6 +319,48 @@ mod tests {
         assert_eq!(c.take().forward, 0.0);
         key(&mut c, "KeyW", false);
         assert_eq!(c.take().forward, -1.0);
+    }
+
+    /// How often something is so in the steps that follow, where it was not so in the one before.
+    fn times(c: &mut Controls, is_so: impl Fn(&Actions) -> bool) -> usize {
+        let seen: Vec<_> = (0..20).map(|_| is_so(&c.take())).collect();
+        let first = usize::from(seen[0]);
+        first + seen.windows(2).filter(|it| it[1] && !it[0]).count()
+    }
+
+    #[test]
+    fn every_press_within_a_slow_frame_counts() {
+        let mut c = Controls::default();
+        for name in ["KeyH", "Tab", "KeyQ"] {
+            for _ in 0..3 {
+                key(&mut c, name, true);
+                key(&mut c, name, false);
+            }
+        }
+        let steps: Vec<_> = (0..20).map(|_| c.take()).collect();
+        let count = |is_so: fn(&Actions) -> bool| steps.iter().filter(|it| is_so(it)).count();
+        assert_eq!(count(|it| it.turn_map), 3);
+        assert_eq!(count(|it| it.toggle_camera), 3);
+        assert_eq!(count(|it| it.drop_one), 3);
+        for (button, is_so) in [
+            (LEFT, (|it| it.primary) as fn(&Actions) -> bool),
+            (RIGHT, |it| it.secondary),
+        ] {
+            for _ in 0..3 {
+                c.input(button, true);
+                c.input(button, false);
+            }
+            assert_eq!(times(&mut c, is_so), 3, "{button:?}");
+            // One that is down is let go and pressed again within a step.
+            c.input(button, true);
+            assert!(is_so(&c.take()));
+            c.input(button, false);
+            c.input(button, true);
+            assert!(!is_so(&c.take()), "it comes up");
+            assert!(is_so(&c.take()) && is_so(&c.take()), "and stays down");
+            c.input(button, false);
+            assert!(!is_so(&c.take()));
+        }
     }
 
     #[test]

@@ -47,7 +47,9 @@ pub fn fly_part(around: &Around<'_>, shape: &WalkerShape, body: &mut Flyer, time
     let start = around.frame(&before.place);
     let wanted = (start.upright * (before.velocity * time)).y;
     let made = (start.into * (body.place.point - before.place.point)).y;
-    let is_wedged = wanted < 0.0 && made > WEDGED_SHARE * wanted && slides.face_each_other();
+    let is_here = body.place.passage == before.place.passage;
+    let is_wedged =
+        is_here && wanted < 0.0 && made > WEDGED_SHARE * wanted && slides.face_each_other();
     if is_wedged {
         let up = around.up(&body.place);
         body.velocity -= body.velocity.dot(up) * up;

@@ -9,12 +9,12 @@ use glam::{DQuat, DVec3};
 
 use crate::column::Around;
 use crate::gravity::Flyer;
+use crate::place::Place;
 use crate::scene::SceneQuery;
 use crate::space::Space;
-use crate::trace::Place;
 use crate::tuning::{
-    LEAST_BOUNCE_M_S, LEFT_OVER_M, LONGEST_PART_S, PUSHES, RESTS_AFTER_S, RESTS_BELOW_M_S, STRIDE,
-    TOUCH_M,
+    FASTEST_M_S, LEAST_BOUNCE_M_S, LEFT_OVER_M, LONGEST_PART_S, PUSHES, RESTS_AFTER_S,
+    RESTS_BELOW_M_S, STRIDE, TOUCH_M,
 };
 
 /// What a ball is like.
@@ -35,7 +35,7 @@ pub struct BallShape {
 pub struct Ball {
     /// Its middle and its felt velocity.
     pub body: Flyer,
-    /// How it is turned, as it feels.
+    /// How it is turned in the axes of the scene, as it feels.
     pub turn: DQuat,
     shape: BallShape,
     /// How long it has been slow, seconds.
@@ -88,6 +88,8 @@ impl Ball {
         if self.rests() {
             self.body.velocity = DVec3::ZERO;
         }
+        self.body.velocity = self.body.velocity.clamp_length_max(FASTEST_M_S);
+        self.turn = self.body.straighten() * self.turn;
     }
 
     /// Goes on for a part of a step.
@@ -107,9 +109,9 @@ impl Ball {
             };
             touches = true;
             let normal = frame.upright.transpose() * contact.normal;
-            let from = self.body.place.point;
-            self.body.place = around.carried(&self.body.place, normal * contact.depth);
-            let gained = -around.g.dot(self.body.place.point - from);
+            let from = self.body.place;
+            self.body.place = around.carried(&from, normal * contact.depth);
+            let gained = gained(&from, &self.body.place, around.g);
             if !self.turn_off(normal, gained) {
                 self.go_back(&before);
                 return;
@@ -167,4 +169,12 @@ impl Ball {
         let spun = DQuat::from_scaled_axis(axis * (time / self.shape.radius_m));
         self.turn = (spun * self.turn).normalize();
     }
+}
+
+/// What a push from one place to another is worth, J/kg of the ball's own size. One through a portal is worth nothing.
+fn gained(from: &Place, to: &Place, g: DVec3) -> f64 {
+    if from.passage != to.passage {
+        return 0.0;
+    }
+    -g.dot(to.point - from.point) / to.scale
 }

@@ -6,10 +6,12 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
+use crate::cut::show_cut;
 use crate::gravity::felt_gravity;
+use crate::place::Place;
 use crate::scene::{SceneQuery, Void};
 use crate::space::{Space, Traveller};
-use crate::trace::{Place, trace};
+use crate::trace::trace;
 use crate::triangle::{Touch, catch_ball, closest_to_origin};
 use crate::tuning::{BALLS_APART, LEAST_LIP_UP, TOUCH_M};
 use crate::walker::WalkerShape;
@@ -27,12 +29,12 @@ pub struct Around<'a> {
     pub heading: DVec3,
 }
 
-/// Felt metres about a place, turned so that y is felt up.
+/// Felt metres of the body's own size about a place, turned so that y is felt up.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     /// The place.
     pub place: Place,
-    /// Turns felt directions so that felt up is y.
+    /// Turns felt directions of the body's own axes so that felt up is y.
     pub upright: DMat3,
     /// From the scene.
     pub into: DMat3,
@@ -52,22 +54,21 @@ pub struct Contact {
 }
 
 impl Around<'_> {
-    /// K at a place.
-    pub fn squeeze(&self, place: &Place) -> DMat3 {
-        self.space
-            .squeeze(&place.stack, self.heading, &Traveller::Body)
+    /// Takes the body's own felt displacements at a place to those of the scene.
+    pub fn carry(&self, place: &Place) -> DMat3 {
+        self.space.carry(place, self.heading, &Traveller::Body)
     }
 
-    /// Felt up at a place, of length 1.
+    /// Felt up at a place in the body's own axes, of length 1.
     pub fn up(&self, place: &Place) -> DVec3 {
-        -felt_gravity(self.squeeze(place), self.g)
+        -felt_gravity(self.carry(place), self.g)
             .try_normalize()
             .unwrap_or(DVec3::NEG_Y)
     }
 
     /// The frame about a place.
     pub fn frame(&self, place: &Place) -> Frame {
-        let k = self.squeeze(place);
+        let k = self.carry(place);
         let up = self.up(place);
         let upright = DMat3::from_quat(DQuat::from_rotation_arc(up, DVec3::Y));
         Frame {
@@ -101,10 +102,8 @@ impl Around<'_> {
         let half = frame.out.abs() * DVec3::new(reach, 0.5 * (high - low), reach);
         let (from, to) = (middle - half, middle + half);
         let felt = |corners: [DVec3; 3]| corners.map(|it| frame.into * (it - frame.place.point));
-        self.scene
-            .near(from, to, &mut |corners| look(felt(corners), false));
-        self.space
-            .walls_near(from, to, &mut |corners| look(felt(corners), true));
+        let mut show = |corners, two_sided| look(felt(corners), two_sided);
+        show_cut(self.space, self.scene, &frame.place, (from, to), &mut show);
     }
 
     /// What reaches deepest into a ball about a place, if it does by more than `tolerance`. A ball is pushed to the side
@@ -209,7 +208,7 @@ impl Around<'_> {
             at = path.place;
             let upper = Frame {
                 place: at,
-                ..if at.stack == frame.place.stack {
+                ..if is_alike(&at, &frame.place) {
                     *frame
                 } else {
                     self.frame(&at)
@@ -217,7 +216,8 @@ impl Around<'_> {
             };
             let least = deepest.map_or(tolerance, |contact| contact.depth);
             if let Some(contact) = self.in_ball(&upper, shape.radius_m, least) {
-                let way = frame.into * (upper.out * (contact.normal * contact.depth));
+                let away = upper.upright.transpose() * (contact.normal * contact.depth);
+                let way = self.felt_in(frame, &at, away);
                 deepest = Some(Contact {
                     normal: way.normalize_or(contact.normal),
                     depth: way.length(),
@@ -230,9 +230,15 @@ impl Around<'_> {
 
     /// A felt direction at a place, in the frame about another.
     fn felt_in(&self, frame: &Frame, there: &Place, felt: DVec3) -> DVec3 {
-        if there.stack == frame.place.stack {
+        // Behind a portal own axes and sizes are the same.
+        if there.stack == frame.place.stack || there.passage != frame.place.passage {
             return frame.upright * felt;
         }
-        frame.into * (self.squeeze(there) * felt)
+        frame.into * (self.carry(there) * felt)
     }
+}
+
+/// Whether the same frame does for two places near each other.
+fn is_alike(one: &Place, other: &Place) -> bool {
+    one.stack == other.stack && one.passage == other.passage
 }

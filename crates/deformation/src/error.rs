@@ -1,8 +1,8 @@
-//! Why a list of aberrations makes no space.
+//! Why lists of aberrations and portals make no space.
 
 use thiserror::Error;
 
-/// What is refused of a list of aberrations. Each message says which box, what is wrong and what to do.
+/// What is refused of aberrations and portals. Each message says which, what is wrong and what to do.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SpaceError {
     /// More boxes than there may be.
@@ -64,5 +64,102 @@ pub enum SpaceError {
     TooTangled {
         /// The box.
         name: String,
+    },
+    /// More portals than there may be.
+    #[error("There are {found} portals, and there may be {most}. Remove some.")]
+    TooManyPortals {
+        /// Portals given.
+        found: usize,
+        /// Portals allowed.
+        most: usize,
+    },
+    /// A polygon that is none, or a number that is not finite.
+    #[error(
+        "The portal \"{name}\" {what}. Give it a convex polygon of three to sixteen corners, each once and in their order."
+    )]
+    PortalShape {
+        /// The portal.
+        name: String,
+        /// What is wrong with it.
+        what: &'static str,
+    },
+    /// A portal whose partner there is not.
+    #[error("The portal \"{name}\" leads to none. Say which portal it leads to.")]
+    NoPartner {
+        /// The portal.
+        name: String,
+    },
+    /// A portal whose partner leads elsewhere.
+    #[error(
+        "The portal \"{name}\" leads to \"{partner}\", which does not lead back to it. Let each lead to the other."
+    )]
+    OneWay {
+        /// The portal.
+        name: String,
+        /// Its partner.
+        partner: String,
+    },
+    /// Of a pair one has two sides and the other one.
+    #[error(
+        "Of the portals \"{name}\" and \"{partner}\" one has two sides and the other one. Give both as many."
+    )]
+    OtherSides {
+        /// The portal.
+        name: String,
+        /// Its partner.
+        partner: String,
+    },
+    /// Felt shapes that are not similar.
+    #[error(
+        "The portals \"{name}\" and \"{partner}\" do not feel similar: seen from the front, one has to be the mirror image of \
+         the other, as large or in proportion. Stretches of the boxes that they stand in count."
+    )]
+    NotSimilar {
+        /// The portal.
+        name: String,
+        /// Its partner.
+        partner: String,
+    },
+    /// One of a pair is too many times larger.
+    #[error(
+        "Of the portals \"{name}\" and \"{partner}\" one feels more than 32 times as large as the other. Make them more alike."
+    )]
+    OtherSize {
+        /// The portal.
+        name: String,
+        /// Its partner.
+        partner: String,
+    },
+    /// A portal that reaches through a side of a box.
+    #[error(
+        "The portal \"{name}\" overlaps a side of the aberration \"{aberration}\". Put it wholly in or out, a millimetre off at \
+         least."
+    )]
+    OverSide {
+        /// The portal.
+        name: String,
+        /// The box.
+        aberration: String,
+    },
+    /// A portal in a box in which lengths depend on who goes there.
+    #[error(
+        "The portal \"{name}\" stands in the aberration \"{aberration}\", which is felt one way only or bends light by the thesis's \
+         rule. Put it out of that."
+    )]
+    InOddBox {
+        /// The portal.
+        name: String,
+        /// The box.
+        aberration: String,
+    },
+    /// Two portals that touch or go through each other.
+    #[error(
+        "The portals \"{first}\" and \"{second}\" touch or overlap. Move them apart, by a millimetre at least."
+    )]
+    PortalsOverlap {
+        /// One portal.
+        first: String,
+        /// The other.
+        second: String,
     },
 }

@@ -3,18 +3,41 @@
 use glam::DVec3;
 
 use crate::aberration::{Exit, Sides};
+use crate::place::{Passage, Place};
 use crate::space::{Space, Traveller};
 use crate::stack::Stack;
 
 /// A traveller as faces know it.
 #[derive(Clone, Copy, Debug)]
 pub struct State {
-    /// Felt direction, of length 1.
+    /// Felt direction in the axes of the scene, of length 1.
     pub w: DVec3,
     /// The boxes that it is in.
     pub stack: Stack,
     /// Its direction before the thesis's rule bent it.
     pub unbent: DVec3,
+}
+
+impl State {
+    /// Goes through a portal, before its front or from behind: x <- G x, w <- O w, and the stack is that of the new place.
+    pub fn pass(&mut self, space: &Space, place: &mut Place, number: usize, front: bool) {
+        let portal = &space.portals()[number];
+        let partner = &space.portals()[portal.portal.to];
+        self.w = (portal.turn * self.w).normalize();
+        self.unbent = portal.turn * self.unbent;
+        self.stack = partner.stack;
+        *place = Place {
+            point: portal.passed(partner, place.point),
+            stack: partner.stack,
+            scale: place.scale * portal.scale,
+            turn: (portal.turn * place.turn).normalize(),
+            passage: Passage {
+                count: place.passage.count.wrapping_add(1).max(1),
+                portal: portal.portal.to as u8,
+                front,
+            },
+        };
+    }
 }
 
 /// What became of a traveller at a face.

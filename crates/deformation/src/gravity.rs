@@ -3,13 +3,18 @@
 //! With felt velocity u the scene's velocity is K u. Of the energy E = |u|^2/2 - g.x the rate is u.(du/dt) - g.(K u), which is
 //! nought for du/dt = K^T g. u does not change at a face and x has no jump there, so E is kept through any box; a felt g that
 //! were the same everywhere would gain by every loop.
+//!
+//! A portal that scales by q takes a whole scene, its gravity included, to one q times as large: per own size everything falls as
+//! before, so that with x' = m K u the rate is du/dt = K^T g, and |u|^2/2 - g.x/m is kept between portals.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 use crate::face::{Crossing, State, cross};
+use crate::next::{Next, first_solid, next_event};
+use crate::place::Place;
 use crate::scene::SceneQuery;
 use crate::space::{Space, Traveller};
-use crate::trace::{Hit, MAX_EVENTS, Next, Place, What, beyond, felt_normal, next_event};
+use crate::trace::{Hit, MAX_EVENTS, What, struck};
 use crate::tuning::LONGEST_PART_S;
 
 /// Felt acceleration inside of boxes of product K, of gravity `g` of the scene, m/s^2.
@@ -22,7 +27,7 @@ pub fn felt_gravity(k: DMat3, g: DVec3) -> DVec3 {
 pub struct Flyer {
     /// Where it is.
     pub place: Place,
-    /// Felt velocity, m/s.
+    /// Felt velocity in its own axes and sizes, m/s.
     pub velocity: DVec3,
 }
 
@@ -56,8 +61,8 @@ impl Flyer {
     ) -> Option<(Hit, f64)> {
         let mut left = time;
         for _ in 0..MAX_EVENTS {
-            let k = space.squeeze(&self.place.stack, self.velocity, &Traveller::Body);
-            let a = felt_gravity(k, g);
+            let k = space.carry(&self.place, self.velocity, &Traveller::Body);
+            let a = felt_gravity(k, g) / self.place.scale;
             let chord = self.velocity * left + a * (0.5 * left * left);
             let length = chord.length();
             if length == 0.0 {
@@ -65,10 +70,8 @@ impl Flyer {
                 return None;
             }
             let v = k * (chord / length);
-            let (mut way, next) = next_event(space, &self.place.stack, self.place.point, v, length);
-            // As in `trace`: solids that lie on a face belong to the near side.
-            let beyond = beyond(space, self.place.point, v, next);
-            let hit = scene.first(self.place.point, v, way + beyond);
+            let (mut way, next) = next_event(space, &self.place, v, length);
+            let hit = first_solid(space, &self.place, v, (way, next), scene);
             way = hit.map_or(way, |hit| hit.time);
             self.place.point += v * way;
             if next == Next::Spent && hit.is_none() {
@@ -88,42 +91,58 @@ impl Flyer {
                 let what = What::Object(hit.object, hit.part);
                 return Some((struck(k, v, hit.normal, what), left));
             }
-            if let Next::Face {
-                number,
-                axis,
-                enters,
-            } = next
-                && self.cross(space, (number, axis), enters) == Crossing::Wall
-            {
-                let normal = space.placed()[number].axes.col(axis);
-                return Some((struck(k, v, normal, What::Wall(number, axis)), left));
+            if let Some((normal, what)) = self.meet(space, next) {
+                return Some((struck(k, v, normal, what), left));
             }
         }
         None
     }
 
+    /// Goes through what comes next; the wall of a box does not let it.
+    fn meet(&mut self, space: &Space, next: Next) -> Option<(DVec3, What)> {
+        match next {
+            Next::Face {
+                number,
+                axis,
+                enters,
+            } => {
+                let is_wall = self.cross(space, (number, axis), enters) == Crossing::Wall;
+                let normal = space.placed()[number].axes.col(axis);
+                is_wall.then_some((normal, What::Wall(number, axis)))
+            }
+            Next::Portal { number, front } => {
+                // Its velocity is that of its own axes and sizes, and stays.
+                let mut state = self.state();
+                state.pass(space, &mut self.place, number, front);
+                None
+            }
+            Next::Spent => None,
+        }
+    }
+
     fn cross(&mut self, space: &Space, face: (usize, usize), enters: bool) -> Crossing {
         let speed = self.velocity.length();
-        let w = self.velocity / speed.max(1e-300);
-        let mut state = State {
+        let mut state = self.state();
+        let crossing = cross(space, &mut state, face, enters, &Traveller::Body);
+        self.place.stack = state.stack;
+        self.velocity = self.place.turn.inverse() * state.w * speed;
+        crossing
+    }
+
+    fn state(&self) -> State {
+        let w = self.place.turn * (self.velocity / self.velocity.length().max(1e-300));
+        State {
             w,
             stack: self.place.stack,
             unbent: w,
-        };
-        let crossing = cross(space, &mut state, face, enters, &Traveller::Body);
-        self.place.stack = state.stack;
-        self.velocity = state.w * speed;
-        crossing
+        }
     }
-}
 
-/// What a body that moves at v hit, with its normal towards the body.
-fn struck(k: DMat3, v: DVec3, normal: DVec3, what: What) -> Hit {
-    let normal = if normal.dot(v) > 0.0 { -normal } else { normal };
-    Hit {
-        what,
-        normal,
-        felt_normal: felt_normal(k, normal),
+    /// Takes the axes of the scene for its own again; returns the turn from those that it had.
+    pub fn straighten(&mut self) -> DQuat {
+        let turn = self.place.straighten();
+        self.velocity = turn * self.velocity;
+        turn
     }
 }
 

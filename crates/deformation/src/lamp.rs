@@ -1,25 +1,32 @@
-//! In which directions a lamp is seen: straight, through one face of a box, or through parallel faces.
+//! In which directions a lamp is seen: straight, through one face of a box, through parallel faces, or through one portal.
 //!
 //! In the axes of a box let u = K w be the velocity where the box is not. A path that stays t_k felt metres in the k-th
 //! of a row of media between parallel faces, whose stretches are s_k, goes L - p = sum of u t_k / s_k, axis by axis. With D_k
 //! the parts of (L - p)_i between the faces across axis i, t_k = D_k s_ki / u_i, so that
 //! u_j / u_i = (L - p)_j / sum of D_k s_ki / s_kj. For one face at f this is w_j proportional to (L - p)_j / (1 + (a - 1) s_i / s_j)
 //! with a = (L - p)_i / (f - p)_i.
+//!
+//! Behind a portal of map G a lamp shows where G^-1 takes it. Its picture is q^-1 times as large and as far, so that it seems as
+//! wide as it is: its light falls off by the length in its own metres, q times those before the portal.
 
 use glam::{DMat3, DVec3};
 
 use crate::aberration::Sides;
+use crate::place::Place;
+use crate::portal::PlacedPortal;
 use crate::scene::SceneQuery;
 use crate::space::{Placed, Space, Traveller};
-use crate::trace::{End, Place, trace};
+use crate::trace::{End, trace};
 
 /// A way from a place to a lamp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LampPath {
     /// Felt direction in which it sets out, of length 1.
     pub w: DVec3,
-    /// Felt length, metres: what its light falls off by.
+    /// Felt length, metres of the lamp's size: what its light falls off by.
     pub length: f64,
+    /// How large, to the lamp's metres, the metres at its beginning are: 1 but before a portal.
+    pub scale: f64,
 }
 
 impl LampPath {
@@ -31,7 +38,11 @@ impl LampPath {
         lamp: &Place,
         scene: &dyn SceneQuery,
     ) -> bool {
-        let path = trace(space, from, self.w, self.length, scene, &Traveller::Body);
+        let start = Place {
+            scale: self.scale,
+            ..*from
+        };
+        let path = trace(space, &start, self.w, self.length, scene, &Traveller::Body);
         let slack = 1e-6 * (1.0 + self.length);
         path.end == End::Spent && (path.place.point - lamp.point).length() < slack
     }
@@ -49,10 +60,13 @@ struct Row<'s> {
     faces: [f64; 2],
 }
 
-/// All ways from a place to a lamp that pass no face, one face, or both of a pair of parallel faces; whether they are clear
-/// has to be asked.
+/// All ways from a place to a lamp that pass no face, one face, both of a pair of parallel faces, or one portal; whether they are
+/// clear has to be asked. Neither place has a turn or a scale.
 pub fn lamp_paths(space: &Space, from: &Place, lamp: &Place) -> Vec<LampPath> {
-    let mut found = Vec::new();
+    let portals = space.portals().iter();
+    let mut found: Vec<_> = portals
+        .filter_map(|portal| through_portal(space, portal, from, lamp))
+        .collect();
     let extra = |a: &Place, b: &Place| -> Option<usize> {
         let mut more = a.stack.iter().filter(|number| !b.stack.contains(*number));
         let only = more.next()?;
@@ -98,13 +112,41 @@ pub fn lamp_paths(space: &Space, from: &Place, lamp: &Place) -> Vec<LampPath> {
     found
 }
 
+fn through_portal(
+    space: &Space,
+    portal: &PlacedPortal,
+    from: &Place,
+    lamp: &Place,
+) -> Option<LampPath> {
+    let partner = &space.portals()[portal.portal.to];
+    if portal.stack != from.stack || partner.stack != lamp.stack {
+        return None;
+    }
+    let image = portal.map.inverse().transform_point3(lamp.point);
+    let (here, there) = (portal.before(from.point), portal.before(image));
+    let meets = from.point.lerp(image, here / (here - there));
+    if here * there >= 0.0 || !portal.is_open(here > 0.0) || !portal.is_in(portal.local(meets)) {
+        return None;
+    }
+    let felt = portal.squeeze.inverse() * (image - from.point);
+    Some(LampPath {
+        w: felt.try_normalize()?,
+        length: felt.length() * portal.scale,
+        scale: portal.scale.recip(),
+    })
+}
+
 fn straight(space: &Space, from: &Place, lamp: &Place) -> Option<LampPath> {
     let away = lamp.point - from.point;
     let k = space.squeeze(&from.stack, away, &Traveller::Body);
     let felt = k.inverse() * away;
     let length = felt.length();
     let w = felt.try_normalize()?;
-    Some(LampPath { w, length })
+    Some(LampPath {
+        w,
+        length,
+        scale: 1.0,
+    })
 }
 
 /// The stretch of a box for who goes that way.
@@ -171,5 +213,6 @@ fn through(row: &Row<'_>, i: usize, (p, l): (DVec3, DVec3), out: DMat3) -> Optio
     Some(LampPath {
         w: felt.try_normalize()?,
         length,
+        scale: 1.0,
     })
 }

@@ -6,15 +6,18 @@
 //! at a face, and v is never normalised: the parameter along a path is then felt length, in metres for rays and, times the
 //! speed, in seconds for bodies. `docs/deformation.md` of the project has the derivation and its limits.
 //!
+//! A [`Portal`] is a polygon through which one sees and goes out of another, turned and scaled as the pair says.
+//!
 //! [`trace`] alone moves anything: rays of light, walkers, cameras, what is thrown, and picks. Which boxes a traveller is in
 //! is kept in a [`Stack`] and never asked of its place again. Everything is `f64`; `shaders/rays/trace.wgsl` mirrors
-//! `event.rs`, `face.rs` and `trace.rs` in `f32`. There is no input, no output and no GPU here.
+//! `event.rs`, `face.rs`, `next.rs`, `portal.rs` and `trace.rs` in `f32`. There is no input, no output and no GPU here.
 
 mod aberration;
 mod air;
 mod ball;
 mod bvh;
 mod column;
+mod cut;
 mod error;
 mod event;
 mod eye;
@@ -22,10 +25,15 @@ mod face;
 mod gravity;
 mod lamp;
 mod legacy;
+mod next;
 mod overlap;
+mod place;
+mod portal;
+mod portal_check;
 mod scene;
 mod space;
 mod stack;
+mod sun;
 mod trace;
 mod triangle;
 mod triangles;
@@ -42,11 +50,12 @@ pub use eye::EyeHeight;
 pub use gravity::{Flyer, felt_gravity};
 pub use lamp::{LampPath, lamp_paths};
 pub use legacy::PictureCorners;
+pub use place::{Passage, Place};
+pub use portal::{MAX_CORNERS, MAX_PORTALS, PlacedPortal, Portal};
 pub use scene::{SceneHit, SceneQuery, Void};
 pub use space::{MAX_ABERRATIONS, MAX_DEPTH, Placed, Space, Traveller};
 pub use stack::Stack;
-pub use trace::{
-    End, Event, EventKind, Hit, MAX_EVENTS, Place, Trace, What, felt_normal, sun_is_seen, trace,
-};
+pub use sun::{sun_is_seen, sun_ways};
+pub use trace::{End, Event, EventKind, Hit, MAX_EVENTS, Trace, What, felt_normal, trace};
 pub use triangles::{Triangle, Triangles};
 pub use walker::{Walker, WalkerShape};

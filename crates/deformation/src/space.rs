@@ -1,4 +1,4 @@
-//! All aberrations of a scene, checked, and what is worked out of them once.
+//! All aberrations and portals of a scene, checked, and what is worked out of them once.
 
 use glam::{DMat3, DVec3};
 
@@ -6,6 +6,9 @@ use crate::aberration::{Aberration, Sides, Ways};
 use crate::error::SpaceError;
 use crate::legacy::PictureCorners;
 use crate::overlap::{Bounds, too_deep};
+use crate::place::Place;
+use crate::portal::{PlacedPortal, Portal};
+use crate::portal_check::place_portals;
 use crate::stack::Stack;
 
 /// Aberrations that a space has at most.
@@ -44,11 +47,12 @@ pub enum Traveller {
     Body,
 }
 
-/// A scene's aberrations.
+/// A scene's aberrations and portals.
 #[derive(Clone, Debug, Default)]
 pub struct Space {
     placed: Vec<Placed>,
     outermost: Vec<u8>,
+    portals: Vec<PlacedPortal>,
 }
 
 impl Space {
@@ -81,7 +85,27 @@ impl Space {
         Ok(Self {
             outermost: outermost(&bounds),
             placed,
+            portals: Vec::new(),
         })
+    }
+
+    /// The same with portals.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`]; and when portals are too many, no convex polygons, without a partner that leads back, not similar to
+    /// it as they feel, or touch each other or a side of a box.
+    pub fn with_portals(
+        aberrations: Vec<Aberration>,
+        portals: Vec<Portal>,
+    ) -> Result<Self, SpaceError> {
+        let mut space = Self::new(aberrations)?;
+        space.portals = place_portals(&space, portals)?;
+        Ok(space)
+    }
+
+    /// The portals, by number.
+    pub fn portals(&self) -> &[PlacedPortal] {
+        &self.portals
     }
 
     /// The aberrations, by number.
@@ -136,6 +160,13 @@ impl Space {
     /// The velocity in the scene of a felt direction or velocity w.
     pub fn velocity(&self, stack: &Stack, w: DVec3, who: &Traveller) -> DVec3 {
         self.squeeze(stack, w, who) * w
+    }
+
+    /// Takes felt displacements of a traveller at a place, in its own axes and sizes, to those of the scene: its scale times
+    /// K times its turn. `w` is its felt direction in its own axes.
+    pub fn carry(&self, place: &Place, w: DVec3, who: &Traveller) -> DMat3 {
+        let turn = DMat3::from_quat(place.turn);
+        self.squeeze(&place.stack, turn * w, who) * turn * place.scale
     }
 }
 

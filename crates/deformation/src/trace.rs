@@ -3,69 +3,14 @@
 use glam::{DMat3, DVec3};
 
 use crate::aberration::Sides;
-use crate::event::{crossing_in, crossing_out};
 use crate::face::{Crossing, State, cross};
+use crate::next::{Next, first_solid, next_event};
+use crate::place::Place;
 use crate::scene::SceneQuery;
 use crate::space::{Space, Traveller};
-use crate::stack::Stack;
 
 /// Events after which a path ends.
 pub const MAX_EVENTS: usize = 64;
-/// Solids that lie on a face belong to the near side: a share of the place's numbers by which one looks beyond it.
-const ON_FACE: f64 = 1e-12;
-/// And as a length of way at most, metres.
-const LONGEST_BEYOND_M: f64 = 1e-6;
-
-/// A point of the scene and the boxes that contain it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Place {
-    /// Metres of the scene.
-    pub point: DVec3,
-    /// The boxes.
-    pub stack: Stack,
-}
-
-impl Place {
-    /// The place of a point that nobody has travelled to.
-    pub fn at(space: &Space, point: DVec3) -> Self {
-        Self {
-            point,
-            stack: space.stack_at(point),
-        }
-    }
-
-    /// A place at a share of the straight line from one place to another near by, 0 to 1. A box that only one of them is
-    /// in is entered or left where the line meets its faces.
-    pub fn between(space: &Space, from: &Self, to: &Self, share: f64) -> Self {
-        let way = to.point - from.point;
-        let point = from.point + way * share;
-        if from.stack == to.stack {
-            return Self { point, ..*from };
-        }
-        if share <= 0.0 || share >= 1.0 {
-            return if share <= 0.0 { *from } else { *to };
-        }
-        let mut stack = from.stack;
-        let crossed = |number: usize, place: &Self, way: DVec3| {
-            let placed = &space.placed()[number];
-            let u = placed.axes.transpose() * way;
-            let leaves = crossing_out(placed.local(place.point), u, placed.aberration.half).0;
-            leaves.min(1.0)
-        };
-        for number in from.stack.iter().filter(|it| !to.stack.contains(*it)) {
-            if share >= crossed(number, from, way) {
-                stack.remove(number);
-            }
-        }
-        for number in to.stack.iter().filter(|it| !from.stack.contains(*it)) {
-            // Entered on the way there is left on the way back.
-            if 1.0 - share < crossed(number, to, -way) {
-                space.push(&mut stack, number);
-            }
-        }
-        Self { point, stack }
-    }
-}
 
 /// What kind of thing has happened at a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +21,8 @@ pub enum EventKind {
     Left,
     /// The path was turned back.
     Reflected,
+    /// A portal was passed.
+    Passed,
 }
 
 /// Something that happened on the way.
@@ -83,12 +30,14 @@ pub enum EventKind {
 pub struct Event {
     /// What.
     pub kind: EventKind,
-    /// The aberration's number.
-    pub aberration: usize,
+    /// The aberration's number, or the portal's that was gone into.
+    pub number: usize,
     /// Felt metres from the start.
     pub length: f64,
     /// Where, metres of the scene.
     pub point: DVec3,
+    /// Where the path goes on: behind a portal elsewhere.
+    pub onward: DVec3,
 }
 
 /// What was hit.
@@ -107,7 +56,7 @@ pub struct Hit {
     pub what: What,
     /// Its normal in the scene, of length 1, against the path.
     pub normal: DVec3,
-    /// Its felt normal, of length 1, against the path: what light is told by.
+    /// Its felt normal, of length 1, against the path and in the traveller's axes: what light is told by.
     pub felt_normal: DVec3,
 }
 
@@ -129,9 +78,10 @@ pub struct Trace {
     pub end: End,
     /// Where.
     pub place: Place,
-    /// The felt direction there, of length 1. Only faces of snell and legacy boxes turn it.
+    /// The felt direction there in the traveller's own axes, of length 1. Only faces of snell and legacy boxes turn it;
+    /// `place.turn` takes it to the axes of the scene.
     pub w: DVec3,
-    /// Felt length, metres.
+    /// Felt length, metres of the traveller's own size.
     pub length: f64,
     /// What happened on the way.
     pub events: Vec<Event>,
@@ -153,23 +103,7 @@ pub fn felt_normal(k: DMat3, n: DVec3) -> DVec3 {
     (k.transpose() * n).normalize()
 }
 
-/// What comes next on a path, if no surface does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Next {
-    /// A face of box `number` across its axis `axis`.
-    Face {
-        /// The box.
-        number: usize,
-        /// The axis.
-        axis: usize,
-        /// Whether it is entered.
-        enters: bool,
-    },
-    /// The end of the path.
-    Spent,
-}
-
-/// Travels from a place in felt direction w, of length 1, for at most `longest` felt metres.
+/// Travels from a place in felt direction w of the traveller's own axes, of length 1, for at most `longest` felt metres.
 pub fn trace(
     space: &Space,
     start: &Place,
@@ -182,58 +116,46 @@ pub fn trace(
     let mut path = Trace {
         end: End::TooManyEvents,
         place: *start,
-        w: state.w,
+        w: start.turn.inverse() * state.w,
         length: 0.0,
         events: Vec::new(),
     };
     for _ in 0..MAX_EVENTS {
-        let k = space.squeeze(&state.stack, state.w, who);
+        let own = DMat3::from_quat(path.place.turn);
+        let k = space.squeeze(&state.stack, state.w, who) * path.place.scale;
         let v = k * state.w;
-        let (time, next) = next_event(
-            space,
-            &state.stack,
-            path.place.point,
-            v,
-            longest - path.length,
-        );
-        let beyond = beyond(space, path.place.point, v, next);
-        if let Some(hit) = scene.first(path.place.point, v, time + beyond) {
+        let (time, next) = next_event(space, &path.place, v, longest - path.length);
+        if let Some(hit) = first_solid(space, &path.place, v, (time, next), scene) {
             path.advance(hit.time, v);
-            path.end = End::Hit(struck(k, v, hit.normal, What::Object(hit.object, hit.part)));
+            let what = What::Object(hit.object, hit.part);
+            path.end = End::Hit(struck(k * own, v, hit.normal, what));
             break;
         }
         path.advance(time, v);
-        let Next::Face {
-            number,
-            axis,
-            enters,
-        } = next
-        else {
-            path.end = End::Spent;
-            break;
-        };
-        match cross(space, &mut state, (number, axis), enters, who) {
-            Crossing::Wall => {
-                let normal = space.placed()[number].axes.col(axis);
-                path.end = End::Hit(struck(k, v, normal, What::Wall(number, axis)));
+        match next {
+            Next::Spent => {
+                path.end = End::Spent;
                 break;
             }
-            crossing => path.tell(crossing, number, enters),
+            Next::Portal { number, front } => path.pass(space, &mut state, number, front),
+            Next::Face {
+                number,
+                axis,
+                enters,
+            } => match cross(space, &mut state, (number, axis), enters, who) {
+                Crossing::Wall => {
+                    let normal = space.placed()[number].axes.col(axis);
+                    let what = What::Wall(number, axis);
+                    path.end = End::Hit(struck(k * own, v, normal, what));
+                    break;
+                }
+                crossing => path.tell(crossing, number, enters),
+            },
         }
-        (path.place.stack, path.w) = (state.stack, state.w);
+        path.place.stack = state.stack;
+        path.w = path.place.turn.inverse() * state.w;
     }
     path
-}
-
-/// For how long after an event solids are still met before it: those that lie on its face, to rounding. A face that is grazed
-/// is come to that much later, up to a micrometre of way.
-pub fn beyond(space: &Space, x: DVec3, v: DVec3, next: Next) -> f64 {
-    let near = ON_FACE * (1.0 + x.abs().max_element());
-    let across = match next {
-        Next::Face { number, axis, .. } => space.placed()[number].axes.col(axis).dot(v).abs(),
-        Next::Spent => v.length(),
-    };
-    (near / across.max(1e-200)).min(LONGEST_BEYOND_M.max(near) / v.length())
 }
 
 impl Trace {
@@ -242,7 +164,19 @@ impl Trace {
         self.length += time;
     }
 
-    fn tell(&mut self, crossing: Crossing, aberration: usize, enters: bool) {
+    fn pass(&mut self, space: &Space, state: &mut State, number: usize, front: bool) {
+        let point = self.place.point;
+        state.pass(space, &mut self.place, number, front);
+        self.events.push(Event {
+            kind: EventKind::Passed,
+            number,
+            length: self.length,
+            point,
+            onward: self.place.point,
+        });
+    }
+
+    fn tell(&mut self, crossing: Crossing, number: usize, enters: bool) {
         let kind = match (crossing, enters) {
             (Crossing::Reflected, _) => EventKind::Reflected,
             (_, true) => EventKind::Entered,
@@ -250,15 +184,17 @@ impl Trace {
         };
         self.events.push(Event {
             kind,
-            aberration,
+            number,
             length: self.length,
             point: self.place.point,
+            onward: self.place.point,
         });
     }
 }
 
 /// A traveller that sets out. Light of the thesis's rule that begins inside of a box is bent before it does.
 fn begin(space: &Space, start: &Place, w: DVec3, who: &Traveller) -> State {
+    let w = start.turn * w;
     let mut state = State {
         w,
         stack: start.stack,
@@ -274,83 +210,12 @@ fn begin(space: &Space, start: &Place, w: DVec3, who: &Traveller) -> State {
     state
 }
 
-/// The first of: leaving a box of the stack, entering another, and the end of the path. Of faces that coincide those of
-/// boxes that are left come first, the innermost before the others, and of boxes that are entered the outermost: so that
-/// they are passed in the opposite order on the way back.
-pub fn next_event(space: &Space, stack: &Stack, x: DVec3, v: DVec3, longest: f64) -> (f64, Next) {
-    let boxed = |number: usize| {
-        let placed = &space.placed()[number];
-        let u = placed.axes.transpose() * v;
-        (placed.local(x), u, placed.aberration.half)
-    };
-    let longest = longest.max(0.0);
-    let together = ON_FACE * (1.0 + x.abs().max_element()) / v.length();
-    let mut first = (longest, Next::Spent);
-    for number in stack.iter() {
-        let (l, u, h) = boxed(number);
-        let (time, axis) = crossing_out(l, u, h);
-        let is_tied = first.1 != Next::Spent && time <= first.0 + together;
-        if time < first.0 || is_tied {
-            let enters = false;
-            first = (
-                time.min(longest),
-                Next::Face {
-                    number,
-                    axis,
-                    enters,
-                },
-            );
-        }
-    }
-    for number in space
-        .entrances(stack)
-        .iter()
-        .map(|number| usize::from(*number))
-    {
-        if stack.contains(number) {
-            continue;
-        }
-        let (l, u, h) = boxed(number);
-        if let Some((time, axis)) = crossing_in(l, u, h)
-            && time
-                < first.0
-                    - if first.1 == Next::Spent {
-                        0.0
-                    } else {
-                        together
-                    }
-        {
-            let enters = true;
-            first = (
-                time,
-                Next::Face {
-                    number,
-                    axis,
-                    enters,
-                },
-            );
-        }
-    }
-    first
-}
-
-fn struck(k: DMat3, v: DVec3, normal: DVec3, what: What) -> Hit {
+/// A surface that was hit by who is carried by `k` at velocity v.
+pub fn struck(k: DMat3, v: DVec3, normal: DVec3, what: What) -> Hit {
     let normal = if normal.dot(v) > 0.0 { -normal } else { normal };
     Hit {
         what,
         normal,
         felt_normal: felt_normal(k, normal),
     }
-}
-
-/// Whether the sun, in felt direction `sun` of length 1, is seen from a place: it is the same direction behind every box,
-/// since no face turns w. `far` is how far off nothing stands any more, felt metres.
-pub fn sun_is_seen(
-    space: &Space,
-    place: &Place,
-    sun: DVec3,
-    far: f64,
-    scene: &dyn SceneQuery,
-) -> bool {
-    trace(space, place, sun, far, scene, &Traveller::Body).end == End::Spent
 }

@@ -38,3 +38,7 @@ pub const LEAST_BOUNCE_M_S: f64 = 0.35;
 pub const RESTS_BELOW_M_S: f64 = 0.08;
 /// Seconds after which a slow ball lies still.
 pub const RESTS_AFTER_S: f64 = 0.25;
+/// No ball is faster, felt metres per second: falling through portals gains for ever.
+pub const FASTEST_M_S: f64 = 60.0;
+/// Time in which an eye that a portal has turned is upright again, seconds.
+pub const RIGHTING_S: f64 = 0.4;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::column::{Around, Frame};
-use crate::trace::Place;
+use crate::place::Place;
 use crate::tuning::{LEAST_SIDEWAYS, LONGEST_PUSH_M, PUSHES, SLOPE_RISE_M, TOUCH_M};
 use crate::walker::WalkerShape;
 
@@ -81,7 +81,8 @@ pub fn walk_part(
 
 /// How high the feet at another place are in the frame about this one.
 fn feet_of(other: &Frame, frame: &Frame, radius: f64) -> f64 {
-    if other.place.stack == frame.place.stack {
+    let is_beyond = other.place.passage != frame.place.passage;
+    if other.place.stack == frame.place.stack || is_beyond {
         return -radius;
     }
     // They stay where they are in the scene, whatever the size of things there.

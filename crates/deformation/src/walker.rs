@@ -3,15 +3,15 @@
 //!
 //! It changes its size at the middle of its lowest ball, about its feet: inside of a box it is s times smaller in the scene.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use crate::air::fly_part;
 use crate::column::Around;
 use crate::eye::EyeHeight;
 use crate::gravity::Flyer;
+use crate::place::Place;
 use crate::scene::SceneQuery;
 use crate::space::Space;
-use crate::trace::Place;
 use crate::tuning::{LEAVES_M_S, LONGEST_PART_S, STRIDE};
 use crate::walk::{Walked, walk_part};
 
@@ -56,6 +56,8 @@ pub struct Walker {
     shape: WalkerShape,
     /// Places of the eye and of the middle at the ends of the parts of the last step, its beginning first.
     way: Vec<(Place, Place)>,
+    /// How portals have turned it in the last step.
+    turned: DQuat,
 }
 
 impl Walker {
@@ -70,6 +72,7 @@ impl Walker {
             eye: EyeHeight::new(shape.eye_m),
             shape,
             way: Vec::new(),
+            turned: DQuat::IDENTITY,
         }
     }
 
@@ -83,7 +86,7 @@ impl Walker {
         self.eye.place(space, &self.body.place, up)
     }
 
-    /// Places of the eye and of the middle of the lowest ball at a share of the way of the last step, 0 at its beginning
+    /// Places of the eye and of the middle of the lowest ball, whose turns count from the axes of now, at a share of the way of the last step, 0 at its beginning
     /// and 1 at its end; between two parts of it along the line from one to the other, through faces too.
     pub fn between(&self, space: &Space, up: DVec3, share: f64) -> (Place, Place) {
         let last = (self.eye_place(space, up), self.body.place);
@@ -98,6 +101,11 @@ impl Walker {
             Place::between(space, &from.0, &to.0, share),
             Place::between(space, &from.1, &to.1, share),
         )
+    }
+
+    /// How portals have turned it in the last step: takes directions before to what they are now.
+    pub fn turned(&self) -> DQuat {
+        self.turned
     }
 
     /// Forgets the way of the last step, as when the space has changed.
@@ -118,6 +126,7 @@ impl Walker {
         let by_way = time * speed / (self.shape.radius_m * STRIDE);
         let parts = (time / LONGEST_PART_S).max(by_way).ceil().clamp(1.0, 1e4);
         let up = -g.normalize_or(DVec3::NEG_Y);
+        let mut wish = wish;
         let mut eye = self.eye_place(space, up);
         self.way.clear();
         self.way.push((eye, self.body.place));
@@ -133,15 +142,32 @@ impl Walker {
                 g,
                 heading,
             };
-            let stack = self.body.place.stack;
+            let before = self.body.place;
             self.go(&around, wish, time / parts);
             self.eye.glide(time / parts);
-            if self.body.place.stack != stack {
-                self.eye.keep(space, &self.body.place, up, eye.point);
+            let place = &self.body.place;
+            if place.passage != before.passage {
+                self.eye.lean(space, (&before, place), up);
+                // What was a fall may lead along the ground now.
+                wish = self.body.velocity.reject_from(around.up(place));
+            } else if place.stack != before.stack {
+                self.eye.keep(space, place, up, eye.point);
             }
             self.eye.duck(space, scene, &self.body.place, up);
             eye = self.eye_place(space, up);
             self.way.push((eye, self.body.place));
+        }
+        self.straighten();
+    }
+
+    /// Takes the axes of the scene for its own again.
+    fn straighten(&mut self) {
+        self.turned = self.body.straighten();
+        self.eye.straighten(self.turned);
+        let back = self.turned.inverse();
+        for (eye, middle) in &mut self.way {
+            eye.turn *= back;
+            middle.turn *= back;
         }
     }
 

@@ -91,11 +91,6 @@ pub fn frame(
     let (sun, sun_colour) =
         (scene.sun.as_ref()).map_or((DVec3::Y, Vec3::ZERO), |sun| (sun.direction, sun.colour));
     let shining = scene.lamps.len().min(MAX_LAMPS);
-    let outlines = if options.outlines {
-        scene.outline.strength
-    } else {
-        0.0
-    };
     let mut lamps = [PackedLamp::default(); MAX_LAMPS];
     for (packed, lamp) in lamps.iter_mut().zip(&scene.lamps) {
         *packed = pack_lamp(lamp);
@@ -119,7 +114,7 @@ pub fn frame(
         ambient_sky: sky.ambient_sky.extend(0.0),
         ambient_ground: sky.ambient_ground.extend(0.0),
         outline_colour: scene.outline.colour,
-        outline_strength: outlines,
+        outline_strength: scene.outline.strength,
         stack: stack(&eye.place.stack),
         width: size.0,
         height: size.1,

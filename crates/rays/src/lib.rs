@@ -33,7 +33,7 @@ pub use loaded::Loaded;
 pub use mesh::Mesh;
 pub use picture::{Picture, Pixel, Seen};
 pub use prober::{Answer, Outcome, ProbeRay, Prober};
-pub use rays::{Options, Rays, View};
+pub use rays::{Options, Outlines, Rays, View};
 pub use scene::{
     Eye, Instance, Lamp, MAX_LAMPS, Material, Mover, Outline, Pattern, RayScene, Sky, Sun,
     TextureImage, WALL_DEFAULT,

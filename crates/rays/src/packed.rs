@@ -6,6 +6,7 @@ use antipode_deformation::{
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
+use crate::rays::Outlines;
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
 use crate::tree::NOTHING;
 
@@ -39,7 +40,8 @@ pub struct PackedWays {
     pub outermost_count: u32,
     /// What the root of all solids is.
     pub root: u32,
-    pub room: u32,
+    /// The flags of a box whose outline is drawn, any of them.
+    pub outlined: u32,
     pub low: Vec4,
     pub high: Vec4,
 }
@@ -53,7 +55,24 @@ impl PackedWays {
             ..self
         }
     }
+
+    /// With the outlines that are drawn.
+    pub fn with_outlines(self, outlines: Outlines) -> Self {
+        Self {
+            outlined: match outlines {
+                Outlines::Hidden => 0,
+                Outlines::Chosen => OUTLINED,
+                Outlines::All => OUTLINED | IS_BOX,
+            },
+            ..self
+        }
+    }
 }
+
+/// Flag of an aberration that has an outline of its own.
+const OUTLINED: u32 = 256;
+/// Flag of every aberration.
+const IS_BOX: u32 = 512;
 
 /// A material, as frame.wgsl has it.
 #[repr(C)]
@@ -187,7 +206,7 @@ pub fn neighbours(scene: &RayScene) -> (Vec<u32>, PackedWays) {
         outermost: neighbours.len() as u32,
         outermost_count: outermost.len() as u32,
         root: NOTHING,
-        room: 0,
+        outlined: OUTLINED,
         low: Vec4::ZERO,
         high: Vec4::ZERO,
     };
@@ -234,7 +253,7 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
         squeeze_z: row(&placed.squeeze, 2),
         count: placed.neighbours.len() as u32,
         legacy: placed.legacy.as_vec3(),
-        flags: exit | (u32::from(is_outlined) << 8),
+        flags: exit | IS_BOX | if is_outlined { OUTLINED } else { 0 },
         stretch: aberration.stretch.as_vec3(),
         rank: placed.rank as u32,
         wall_material: wall as u32,

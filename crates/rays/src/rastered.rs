@@ -12,7 +12,7 @@ use crate::loaded::Loaded;
 use crate::packed::{Kinds, Rule};
 use crate::picture::Picture;
 use crate::raster::{Limits, MOST_VIEWS, Plan, Region, Sight, Way};
-use crate::rays::{GROUP, Options, Rays, scene_group};
+use crate::rays::{GROUP, Options, Outlines, Rays, scene_group};
 use crate::scene::{Eye, RayScene};
 
 /// Doors in a row that a raster sees through, and one.
@@ -27,10 +27,14 @@ pub fn sight<'a>(
     eye: &'a Eye,
     options: Options,
 ) -> Sight<'a> {
-    let has_outlines = scene.outlined.contains(&true) && scene.outline.strength > 0.0;
+    let has_outlines = match options.outlines {
+        Outlines::Hidden => false,
+        Outlines::Chosen => scene.outlined.contains(&true),
+        Outlines::All => !loaded.aberrations().placed().is_empty(),
+    };
     Sight {
         view: options.view,
-        outlines: options.outlines && has_outlines,
+        outlines: has_outlines && scene.outline.strength > 0.0,
         space: loaded.aberrations(),
         tidy: &loaded.tidy,
         eye,
@@ -82,7 +86,9 @@ impl Rays {
         let into = (&*visible, &region);
         self.raster.draw((device, queue), encoder, what, into, rule);
 
-        let ways = loaded.host_ways.with_corners(&corners(eye, size));
+        let ways = (loaded.host_ways)
+            .with_corners(&corners(eye, size))
+            .with_outlines(options.outlines);
         queue.write_buffer(&loaded.ways, 0, bytes_of(&ways));
         let part = Part {
             columns: 0..size.0,

@@ -30,10 +30,33 @@ pub struct Options {
     pub samples: u32,
     /// By which rule one looks.
     pub view: View,
-    /// Whether the outlines of aberrations are drawn that have one.
-    pub outlines: bool,
+    /// Of which aberrations the outlines are drawn.
+    pub outlines: Outlines,
     /// Whether a raster finds what is seen first where it can, which is sooner; the picture is the same.
     pub raster: bool,
+}
+
+/// Of which aberrations the outlines are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Outlines {
+    /// Of none.
+    Hidden,
+    /// Of those that have one.
+    #[default]
+    Chosen,
+    /// Of all.
+    All,
+}
+
+impl Outlines {
+    /// What comes next where a key goes round them.
+    pub fn next(self) -> Self {
+        match self {
+            Self::Chosen => Self::All,
+            Self::All => Self::Hidden,
+            Self::Hidden => Self::Chosen,
+        }
+    }
 }
 
 /// By which rule a picture shows aberrations. Who walks goes by the exact one always.
@@ -56,7 +79,7 @@ impl Default for Options {
             bounces: 0,
             samples: 1,
             view: View::Exact,
-            outlines: true,
+            outlines: Outlines::default(),
             raster: false,
         }
     }
@@ -201,7 +224,9 @@ impl Rays {
         }
         let width = picture.size.0;
         let lines = rows.end.saturating_sub(rows.start).div_ceil(GROUP);
-        let ways = loaded.host_ways.with_corners(&corners(eye, picture.size));
+        let ways = (loaded.host_ways)
+            .with_corners(&corners(eye, picture.size))
+            .with_outlines(options.outlines);
         queue.write_buffer(&loaded.ways, 0, bytemuck::bytes_of(&ways));
         let (parts, line) = parts(options.view, width);
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {

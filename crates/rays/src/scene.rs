@@ -69,6 +69,9 @@ pub struct Mover {
     pub materials: usize,
     /// Whether the eye looks through it: it is seen in mirrors only, and throws a shadow.
     pub unseen_by_eye: bool,
+    /// Whether only the eye sees it, as what who looks holds before it: it throws no shadow but on itself, and what the eye
+    /// looks through throws none on it.
+    pub held: bool,
 }
 
 /// How a surface looks.

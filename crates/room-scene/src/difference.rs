@@ -82,6 +82,9 @@ fn by_thesis(space: &Space) -> Space {
         ..aberration.clone()
     };
     let all = space.placed().iter().map(|it| turned(&it.aberration));
-    // They lie as before, and how they lie is all that can be refused of them.
-    Space::new(all.collect()).unwrap_or_else(|_| space.clone())
+    let portals = space.portals().iter().map(|it| it.portal.clone());
+    // They lie as before, and how they lie is all that can be refused of them; but no portal stands in a box of that rule.
+    Space::with_portals(all.clone().collect(), portals.collect())
+        .or_else(|_| Space::new(all.collect()))
+        .unwrap_or_else(|_| space.clone())
 }

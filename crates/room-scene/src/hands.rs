@@ -5,6 +5,7 @@ use antipode_rays::MAX_LAMPS;
 use antipode_rooms::What as Kind;
 use glam::{DMat3, DVec3};
 
+use crate::hints::RoomHint;
 use crate::scene::RoomScene;
 use crate::sounds::RoomSound;
 use crate::things::{Thing, ThingKind};
@@ -14,6 +15,8 @@ use crate::tuning::{
 };
 use crate::walk::Steer;
 
+/// So many pulls of the trigger are remembered while the gun rests: who pulls twice within a slow frame shoots twice.
+const MOST_PULLS: u32 = 3;
 /// The share of the way to the muzzle that is left when a wall is nearer.
 const SHORT_OF_WALL: f64 = 0.9;
 /// How often a shot is aimed anew, and how near it has to come, felt metres.
@@ -31,6 +34,8 @@ const SHORT_OF_TARGET_M: f64 = 0.1;
 pub struct Hands {
     shoots: bool,
     places: bool,
+    /// Pulls of the trigger that the gun has not answered: it rests after a shot.
+    pulls: u32,
     /// Until the gun shoots again, seconds.
     gun_rests_s: f64,
 }
@@ -39,15 +44,19 @@ impl RoomScene {
     /// Does what hands are asked for in a step.
     pub(crate) fn use_hands(&mut self, steer: &Steer) {
         let before = self.hands;
+        let pulled = u32::from(steer.shoot && !before.shoots);
         self.hands = Hands {
             shoots: steer.shoot,
             places: steer.place,
+            pulls: (before.pulls + pulled).min(MOST_PULLS),
             gun_rests_s: (before.gun_rests_s - STEP_S).max(0.0),
         };
-        if steer.shoot && !before.shoots && self.hands.gun_rests_s <= 0.0 {
+        if self.hands.pulls > 0 && self.hands.gun_rests_s <= 0.0 {
+            self.hands.pulls -= 1;
             self.hands.gun_rests_s = SHOT_EVERY_S;
             let shot = self.shot();
             self.things.shoot(shot);
+            self.hand.fire();
             self.sound(RoomSound::Shot);
         }
         if steer.throw {
@@ -75,7 +84,12 @@ impl RoomScene {
     }
 
     /// A place beside the eye, felt metres to the right, up and ahead, short of what is in the way.
-    fn beside(&self, eye: &Place, front: DVec3, (right, up, ahead): (f64, f64, f64)) -> Place {
+    pub(crate) fn beside(
+        &self,
+        eye: &Place,
+        front: DVec3,
+        (right, up, ahead): (f64, f64, f64),
+    ) -> Place {
         let side = front.cross(DVec3::Y).normalize_or(DVec3::X);
         let way = side * right + side.cross(front) * up + front * ahead;
         let (length, w) = (way.length(), way.normalize_or(front));
@@ -152,9 +166,14 @@ impl RoomScene {
         let own = self.room().objects.iter();
         let own = own.filter(|it| matches!(it.what, Kind::Light { .. }));
         let most = MAX_LAMPS.saturating_sub(own.count());
-        let Some(hit) = sight.hit().filter(|_| most > 0) else {
+        let Some(hit) = sight.hit() else {
+            self.hint(RoomHint::NoPlaceForLamp);
             return;
         };
+        if most == 0 {
+            self.hint(RoomHint::TooManyLamps);
+            return;
+        }
         let normal = hit.felt_normal;
         let path = trace(
             &self.space,

@@ -50,12 +50,12 @@ pub fn fog_m(room: &Room) -> f32 {
 }
 
 impl RoomScene {
-    /// All lamps, at a share of the way of the last step: those of the room, and those that were put down.
+    /// All lamps, at a share of the way of the last step: those of the room, and those that were put down, and a shot.
     pub fn lamps_between(&self, share: f64) -> Vec<Lamp> {
         let mut all = lamps(self.room(), &self.space);
         let things = self.things_between(share);
         let put_down = things.iter().filter(|it| it.kind == ThingKind::Lamp);
-        all.extend(put_down.map(|thing| {
+        let put_down = put_down.map(|thing| {
             let k = self
                 .space
                 .squeeze(&thing.place.stack, self.up(), &Traveller::Body);
@@ -65,7 +65,9 @@ impl RoomScene {
                 radius_m: (1.05 * thing.radius_m * longest) as f32,
                 ..lamp(thing.place, linear(PUT_DOWN_COLOUR), PUT_DOWN_POWER)
             }
-        }));
+        });
+        all.extend(put_down);
+        all.extend(self.shot_light(all.len()));
         all
     }
 }

@@ -16,16 +16,16 @@ pub struct Pick {
     pub felt: Option<f64>,
     /// How long the way there is in the scene, metres.
     pub scene: Option<f64>,
-    /// Faces on the way, in their order.
+    /// Faces and portals on the way, in their order.
     pub events: Vec<PickEvent>,
 }
 
-/// A face on the way.
+/// A face or a portal on the way.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PickEvent {
-    /// `entered`, `left` or `reflected`.
+    /// `entered`, `left` or `reflected`, of an aberration; `portal`.
     pub kind: &'static str,
-    /// The aberration.
+    /// The aberration, or the portal that is gone into.
     pub name: String,
 }
 
@@ -45,11 +45,12 @@ impl RoomScene {
             End::Hit(hit) => Some(self.object_of(hit.what)),
             End::Spent | End::TooManyEvents => None,
         };
-        let corners = path.events.iter().map(|event| event.point);
+        let corners = path.events.iter().map(|event| (event.point, event.onward));
         let mut from = place.point;
-        let scene = corners.chain([path.place.point]).fold(0.0, |sum, to| {
+        let end = (path.place.point, path.place.point);
+        let scene = corners.chain([end]).fold(0.0, |sum, (to, onward)| {
             let piece = from.distance(to);
-            from = to;
+            from = onward;
             sum + piece
         });
         Pick {
@@ -69,15 +70,18 @@ impl RoomScene {
     }
 
     fn told(&self, event: &Event) -> PickEvent {
+        let object = match event.kind {
+            EventKind::Passed => self.portals[event.number],
+            _ => self.boxes[event.number],
+        };
         PickEvent {
             kind: match event.kind {
                 EventKind::Entered => "entered",
                 EventKind::Left => "left",
                 EventKind::Reflected => "reflected",
+                EventKind::Passed => "portal",
             },
-            name: self.room().objects[self.boxes[event.aberration]]
-                .name
-                .clone(),
+            name: self.room().objects[object].name.clone(),
         }
     }
 }

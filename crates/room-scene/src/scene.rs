@@ -1,14 +1,18 @@
 //! An open room: what is worked out of it, and who is in it.
 
-use antipode_deformation::{Space, Triangles, Walker};
+use antipode_deformation::{Place, Space, Triangles, Walker};
+use antipode_frame::Hand;
+use antipode_frame::hand::HandMotion;
 use antipode_frame::motion::Motion;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
-use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space};
+use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space_so_far};
 use glam::DVec3;
 use thiserror::Error;
 
 use crate::hands::Hands;
+use crate::held::RoomViewing;
+use crate::hints::RoomHint;
 use crate::solids::{standing, triangles};
 use crate::sounds::RoomSound;
 use crate::things::Things;
@@ -28,6 +32,8 @@ pub struct RoomScene {
     pub(crate) space: Space,
     /// The object of each aberration of the space.
     pub(crate) boxes: Vec<usize>,
+    /// The object of each portal of the space.
+    pub(crate) portals: Vec<usize>,
     pub(crate) meshes: Vec<SolidMesh>,
     pub(crate) solids: Triangles,
     pub(crate) walker: Walker,
@@ -39,8 +45,15 @@ pub struct RoomScene {
     pub(crate) things: Things,
     pub(crate) time_s: f64,
     pub(crate) motion: Motion,
+    pub(crate) hand: HandMotion,
+    /// What was in the hand before the last step.
+    pub(crate) hand_before: Option<Hand>,
+    pub(crate) viewing: RoomViewing,
     pub(crate) third_person: bool,
     pub(crate) sounds: Vec<RoomSound>,
+    pub(crate) hints: Vec<RoomHint>,
+    /// How high the lowest of all that stands in the room is, metres against gravity.
+    pub(crate) lowest_m: f64,
     revision: u64,
 }
 
@@ -55,9 +68,10 @@ impl RoomScene {
             assets: loaded.assets,
             space: Space::default(),
             boxes: Vec::new(),
+            portals: Vec::new(),
             meshes: Vec::new(),
             solids: Triangles::default(),
-            walker: Walker::new(antipode_deformation::Place::default(), SHAPE),
+            walker: Walker::new(Place::default(), SHAPE),
             jumps: Jumps::default(),
             look: Look::default(),
             looked: Look::default(),
@@ -65,8 +79,13 @@ impl RoomScene {
             things: Things::default(),
             time_s: 0.0,
             motion: Motion::default(),
+            hand: HandMotion::default(),
+            hand_before: None,
+            viewing: RoomViewing::default(),
             third_person: false,
             sounds: Vec::new(),
+            hints: Vec::new(),
+            lowest_m: 0.0,
             revision: 0,
         };
         scene.work_out()?;
@@ -116,16 +135,36 @@ impl RoomScene {
 
     fn work_out(&mut self) -> Result<(), RoomError> {
         let room = self.editor.room();
-        self.space = space(room).map_err(RoomError::Unsound)?;
+        (self.space, self.portals) = space_so_far(room).map_err(RoomError::Unsound)?;
         self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
         self.meshes = standing(room, &self.assets);
         self.solids = triangles(&self.meshes);
+        self.lowest_m = self.lowest();
         let place = &mut self.walker.body.place;
-        place.stack = self.space.stack_at(place.point);
+        *place = Place {
+            scale: place.scale,
+            ..Place::at(&self.space, place.point)
+        };
         self.walker.stay();
         self.things.wake(&self.space);
         self.revision += 1;
         Ok(())
+    }
+
+    fn lowest(&self) -> f64 {
+        let room = self.editor.room();
+        let up = self.up();
+        let of_solids = self.meshes.iter().flat_map(|mesh| {
+            let corners = mesh.shape.positions.iter();
+            corners.map(|it| mesh.pose.transform_point3(*it))
+        });
+        // One may stand in boxes that nothing stands in.
+        let of_boxes = aberrations(room).into_iter().flat_map(|(_, it)| {
+            let reach = DVec3::splat(it.half.length());
+            [it.centre - reach, it.centre + reach]
+        });
+        let all = of_solids.chain(of_boxes).chain([room.spawn.at]);
+        all.map(|it| it.dot(up)).fold(f64::INFINITY, f64::min)
     }
 
     /// Looks there, degrees; pitch is held short of the vertical.

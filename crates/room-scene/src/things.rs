@@ -178,8 +178,13 @@ impl Things {
         self.all.push(one);
     }
 
-    /// Goes on by a step. What has flown out of the room, farther than `lost_m` from its origin along an axis, is gone.
-    pub fn step(&mut self, space: &Space, solids: &Triangles, g: DVec3, lost_m: f64) {
+    /// Keeps what is at places of which that is true.
+    pub fn keep(&mut self, is_here: impl Fn(DVec3) -> bool) {
+        self.all.retain(|one| is_here(one.place().point));
+    }
+
+    /// Goes on by a step.
+    pub fn step(&mut self, space: &Space, solids: &Triangles, g: DVec3) {
         let mut hits = Vec::new();
         for one in &mut self.all {
             one.was = one.place();
@@ -207,13 +212,8 @@ impl Things {
             };
             self.add(ThingKind::Mark, life, MOST_MARKS);
         }
-        let is_here = |one: &One| {
-            let is_spent =
-                matches!(one.life, Life::Bullet { flown_m, .. } if flown_m >= BULLET_REACH_M);
-            let point = one.place().point.abs();
-            !is_spent && point.cmple(DVec3::splat(lost_m)).all()
-        };
-        self.all.retain(is_here);
+        let is_spent = |one: &One| matches!(one.life, Life::Bullet { flown_m, .. } if flown_m >= BULLET_REACH_M);
+        self.all.retain(|one| !is_spent(one));
     }
 }
 

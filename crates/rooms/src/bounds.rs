@@ -24,6 +24,10 @@ pub const MOST_PIXELS: u64 = 32 << 20;
 pub const MOST_OBJECTS: usize = 2000;
 /// How many of them may be aberrations.
 pub const MOST_ABERRATIONS: usize = 256;
+/// How many of them may be portals.
+pub const MOST_PORTALS: usize = 64;
+/// Corners of a portal's polygon.
+pub const CORNERS: RangeInclusive<usize> = 3..=16;
 /// How many of them may be lights.
 pub const MOST_LIGHTS: usize = 8;
 /// How many different models a room may have.

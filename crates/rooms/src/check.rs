@@ -9,13 +9,13 @@ use glam::{DVec2, DVec3};
 
 use crate::bounds::{
     FARTHEST_M, FASTEST_FALL_M_S2, MOST_ABERRATIONS, MOST_DEEP, MOST_LIGHTS, MOST_NAME_CHARS,
-    MOST_OBJECTS, MOST_TEXT_CHARS, POWERS, TURNS_DEG,
+    MOST_OBJECTS, MOST_PORTALS, MOST_TEXT_CHARS, POWERS, TURNS_DEG,
 };
 use crate::check_kind::check_kind;
 use crate::error::Fault;
 use crate::pose::{parents, poses};
 use crate::room::{Object, Room, VERSION, What};
-use crate::space::space;
+use crate::space::{space, space_so_far};
 
 /// A mark for what is wrong in a room, before it is known which field of which object it is.
 pub(crate) struct Wrong {
@@ -39,6 +39,20 @@ pub(crate) fn wrong(field: &str, reason: impl Into<String>) -> Wrong {
 /// # Errors
 /// The first that is wrong.
 pub fn check(room: &Room) -> Result<(), Fault> {
+    check_each(room)?;
+    space(room).map(|_| ())
+}
+
+/// The same of a room that is being changed: its portals may not fit their partners yet.
+///
+/// # Errors
+/// The first that is wrong.
+pub(crate) fn check_so_far(room: &Room) -> Result<(), Fault> {
+    check_each(room)?;
+    space_so_far(room).map(|_| ())
+}
+
+fn check_each(room: &Room) -> Result<(), Fault> {
     check_whole(room).map_err(|it| Fault {
         field: it.field.clone(),
         path: it.field,
@@ -57,8 +71,7 @@ pub fn check(room: &Room) -> Result<(), Fault> {
         }
     }
     check_groups(room)?;
-    check_counts(room)?;
-    space(room).map(|_| ())
+    check_counts(room)
 }
 
 /// What is wrong with an object, told of the room.
@@ -296,6 +309,11 @@ fn check_counts(room: &Room) -> Result<(), Fault> {
             "aberrations",
             MOST_ABERRATIONS,
             places(|it| matches!(it, What::Aberration(_))).nth(MOST_ABERRATIONS),
+        ),
+        (
+            "portals",
+            MOST_PORTALS,
+            places(|it| matches!(it, What::Portal(_))).nth(MOST_PORTALS),
         ),
     ];
     for (what, most, beyond) in counts {

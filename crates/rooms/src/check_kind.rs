@@ -1,9 +1,10 @@
 //! What makes each kind of object sound.
 
 use crate::aberration::{Aberration, Axis, Lengths, Sides, Ways};
-use crate::bounds::{HALVES_M, POWERS, SCALES, SIZES_M, STEPS, STRETCHES};
-use crate::check::{Checked, check_text, each, one, pair, wrong};
+use crate::bounds::{CORNERS, FARTHEST_M, HALVES_M, POWERS, SCALES, SIZES_M, STEPS, STRETCHES};
+use crate::check::{Checked, check_name, check_text, each, one, pair, wrong};
 use crate::files;
+use crate::portal::{Opening, Portal};
 use crate::room::What;
 
 const EACH_WAY: &str = " m along each axis";
@@ -53,6 +54,7 @@ pub(crate) fn check_kind(what: &What) -> Checked {
         }
         What::Light { power, .. } => one("what.power", *power, &POWERS, ""),
         What::Aberration(aberration) => check_aberration(aberration),
+        What::Portal(portal) => check_portal(portal),
         What::Sign { text, size } => {
             check_text("what.text", text.as_deref().unwrap_or_default())?;
             pair("what.size", *size, &SIZES_M, " m")
@@ -95,4 +97,29 @@ fn check_aberration(it: &Aberration) -> Checked {
         ));
     }
     Ok(())
+}
+
+fn check_portal(it: &Portal) -> Checked {
+    check_name(&it.to).map_err(|reason| wrong("what.to", reason))?;
+    if !(1..=2).contains(&it.sides) {
+        let reason = format!("is to be 1 or 2, and is {}", it.sides);
+        return Err(wrong("what.sides", reason));
+    }
+    match &it.opening {
+        Opening::Size(size) => pair("what.size", *size, &SIZES_M, " m"),
+        Opening::Polygon(corners) => {
+            if !CORNERS.contains(&corners.len()) {
+                let (least, most) = (CORNERS.start(), CORNERS.end());
+                let reason = format!(
+                    "is to have {least} to {most} corners, and has {}",
+                    corners.len()
+                );
+                return Err(wrong("what.polygon", reason));
+            }
+            let near = -FARTHEST_M..=FARTHEST_M;
+            corners
+                .iter()
+                .try_for_each(|it| pair("what.polygon", *it, &near, " m"))
+        }
+    }
 }

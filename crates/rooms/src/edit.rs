@@ -8,12 +8,13 @@
 //! | `group NAME MEMBER ...` | makes a group that carries these |
 //! | `undo [N]`, `redo [N]` | takes steps back, and makes them again |
 //!
-//! A change that would leave the room unsound is refused, and the room is as it was.
+//! A change that would leave the room unsound is refused, and the room is as it was. Only portals may not fit their partners
+//! for a while, since pairs are made and changed one after the other: until they do they are closed, and the room is not saved.
 
 use glam::DVec3;
 
 use crate::bounds::MOST_NAME_CHARS;
-use crate::check::{check, shown};
+use crate::check::{check_so_far, shown};
 use crate::error::RoomError;
 use crate::room::{Object, Room, What};
 pub use crate::words::KINDS;
@@ -161,7 +162,7 @@ impl Editor {
     /// # Errors
     /// [`RoomError::Command`] if it is not sound.
     pub fn step(&mut self, room: Room) -> Result<(), RoomError> {
-        check(&room).or_else(|fault| refuse(sentence(&fault.to_string())))?;
+        check_so_far(&room).or_else(|fault| refuse(sentence(&fault.to_string())))?;
         if room == self.room {
             return Ok(());
         }
@@ -255,6 +256,11 @@ fn change(room: &Room, words: &[&str]) -> Result<Room, RoomError> {
     for object in &mut room.objects {
         if object.group.as_deref() == Some(name) {
             object.group = Some(new_name.clone());
+        }
+        if let What::Portal(it) = &mut object.what
+            && it.to == *name
+        {
+            it.to.clone_from(&new_name);
         }
     }
     Ok(room)

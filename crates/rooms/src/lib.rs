@@ -4,7 +4,8 @@
 //! `models/` and `textures/`. [`read()`] takes the text and refuses, with file, line and field, whatever is not sound;
 //! [`write()`] gives it back, always in one order. [`open`](folder::open) reads a whole folder, [`RoomsDir`] is the
 //! directory of a player's rooms, and [`shipped`] has those that come with the game. [`meshes`](mesh::meshes) makes
-//! triangles of what stands in a room, and [`space()`] the space of its aberrations, which `antipode-deformation` checks.
+//! triangles of what stands in a room, and [`space()`] the space of its aberrations and portals, which
+//! `antipode-deformation` checks.
 
 pub mod aberration;
 pub mod bounds;
@@ -22,6 +23,7 @@ mod lines;
 pub mod mesh;
 mod model;
 mod place;
+pub mod portal;
 mod pose;
 mod read;
 pub mod room;
@@ -39,8 +41,9 @@ pub use folder::{Assets, Loaded};
 pub use library::{ARCHIVE, ARCHIVE_EXTENSION, RoomSummary, RoomsDir};
 pub use model::{ModelPart, RoomModel};
 pub use place::rooms_dir;
+pub use portal::Portal;
 pub use pose::{direction, poses, rotation};
 pub use read::read;
 pub use room::{Object, Room, What};
-pub use space::{aberrations, space};
+pub use space::{aberrations, portals, space, space_so_far};
 pub use write::write;

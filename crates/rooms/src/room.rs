@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use crate::aberration::Aberration;
 use crate::colour::Colour;
+use crate::portal::Portal;
 
 /// The version of the file that is written; older ones are read, newer ones refused.
 pub const VERSION: u32 = 1;
@@ -198,6 +199,8 @@ pub enum What {
     },
     /// A box that makes space longer or shorter in it.
     Aberration(Aberration),
+    /// An opening that leads to another one.
+    Portal(Portal),
     /// A board to read, on its front.
     Sign {
         /// What it says; without it, the room's sentence.
@@ -319,6 +322,7 @@ impl What {
             Self::Model { .. } => "model",
             Self::Light { .. } => "light",
             Self::Aberration(_) => "aberration",
+            Self::Portal(_) => "portal",
             Self::Sign { .. } => "sign",
             Self::Group => "group",
         }
@@ -359,6 +363,17 @@ impl Room {
             .iter()
             .enumerate()
             .find(|(_, object)| object.name == name)
+    }
+
+    /// The portals, each with its place among all objects.
+    pub fn portals(&self) -> impl Iterator<Item = (usize, &Portal)> {
+        self.objects
+            .iter()
+            .enumerate()
+            .filter_map(|(index, object)| match &object.what {
+                What::Portal(portal) => Some((index, portal)),
+                _ => None,
+            })
     }
 
     /// The aberrations, each with its place among all objects.

@@ -8,6 +8,7 @@ use crate::aberration::{Aberration, Axis, Exit, Lengths, Sides, Ways};
 use crate::check::shown;
 use crate::colour::Colour;
 use crate::error::RoomError;
+use crate::portal::{Opening, Portal};
 use crate::room::{Checker, Finish, Object, Spawn, Texture, What, board};
 
 type Taken<T> = Result<T, RoomError>;
@@ -45,7 +46,7 @@ impl<'a> Pairs<'a> {
 }
 
 /// Every kind that can be added.
-pub const KINDS: [&str; 13] = [
+pub const KINDS: [&str; 14] = [
     "box",
     "pyramid",
     "ramp",
@@ -56,6 +57,7 @@ pub const KINDS: [&str; 13] = [
     "model",
     "light",
     "aberration",
+    "portal",
     "sign",
     "group",
     "spawn",
@@ -106,6 +108,14 @@ fn kind(word: &str) -> Option<(What, &'static [&'static str])> {
             &["power"],
         ),
         "aberration" => (What::Aberration(aberration), &["half"]),
+        "portal" => (
+            What::Portal(Portal {
+                opening: Opening::Size(DVec2::ONE),
+                to: String::new(),
+                sides: 1,
+            }),
+            &["to"],
+        ),
         "sign" => (
             What::Sign {
                 text: None,
@@ -131,6 +141,9 @@ pub(crate) fn new_object(word: &str, pairs: &Pairs<'_>) -> Taken<Object> {
         return refuse(format!(
             "To add something of the kind {word}, say its {missing}, too: {missing}=..."
         ));
+    }
+    if word == "portal" && !pairs.has("size") && !pairs.has("polygon") {
+        return refuse("To add a portal, say its size or its polygon, too: size=WIDTH,HEIGHT.");
     }
     let mut object = Object::new("", DVec3::ZERO, what);
     set(&mut object, pairs, true)?;
@@ -307,6 +320,10 @@ fn set_kind(what: &mut What, key: &str, value: &str) -> Taken<bool> {
             )?;
             it.sides = Sides::Legacy { exit };
         }
+        (What::Portal(it), "to") => (*value).clone_into(&mut it.to),
+        (What::Portal(it), "size") => it.opening = Opening::Size(two(key, value)?),
+        (What::Portal(it), "polygon") => it.opening = Opening::Polygon(corners(key, value)?),
+        (What::Portal(it), "sides") => it.sides = one_of(key, value, &[("1", 1), ("2", 2)])?,
         (What::Aberration(it), "ways") => {
             it.ways = one_of(
                 key,
@@ -385,6 +402,22 @@ fn numbers<const N: usize>(key: &str, value: &str) -> Taken<[f64; N]> {
             shown(value)
         )),
     }
+}
+
+/// Places in a plane: X,Y,X,Y and so on.
+fn corners(key: &str, value: &str) -> Taken<Vec<DVec2>> {
+    let all: Vec<f64> = value
+        .split(',')
+        .map(|it| number(key, it))
+        .collect::<Taken<_>>()?;
+    if !all.len().is_multiple_of(2) {
+        return refuse(format!(
+            "{key}={} is to be two numbers for each corner.",
+            shown(value)
+        ));
+    }
+    let corner = |pair: &[f64]| DVec2::new(pair[0], pair[1]);
+    Ok(all.chunks_exact(2).map(corner).collect())
 }
 
 fn two(key: &str, value: &str) -> Taken<DVec2> {

@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3};
 use crate::aberration::{Aberration, Exit, Lengths, Sides, Ways};
 use crate::check::check;
 use crate::error::Fault;
+use crate::portal::{Opening, Portal};
 use crate::room::{Finish, Object, Room, Surface, VERSION, What};
 
 const HEAD: &str = "// A room of Antipode. docs/rooms.md of the game says what may stand here.\n";
@@ -143,6 +144,7 @@ fn what(what: &What) -> String {
             format!("Light(colour: \"{colour}\", power: {})", number(*power))
         }
         What::Aberration(it) => aberration(it),
+        What::Portal(it) => portal(it),
         What::Sign { text: None, size } => format!("Sign(size: {})", two(*size)),
         What::Sign {
             text: Some(it),
@@ -180,6 +182,22 @@ fn aberration(it: &Aberration) -> String {
         "Aberration(half: {}, {lengths}, sides: {sides}{ways}{outline})",
         three(it.half)
     )
+}
+
+fn portal(it: &Portal) -> String {
+    let opening = match &it.opening {
+        Opening::Size(size) => format!("size: {}", two(*size)),
+        Opening::Polygon(corners) => {
+            let corners: Vec<_> = corners.iter().map(|it| two(*it)).collect();
+            format!("polygon: [{}]", corners.join(", "))
+        }
+    };
+    let sides = if it.sides == 1 {
+        String::new()
+    } else {
+        format!(", sides: {}", it.sides)
+    };
+    format!("Portal({opening}, to: {}{sides})", text(&it.to))
 }
 
 fn surface(it: &Surface) -> String {

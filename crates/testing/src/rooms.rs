@@ -1,8 +1,8 @@
-//! Deformed rooms made by chance: boxes beside and within each other, turned anyhow, and solids between them.
+//! Deformed rooms made by chance: boxes beside and within each other, turned anyhow, portals and solids between them.
 
-use antipode_deformation::{Aberration, Sides, Triangle, Ways};
+use antipode_deformation::{Aberration, Portal, Sides, Space, Traveller, Triangle, Ways};
 use fastrand::Rng;
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 
 /// Half of the edges of the room in which all of it lies, metres.
 pub const HALF_M: f64 = 12.0;
@@ -94,6 +94,87 @@ fn fill(
             made,
         );
     }
+}
+
+/// So many pairs of portals, or portals that are their own partners, about a room of these boxes: polygons of all kinds, turned
+/// anyhow, with one side or two, whose sizes differ by up to `most`.
+pub fn portals(rng: &mut Rng, boxes: &[Aberration], pairs: usize, most: f64) -> Vec<Portal> {
+    let plain = Space::new(boxes.to_vec()).unwrap_or_default();
+    let mut made: Vec<Portal> = Vec::new();
+    for _ in 0..60 * pairs {
+        if made.len() >= 2 * pairs {
+            break;
+        }
+        let first = made.len();
+        let two_sided = rng.bool();
+        let portal = |number: usize, to: usize, at: DVec3, turn: DQuat, polygon| Portal {
+            name: format!("portal {number}"),
+            at,
+            turn,
+            polygon,
+            to,
+            two_sided,
+        };
+        let (at, own) = (point(rng), turn(rng));
+        let mut more = made.clone();
+        if rng.f64() < 0.1 {
+            let size = DVec2::new(1.0 + rng.f64(), 1.0 + rng.f64());
+            more.push(portal(first, first, at, own, Portal::rectangle(size)));
+        } else {
+            let (there, other) = (point(rng), turn(rng));
+            let polygon = polygon(rng);
+            let scale = stretch(rng, most);
+            let partner = partner_of(&plain, (at, own, &polygon), (there, other), scale);
+            more.push(portal(first, first + 1, at, own, polygon));
+            more.push(portal(first + 1, first, there, other, partner));
+        }
+        if Space::with_portals(boxes.to_vec(), more.clone()).is_ok() {
+            made = more;
+        }
+    }
+    made
+}
+
+/// Three to seven corners on an ellipse about a point that need not be its middle.
+fn polygon(rng: &mut Rng) -> Vec<DVec2> {
+    let corners = rng.usize(3..8);
+    let radii = DVec2::new(1.0 + 3.0 * rng.f64(), 1.0 + 3.0 * rng.f64());
+    let off = DVec2::new(rng.f64() - 0.5, rng.f64() - 0.5);
+    let clockwise = if rng.bool() { 1.0 } else { -1.0 };
+    (0..corners)
+        .map(|i| {
+            let share = (i as f64 + 0.6 * rng.f64()) / corners as f64;
+            let angle = clockwise * std::f64::consts::TAU * share;
+            off + radii * DVec2::new(angle.cos(), angle.sin())
+        })
+        .collect()
+}
+
+/// The corners that the partner of a portal has, turned and placed so, for it to feel `scale` times as large: what is A t
+/// along the one is turned from upright to upright, front to back, and is A t along the other.
+fn partner_of(
+    space: &Space,
+    (at, own, polygon): (DVec3, DQuat, &[DVec2]),
+    (there, other): (DVec3, DQuat),
+    scale: f64,
+) -> Vec<DVec2> {
+    let k = |at| space.squeeze(&space.stack_at(at), DVec3::X, &Traveller::Body);
+    let felt = |at: DVec3, turn: DQuat| {
+        let up = (k(at).inverse() * (turn * DVec3::Y)).normalize();
+        let normal = (k(at).transpose() * (turn * DVec3::X)).normalize();
+        (up, normal.cross(up))
+    };
+    let ((up, left), (up_there, left_there)) = (felt(at, own), felt(there, other));
+    let to_felt = k(at).inverse();
+    polygon
+        .iter()
+        .map(|it| {
+            let away = to_felt * (own * DVec3::new(0.0, it.y, -it.x));
+            let felt = up_there * away.dot(up) - left_there * away.dot(left);
+            let away = other.inverse() * (k(there) * felt * scale);
+            DVec2::new(-away.z, away.y)
+        })
+        .collect()
 }
 
 /// The twelve triangles of a box of half sizes `half`, turned, for object `object`.

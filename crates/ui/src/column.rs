@@ -27,7 +27,8 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
     let spacing = ui.spacing_mut();
     if regions.compact {
         // Nine buttons under the title need no scrolling at 360 points, nor do ten lower ones.
-        let lower = if may_skip_hints(pass) { 3.0 } else { 0.0 };
+        let is_tenth = may_skip_hints(pass) || pass.model.in_room;
+        let lower = if is_tenth { 3.0 } else { 0.0 };
         spacing.interact_size.y = 28.0 - lower;
         spacing.button_padding.y = 4.0 - lower / 2.0;
         spacing.item_spacing.y = 2.0;
@@ -73,9 +74,15 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen
     let in_world = [
         (texts.say("menu-resume"), Intent::Resume),
         (texts.say("menu-save"), Intent::Save),
+        (texts.say("menu-begin-anew"), Intent::BeginAnew),
         (texts.say(leave), Intent::SaveAndQuitToMenu),
     ];
-    let is_there = |intent: &Intent| running && !(pass.model.in_room && *intent == Intent::Save);
+    let is_for = |intent: &Intent| match intent {
+        Intent::Save => !pass.model.in_room,
+        Intent::BeginAnew => pass.model.in_room,
+        _ => true,
+    };
+    let is_there = |intent: &Intent| running && is_for(intent);
     for (label, intent) in in_world.into_iter().filter(|(_, intent)| is_there(intent)) {
         let response = entry(ui, &label, false);
         stops.add(&response);

@@ -1,7 +1,9 @@
 //! What tests share.
 
-use antipode_deformation::{Aberration, Place, Sides, Space, Trace, Traveller, Void, Ways, trace};
-use glam::{DQuat, DVec3};
+use antipode_deformation::{
+    Aberration, Place, Portal, Sides, Space, Trace, Traveller, Void, Ways, trace,
+};
+use glam::{DQuat, DVec2, DVec3};
 
 pub fn boxed(name: &str, centre: DVec3, half: DVec3, stretch: DVec3, sides: Sides) -> Aberration {
     Aberration {
@@ -26,4 +28,16 @@ pub fn go(space: &Space, place: &Place, w: DVec3, length: f64) -> Trace {
 
 pub fn v(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)
+}
+
+/// A portal of 2 x 2 m with one side, whose front looks along the yaw, from +x towards +z.
+pub fn portal(name: &str, at: DVec3, yaw_deg: f64, to: usize) -> Portal {
+    Portal {
+        name: name.to_owned(),
+        at,
+        turn: DQuat::from_rotation_y(-yaw_deg.to_radians()),
+        polygon: Portal::rectangle(DVec2::splat(2.0)),
+        to,
+        two_sided: false,
+    }
 }

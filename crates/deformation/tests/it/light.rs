@@ -16,7 +16,7 @@ fn found_again(space: &Space, rng: &mut Rng, faces: usize) -> (f64, f64, usize) 
     for _ in 0..4000 {
         let from = Place::at(space, rooms::point(rng));
         let path = go(space, &from, rooms::direction(rng), 12.0 * rng.f64());
-        let crossed: Vec<_> = path.events.iter().map(|event| event.aberration).collect();
+        let crossed: Vec<_> = path.events.iter().map(|event| event.number).collect();
         let is_pair = faces != 2
             || (crossed.len() == 2 && crossed[0] == crossed[1] && is_parallel(space, &path.events));
         if crossed.len() != faces || !is_pair || path.end != End::Spent {
@@ -40,7 +40,7 @@ fn found_again(space: &Space, rng: &mut Rng, faces: usize) -> (f64, f64, usize) 
 /// Whether a box was entered and left across the same axis.
 fn is_parallel(space: &Space, events: &[antipode_deformation::Event]) -> bool {
     let axis = |event: &antipode_deformation::Event| {
-        let placed = &space.placed()[event.aberration];
+        let placed = &space.placed()[event.number];
         let room = placed.aberration.half - placed.local(event.point).abs();
         (0..3).min_by(|a, b| room[*a].abs().total_cmp(&room[*b].abs()))
     };

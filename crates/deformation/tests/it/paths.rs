@@ -15,10 +15,7 @@ fn growth(space: &Space, path: &Trace) -> f64 {
         let stretch = space.placed()[number].aberration.stretch;
         stretch.max(stretch.recip()).max_element()
     };
-    path.events
-        .iter()
-        .map(|event| of(event.aberration))
-        .product()
+    path.events.iter().map(|event| of(event.number)).product()
 }
 
 #[test]
@@ -63,7 +60,7 @@ fn every_path_leads_back() {
 /// Whether a path comes so near to an edge, or so flat to a face, that rounding decides what it does.
 fn grazes(space: &Space, path: &Trace) -> bool {
     path.events.iter().any(|event| {
-        let placed = &space.placed()[event.aberration];
+        let placed = &space.placed()[event.number];
         let room = (placed.aberration.half - placed.local(event.point).abs()).to_array();
         room.iter().filter(|room| room.abs() < 1e-6).count() > 1
     })
@@ -334,7 +331,7 @@ fn a_path_through_nested_boxes_has_the_product_of_their_stretches() {
     let kinds: Vec<_> = path
         .events
         .iter()
-        .map(|event| (event.kind, event.aberration))
+        .map(|event| (event.kind, event.number))
         .collect();
     let (entered, left) = (EventKind::Entered, EventKind::Left);
     assert_eq!(kinds, [(entered, 1), (entered, 0), (left, 0), (left, 1)]);

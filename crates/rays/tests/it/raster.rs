@@ -192,6 +192,7 @@ fn a_raster_shows_what_moves_where_it_is() {
         object,
         materials: 0,
         unseen_by_eye,
+        held: false,
     };
     let movers = [
         mover(-1.5, 20, false),

@@ -1,7 +1,7 @@
 //! Ways to look: exact, by the thesis's rule, half by each, and in coordinates of the scene.
 
 use antipode_deformation::{Exit, Sides, Space};
-use antipode_rays::{Options, Seen, View};
+use antipode_rays::{Options, Outlines, Seen, View};
 use glam::DVec3;
 
 use crate::common::{Gpu, Light, SIZE, draw, looking, shown};
@@ -107,6 +107,17 @@ fn outlines_have_a_switch_for_all() {
         };
         draw(gpu, &scene, &eye, options).0
     };
-    assert!(greatest_gap(&with(true), &without) > 0.1);
-    assert!(greatest_gap(&with(false), &without) < 1e-3);
+    let chosen = with(Outlines::Chosen);
+    assert!(greatest_gap(&chosen, &without) > 0.1);
+    assert!(greatest_gap(&with(Outlines::Hidden), &without) < 1e-3);
+    scene.outlined = vec![false];
+    let with = |outlines| {
+        let options = Options {
+            outlines,
+            ..Options::default()
+        };
+        draw(gpu, &scene, &eye, options).0
+    };
+    assert!(greatest_gap(&with(Outlines::Chosen), &without) < 1e-3);
+    assert!(greatest_gap(&with(Outlines::All), &chosen) < 1e-3);
 }

@@ -135,7 +135,7 @@ pub fn shape(what: &What, roundness: Roundness) -> Option<Shape> {
             blocks::block(&mut builder, -half, half);
         }
         What::Aberration(it) => walls::walls(&mut builder, it),
-        What::Model { .. } | What::Light { .. } | What::Group => {}
+        What::Model { .. } | What::Light { .. } | What::Portal(_) | What::Group => {}
     }
     (!builder.shape.triangles.is_empty()).then_some(builder.shape)
 }
