@@ -82,7 +82,11 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
             ended.end = END_SPENT;
         } else {
             ended.length = time;
-            var there = Path(origin.xyz + time * v, path.w, path.w, k, views.list[view].stack, u32(origin.w), true);
+            var there = path;
+            there.x = origin.xyz + time * v;
+            there.k = k;
+            there.stack = views.list[view].stack;
+            there.depth = u32(origin.w);
             if views.boxes > 0u {
                 look_for_boxes(&there, v);
             }

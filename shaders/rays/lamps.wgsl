@@ -78,6 +78,9 @@ fn through_faces(row: Row, i: u32, p: vec3<f32>, l: vec3<f32>, to_felt: mat3x3<f
 
 // How many ways to a lamp there may be from a place.
 fn lamp_tries(from_path: ptr<function, Path>, lamp: u32) -> u32 {
+    if IS_FLAT {
+        return 1u;
+    }
     let stack = (*from_path).stack;
     let depth = (*from_path).depth;
     let lamp_stack = frame.lamps[lamp].stack;
@@ -108,7 +111,7 @@ fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
     let outer_depth = min(own_depth, lamp_depth);
     let to_felt = inverse_of(squeeze_of(outer, outer_depth, away, false));
     let straight = to_felt * away;
-    if is_same && attempt == 0u {
+    if IS_FLAT || (is_same && attempt == 0u) {
         let length = length(straight);
         return Aim(straight / max(length, 1.0e-20), length);
     }
@@ -135,10 +138,6 @@ fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
     }
     let one = vec3<f32>(1.0);
     let s = select(one, space.boxes[number].stretch, is_felt(number, away));
-    if is_same && all(s == one) {
-        // The way through it is the straight one.
-        return none;
-    }
     let leaves = !is_same && !is_lamp_inner;
     let row = Row(number, array<vec3<f32>, 3>(select(one, s, leaves), select(s, one, leaves), select(one, s, is_lamp_inner)), select(2u, 3u, is_same), select(vec2<f32>(-1.0, 1.0), vec2<f32>(1.0, -1.0), leaves));
     let p = local_vector(number, (*from_path).x - space.boxes[number].centre);

@@ -15,6 +15,7 @@ mod error;
 mod frame;
 mod loaded;
 mod mesh;
+mod options;
 mod packed;
 mod picture;
 mod prober;
@@ -31,9 +32,10 @@ mod tree;
 pub use error::RaysError;
 pub use loaded::Loaded;
 pub use mesh::Mesh;
+pub use options::{Options, Outlines, View};
 pub use picture::{Picture, Pixel, Seen};
 pub use prober::{Answer, Outcome, ProbeRay, Prober};
-pub use rays::{Options, Outlines, Rays, View};
+pub use rays::Rays;
 pub use scene::{
     Eye, Instance, Lamp, MAX_LAMPS, Material, Mover, Outline, Pattern, RayScene, Sky, Sun,
     TextureImage, WALL_DEFAULT,

@@ -6,7 +6,7 @@ use antipode_deformation::{
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
-use crate::rays::Outlines;
+use crate::options::Outlines;
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
 use crate::tree::NOTHING;
 
@@ -126,12 +126,16 @@ impl Rule {
 }
 
 /// What shaders are told of beforehand, so that what is not there takes no time: whether there are boxes of *snell* and of
-/// *legacy*, and whether the hierarchies are deep.
+/// *legacy*, whether the hierarchies are deep, and whether boxes change anything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kinds {
     pub snell: bool,
     pub legacy: bool,
     pub deep: bool,
+    /// Whether nothing is felt to be stretched.
+    pub flat: bool,
+    /// Whether it does not matter besides which faces light passes.
+    pub faceless: bool,
 }
 
 impl Kinds {
@@ -140,29 +144,52 @@ impl Kinds {
         snell: true,
         legacy: true,
         deep: true,
+        flat: false,
+        faceless: false,
     };
+    /// How many there are.
+    pub const COUNT: usize = 32;
 
     /// Of a space by a rule.
     pub fn of(space: &Space, rule: Rule) -> Self {
-        let mut kinds = Self::default();
+        let flat = space.portals().is_empty() && (rule == Rule::Plain || space.placed().is_empty());
+        let mut kinds = Self {
+            flat,
+            faceless: flat,
+            ..Self::default()
+        };
         for placed in space.placed() {
-            let sides = rule.of(placed).aberration.sides;
+            let it = rule.of(placed).aberration;
+            let sides = it.sides;
+            kinds.faceless &= !(0..3).any(|axis| it.is_wall(axis));
             kinds.snell |= sides == Sides::Snell;
             kinds.legacy |= matches!(sides, Sides::Legacy(_));
         }
         kinds
     }
 
-    /// A number below 8.
+    /// The same where outlines are drawn, which are seen in faces.
+    pub fn with_outlines(self, are_drawn: bool) -> Self {
+        Self {
+            faceless: self.faceless && !are_drawn,
+            ..self
+        }
+    }
+
+    /// A number below [`Self::COUNT`].
     pub fn number(self) -> usize {
-        usize::from(self.snell) + 2 * usize::from(self.legacy) + 4 * usize::from(self.deep)
+        let all = [self.snell, self.legacy, self.deep, self.flat, self.faceless];
+        let bits = all.into_iter().enumerate();
+        bits.map(|(bit, it)| usize::from(it) << bit).sum()
     }
 
     /// What the shaders' constants are set to.
-    pub fn constants(self) -> [(&'static str, f64); 2] {
+    pub fn constants(self) -> [(&'static str, f64); 4] {
         [
             ("HAS_SNELL", f64::from(u8::from(self.snell))),
             ("HAS_LEGACY", f64::from(u8::from(self.legacy))),
+            ("IS_FLAT", f64::from(u8::from(self.flat))),
+            ("HAS_FACES", f64::from(u8::from(!self.faceless))),
         ]
     }
 }

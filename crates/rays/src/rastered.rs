@@ -9,10 +9,11 @@ use wgpu::{CommandEncoder, ComputePipeline, Device, Queue};
 
 use crate::frame::{Part, corners, frame};
 use crate::loaded::Loaded;
+use crate::options::{Options, Outlines};
 use crate::packed::{Kinds, Rule};
 use crate::picture::Picture;
 use crate::raster::{Limits, MOST_VIEWS, Plan, Region, Sight, Way};
-use crate::rays::{GROUP, Options, Outlines, Rays, scene_group};
+use crate::rays::{GROUP, Rays, scene_group};
 use crate::scene::{Eye, RayScene};
 
 /// Doors in a row that a raster sees through, and one.

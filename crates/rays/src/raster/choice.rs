@@ -3,7 +3,7 @@
 use antipode_deformation::{Space, Traveller};
 use glam::DVec3;
 
-use crate::rays::View;
+use crate::options::View;
 use crate::scene::Eye;
 
 /// The eye is so near to a face that a raster would cut the face away, felt metres.
@@ -38,7 +38,7 @@ pub struct Sight<'a> {
 /// How a picture is made best.
 pub fn way(sight: &Sight<'_>) -> Way {
     match sight.view {
-        _ if sight.outlines => Way::Rays,
+        _ if sight.outlines || !sight.space.portals().is_empty() => Way::Rays,
         View::Thesis | View::Split => Way::Rays,
         View::Plain => Way::Plain,
         View::Exact if is_in_bend(sight) || is_at_face(sight) => Way::Rays,

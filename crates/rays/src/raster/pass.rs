@@ -32,7 +32,7 @@ pub struct Raster {
     first: Pair,
     deeper: Pair,
     /// By the number of what is told beforehand; compiled when they are asked for.
-    rays: [[OnceLock<ComputePipeline>; 8]; 2],
+    rays: [[OnceLock<ComputePipeline>; Kinds::COUNT]; 2],
     views: Buffer,
     nothing: TextureView,
 }
@@ -75,7 +75,7 @@ impl Raster {
         Self {
             first: pair("first"),
             deeper: pair("deeper"),
-            rays: Default::default(),
+            rays: std::array::from_fn(|_| std::array::from_fn(|_| OnceLock::new())),
             views: device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("views of a raster"),
                 size: VIEWS_HEAD + (MOST_VIEWS * size_of::<PackedView>()) as u64,
@@ -167,7 +167,8 @@ impl Raster {
     ) -> Vec<Draws> {
         let boxes = loaded.aberrations().placed();
         // In coordinates of the scene one view passes all faces.
-        let looked_for = if rule == Rule::Plain { boxes.len() } else { 0 };
+        let looks = rule == Rule::Plain && !loaded.kinds(rule).faceless;
+        let looked_for = if looks { boxes.len() } else { 0 };
         let head = [plan.levels() as u32, looked_for as u32, 0, 0];
         let views: Vec<_> = plan.views.iter().map(pack).collect();
         queue.write_buffer(&self.views, 0, bytes_of(&head));
