@@ -29,6 +29,7 @@ pub enum Outlines {
 
 impl Outlines {
     /// What comes next where a key goes round them.
+    #[must_use]
     pub fn next(self) -> Self {
         match self {
             Self::Chosen => Self::All,

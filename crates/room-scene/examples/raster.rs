@@ -50,7 +50,13 @@ fn main() -> Result<(), Fault> {
             let made: Result<_, Infallible> = open.ray_scene(|_| Ok(RgbaImage::new(4, 4)));
             let scene = made?;
             let loaded = gpu.rays.upload(&gpu.device, &gpu.queue, &scene)?;
+            let begun = Instant::now();
             gpu.rays.prepare(&gpu.device, &loaded);
+            println!(
+                "{} is made ready in {:.1} s",
+                room.id,
+                begun.elapsed().as_secs_f64()
+            );
             for (number, eye) in eyes::of(&open).iter().enumerate() {
                 let by = |raster| gpu.draw((&scene, &loaded), eye, view, raster);
                 let (rays, raster) = (by(false)?, by(true)?);
@@ -98,7 +104,9 @@ impl Gpu {
         let (mut work_s, mut wall_s) = (f64::INFINITY, f64::INFINITY);
         for _ in 0..=ROUNDS {
             let (begun, worked) = (Instant::now(), worked_s());
-            let mut encoder = self.device.create_command_encoder(&Default::default());
+            let mut encoder = self
+                .device
+                .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             let gpu = (&self.device, &self.queue);
             let what = (scene, loaded);
             self.rays
@@ -120,9 +128,11 @@ impl Gpu {
 fn open() -> Result<Gpu, Fault> {
     let instance =
         wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-    let adapter = pollster::block_on(instance.request_adapter(&Default::default()))?;
+    let adapter =
+        pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))?;
     println!("{}", adapter.get_info().name);
-    let (device, queue) = pollster::block_on(adapter.request_device(&Default::default()))?;
+    let (device, queue) =
+        pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default()))?;
     let rays = Rays::new(&device)?;
     Ok(Gpu {
         device,

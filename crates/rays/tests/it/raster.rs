@@ -14,6 +14,7 @@ use crate::common::{Gpu, Light, looking, mesh, standing};
 use crate::pictures::{boxed, yard};
 
 const SIZE: (u32, u32) = (250, 140);
+const WHOLE: Range<u32> = 0..SIZE.1;
 
 fn drawn(
     gpu: &Gpu,
@@ -27,7 +28,9 @@ fn drawn(
     loaded.show(&gpu.queue, movers).unwrap();
     let picture = Picture::new(&gpu.device, SIZE);
     for rows in parts {
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let adapter = (&gpu.device, &gpu.queue);
         let what = (scene, &*loaded);
         let rows = rows.clone();
@@ -53,14 +56,7 @@ fn compared(
     let mut loaded = gpu.rays.upload(&gpu.device, &gpu.queue, scene).unwrap();
     let mut by = |raster| {
         let options = Options { raster, ..options };
-        drawn(
-            gpu,
-            (scene, &mut loaded),
-            movers,
-            eye,
-            options,
-            &[0..SIZE.1],
-        )
+        drawn(gpu, (scene, &mut loaded), movers, eye, options, &[WHOLE])
     };
     let (rays, raster) = (by(false), by(true));
     same(&rays, &raster);
@@ -278,7 +274,7 @@ fn several_samples_and_parts_of_a_picture_agree_too() {
     };
     let mut by =
         |parts: &[Range<u32>]| drawn(gpu, (&scene, &mut loaded), &[], &eye, options, parts);
-    let whole = by(&[0..SIZE.1]);
+    let whole = by(&[WHOLE]);
     let bit_by_bit = by(&[0..41, 41..100, 100..SIZE.1]);
     assert_eq!(whole.1, bit_by_bit.1);
 }

@@ -45,7 +45,7 @@ pub fn of(room: &RoomScene) -> Vec<Eye> {
 pub fn bytes(light: [f32; 3]) -> [u8; 3] {
     light.map(|part| {
         let s = part.max(0.0).sqrt();
-        let shown = s * (5.072_28 * s - 0.091_362_8) / (s * (5.101_751_7 * s - 0.506_305_8) + 1.0);
+        let shown = s * (5.072_28 * s - 0.091_362_8) / (s * (5.101_752 * s - 0.506_305_8) + 1.0);
         (255.0 * shown.clamp(0.0, 1.0)).round() as u8
     })
 }

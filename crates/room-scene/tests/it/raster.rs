@@ -24,10 +24,12 @@ struct Gpu {
 fn open() -> Result<Gpu, String> {
     let instance =
         wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-    let adapter = pollster::block_on(instance.request_adapter(&Default::default()))
-        .map_err(|error| error.to_string())?;
-    let (device, queue) = pollster::block_on(adapter.request_device(&Default::default()))
-        .map_err(|error| error.to_string())?;
+    let adapter =
+        pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
+            .map_err(|error| error.to_string())?;
+    let (device, queue) =
+        pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default()))
+            .map_err(|error| error.to_string())?;
     let rays = Rays::new(&device).map_err(|error| error.to_string())?;
     Ok(Gpu {
         device,
@@ -48,7 +50,9 @@ fn both(gpu: &Gpu, scene: &RayScene, eye: &Eye, view: View) -> [Shown; 2] {
             ..Options::default()
         };
         let picture = Picture::new(&gpu.device, SIZE);
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let adapter = (&gpu.device, &gpu.queue);
         gpu.rays.draw(
             adapter,
@@ -73,6 +77,17 @@ fn unlike([rays, raster]: &[Shown; 2], steps: u8) -> usize {
     differs.count()
 }
 
+/// Pixels that show another thing. Where two solids have a face in common either may be named: it looks the same and is as far.
+fn others([rays, raster]: &[Shown; 2]) -> usize {
+    let pixels = (0..rays.1.len()).filter(|at| {
+        let (a, b) = (&rays.1[*at], &raster.1[*at]);
+        let is_as_far = (a.length_m - b.length_m).abs() <= 1e-5 * a.length_m;
+        let looks_so = (0..3).all(|i| rays.0[*at][i].abs_diff(raster.0[*at][i]) <= 4);
+        a.seen != b.seen && !(is_as_far && looks_so)
+    });
+    pixels.count()
+}
+
 fn compare(view: View) {
     let opened = open();
     let Some(gpu) = antipode_testing::needed("a graphics adapter", opened.as_ref()) else {
@@ -87,7 +102,7 @@ fn compare(view: View) {
             let name = format!("{} {number}", shipped.id);
             let shown = both(gpu, &scene, eye, view);
             let pairs = || shown[0].1.iter().zip(&shown[1].1);
-            let others = pairs().filter(|(a, b)| a.seen != b.seen).count();
+            let others = others(&shown);
             assert!(
                 others <= pixels / 1000,
                 "{name}: {others} show another thing"
