@@ -116,7 +116,7 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     let s = select(vec3<f32>(1.0), space.boxes[number].stretch, is_inside);
     let n = normalize(flat * path.k);
     let local_n = local_vector(number, flat);
-    let width = felt_width / max(abs(dot(n, path.w)), 0.04);
+    let width = path.scale * felt_width / max(abs(dot(n, path.w)), 0.04);
     let material = space.boxes[number].wall_material;
     let at = (local + half_of(number)) * s;
     let colour = colour_of(material, at, local_n, along_surface(at, local_n), vec3<f32>(width), width);
@@ -127,6 +127,7 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
 struct Beam {
     light: u32,
     attempt: u32,   // the next of the ways from this light
+    through: u32,   // a portal, or NO_PORTAL
     aim: Aim,
     strength: vec3<f32>,
     share: f32,
@@ -135,21 +136,33 @@ struct Beam {
 
 // The next way by which enough light may come to a surface.
 fn next_beam(at: ptr<function, Path>, surface: Surface, from_light: u32, from_attempt: u32) -> Beam {
-    var beam = Beam(from_light, from_attempt, Aim(frame.sun, frame.reach_m), frame.sun_colour, 0.0, false);
+    var beam = Beam(from_light, from_attempt, NO_PORTAL, Aim(frame.sun, frame.reach_m, 1.0), frame.sun_colour, 0.0, false);
     loop {
         if beam.is_there || beam.light > frame.lamp_count {
             break;
         }
         let is_sun = beam.light == 0u;
         let lamp = select(beam.light - 1u, 0u, is_sun);
-        let tries = select(lamp_tries(at, lamp), frame.sun_count, is_sun);
+        let without = select(lamp_tries(at, lamp), frame.sun_count, is_sun);
+        var tries = without;
+        if HAS_PORTALS && without + u32(!is_sun) > 0u {
+            tries += ways.portal_count;
+        }
         if beam.attempt >= tries {
             beam.light += 1u;
             beam.attempt = 0u;
             continue;
         }
-        if !is_sun {
+        let is_through = HAS_PORTALS && beam.attempt >= without;
+        beam.through = select(NO_PORTAL, beam.attempt - without, is_through);
+        if is_through && is_sun {
+            beam.aim = sun_through_portal(at, beam.through);
+        } else if is_through {
+            beam.aim = lamp_through_portal(at, lamp, beam.through);
+        } else if !is_sun {
             beam.aim = lamp_aim(at, lamp, beam.attempt);
+        }
+        if !is_sun {
             beam.strength = frame.lamps[lamp].colour * lamp_through(max(beam.aim.length, 0.0), frame.lamps[lamp].reach_m);
         }
         let cosine = dot(surface.n, beam.aim.w);
@@ -171,10 +184,13 @@ fn beam_arrives(at: ptr<function, Path>, beam: Beam, on_held: bool) -> bool {
         let k = squeeze_of(frame.lamps[lamp].stack, frame.lamps[lamp].depth, beam.aim.w, false);
         longest = max(longest - radius / length(k * beam.aim.w), 0.0);
     }
-    let ended = trace(path_from((*at).x, beam.aim.w, (*at).stack, (*at).depth, false), longest, true, on_held, 0.0);
+    let ended = trace(path_from((*at).x, beam.aim.w, (*at).stack, (*at).depth, false, beam.aim.scale), longest, true, on_held, 0.0);
+    if is_sun {
+        return ended.end == END_SPENT && (!HAS_PORTALS || is_sunward(ended.path, beam.through));
+    }
     // Where it met other boxes it has gone elsewhere.
     let left = frame.lamps[lamp].place - ended.path.x;
-    return ended.end == END_SPENT && (is_sun || length(left) <= radius + 0.002 * (1.0 + beam.aim.length));
+    return ended.end == END_SPENT && length(left) <= radius + 0.002 * (1.0 + beam.aim.length);
 }
 
 // Light of the sun and of lamps that falls on a surface, and what of it shines. Software adapters go through the body of a loop
@@ -233,7 +249,7 @@ fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
     var left = vec3<f32>(1.0);
     var far = 0.0;
     var in_glass = false;
-    var path = path_from(frame.eye, direction, frame.stack, frame.depth, true);
+    var path = path_from(frame.eye, direction, frame.stack, frame.depth, true, frame.scale);
     for (var bounce = 0u; bounce <= frame.bounces; bounce++) {
         var ended = next_seen(path, frame.reach_m - far, bounce, pixel);
         path = ended.path;
@@ -300,7 +316,7 @@ fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
         if greatest(left) < FAINT {
             break;
         }
-        path.k = squeeze_of(path.stack, path.depth, path.w, true);
+        path.k = carry(&path);
     }
     return seen;
 }

@@ -1,5 +1,5 @@
 // Deformed space: aberrations, and what their faces do. Mirrors crates/deformation (event.rs, face.rs, space.rs) in f32.
-// First of the files of shaders/rays; scene.wgsl, trace.wgsl, shading.wgsl and an entry follow.
+// First of the files of shaders/rays; portal.wgsl, scene.wgsl, trace.wgsl, shading.wgsl and an entry follow.
 
 const SIDES_SOFT: u32 = 0u;
 const SIDES_SNELL: u32 = 1u;
@@ -58,10 +58,13 @@ struct Path {
     x: vec3<f32>,
     w: vec3<f32>,           // felt direction, of length 1
     unbent: vec3<f32>,      // the same before the thesis's rule bent it
-    k: mat3x3<f32>,         // product of the K of the boxes of the stack
+    k: mat3x3<f32>,         // product of the K of the boxes of the stack, times scale
     stack: vec4<u32>,       // a byte for each box, outermost first
     depth: u32,
     is_light: bool,         // light of the picture, which the thesis's rule bends
+    scale: f32,             // how many times larger than at first the traveller is
+    left: u32,              // the portal that it has come out of last, 256 more before its front; or NO_PORTAL
+    passed: u32,            // portals
 }
 
 // The directions of two opposite corners of the picture, component by component.
@@ -271,7 +274,7 @@ fn cross_face(path: ptr<function, Path>, number: u32, axis: u32, enters: bool, c
             (*path).w = legacy_bend(corners, before.w, -d);
         }
     }
-    (*path).k = squeeze_of((*path).stack, (*path).depth, (*path).w, before.is_light);
+    (*path).k = carry(path);
     if HAS_SNELL && sides == SIDES_SNELL {
         let n = axis_of(number, axis);
         let m = n * (*path).k;

@@ -17,6 +17,7 @@ mod loaded;
 mod mesh;
 mod options;
 mod packed;
+mod packed_portals;
 mod picture;
 mod prober;
 mod raster;

@@ -9,6 +9,7 @@ use crate::baked::{Baked, Movable};
 use crate::error::RaysError;
 use crate::mesh::TRIANGLE_TEXELS;
 use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
+use crate::packed_portals::PackedPortals;
 use crate::raster::{Chunk, Moved, tidy};
 use crate::scene::{Mover, RayScene};
 use crate::shaders::SHALLOW_ROOM;
@@ -25,6 +26,7 @@ pub struct Loaded {
     pub(crate) triangles: Texels,
     pub(crate) instances: Texels,
     pub(crate) neighbours: Buffer,
+    pub(crate) portals: Buffer,
     spaces: [Buffer; Rule::ALL.len()],
     kinds: [Kinds; Rule::ALL.len()],
     /// Levels of the deepest hierarchy below the upper one, and of that.
@@ -83,6 +85,7 @@ impl Loaded {
             instances: Texels::new(device, "instances", instances)?,
             attributes: filled(device, queue, "attributes", &attributes, storage)?,
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
+            portals: portals(device, queue, scene)?,
             spaces: spaces(device, queue, scene)?,
             depths: (parts.iter().map(|it| it.depth).max().unwrap_or(0), 0),
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
@@ -245,6 +248,12 @@ fn spaces(
     };
     let [exact, thesis, plain] = Rule::ALL.map(by);
     Ok([exact?, thesis?, plain?])
+}
+
+fn portals(device: &Device, queue: &Queue, scene: &RayScene) -> Result<Buffer, RaysError> {
+    let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+    let packed = PackedPortals::of(&scene.aberrations);
+    filled(device, queue, "portals", &[packed], usage)
 }
 
 fn resting(room: &Baked, movers_at: usize, materials: usize) -> Resting {

@@ -42,6 +42,8 @@ pub struct PackedWays {
     pub root: u32,
     /// The flags of a box whose outline is drawn, any of them.
     pub outlined: u32,
+    pub portal_count: u32,
+    pub padding: [u32; 3],
     pub low: Vec4,
     pub high: Vec4,
 }
@@ -126,11 +128,12 @@ impl Rule {
 }
 
 /// What shaders are told of beforehand, so that what is not there takes no time: whether there are boxes of *snell* and of
-/// *legacy*, whether the hierarchies are deep, and whether boxes change anything.
+/// *legacy*, and portals, whether the hierarchies are deep, and whether boxes change anything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kinds {
     pub snell: bool,
     pub legacy: bool,
+    pub portals: bool,
     pub deep: bool,
     /// Whether nothing is felt to be stretched.
     pub flat: bool,
@@ -143,17 +146,19 @@ impl Kinds {
     pub const ALL: Self = Self {
         snell: true,
         legacy: true,
+        portals: true,
         deep: true,
         flat: false,
         faceless: false,
     };
     /// How many there are.
-    pub const COUNT: usize = 32;
+    pub const COUNT: usize = 64;
 
     /// Of a space by a rule.
     pub fn of(space: &Space, rule: Rule) -> Self {
         let flat = space.portals().is_empty() && (rule == Rule::Plain || space.placed().is_empty());
         let mut kinds = Self {
+            portals: !space.portals().is_empty(),
             flat,
             faceless: flat,
             ..Self::default()
@@ -178,16 +183,25 @@ impl Kinds {
 
     /// A number below [`Self::COUNT`].
     pub fn number(self) -> usize {
-        let all = [self.snell, self.legacy, self.deep, self.flat, self.faceless];
+        let Self {
+            snell,
+            legacy,
+            portals,
+            deep,
+            flat,
+            faceless,
+        } = self;
+        let all = [snell, legacy, portals, deep, flat, faceless];
         let bits = all.into_iter().enumerate();
         bits.map(|(bit, it)| usize::from(it) << bit).sum()
     }
 
     /// What the shaders' constants are set to.
-    pub fn constants(self) -> [(&'static str, f64); 4] {
+    pub fn constants(self) -> [(&'static str, f64); 5] {
         [
             ("HAS_SNELL", f64::from(u8::from(self.snell))),
             ("HAS_LEGACY", f64::from(u8::from(self.legacy))),
+            ("HAS_PORTALS", f64::from(u8::from(self.portals))),
             ("IS_FLAT", f64::from(u8::from(self.flat))),
             ("HAS_FACES", f64::from(u8::from(!self.faceless))),
         ]
@@ -234,6 +248,8 @@ pub fn neighbours(scene: &RayScene) -> (Vec<u32>, PackedWays) {
         outermost_count: outermost.len() as u32,
         root: NOTHING,
         outlined: OUTLINED,
+        portal_count: space.portals().len() as u32,
+        padding: [0; 3],
         low: Vec4::ZERO,
         high: Vec4::ZERO,
     };

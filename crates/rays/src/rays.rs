@@ -341,7 +341,15 @@ pub fn scene_layout(device: &Device) -> BindGroupLayout {
     layout(
         device,
         "scene of rays",
-        &[uniform, buffer(READ), texels, texels, texels, buffer(READ)],
+        &[
+            uniform,
+            buffer(READ),
+            texels,
+            texels,
+            texels,
+            buffer(READ),
+            uniform,
+        ],
     )
 }
 
@@ -360,6 +368,7 @@ pub fn scene_group(
         TextureView(&loaded.triangles.view),
         TextureView(&loaded.instances.view),
         loaded.ways.as_entire_binding(),
+        loaded.portals.as_entire_binding(),
     ];
     group(device, "scene of rays", layout, resources)
 }

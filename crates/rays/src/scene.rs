@@ -25,7 +25,7 @@ pub struct RayScene {
     pub textures: Vec<Arc<TextureImage>>,
     /// Meshes where they stand, as long as the scene is loaded.
     pub instances: Vec<Instance>,
-    /// Aberrations.
+    /// Aberrations and portals.
     pub aberrations: Space,
     /// Number of the material of each aberration's walls; [`WALL_DEFAULT`] for those that are missing.
     pub wall_materials: Vec<usize>,

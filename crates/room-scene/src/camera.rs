@@ -15,7 +15,7 @@ use crate::walk::Look;
 /// Halvings of the rise that shows the legs, to end within a centimetre or two.
 const RISE_HALVINGS: u32 = 7;
 
-/// A camera: its place, the felt direction into its picture, and how far behind the head it feels.
+/// A camera: its place, the felt direction into its picture by the axes of who is there, and how far behind the head it feels.
 struct Camera {
     place: Place,
     front: DVec3,
@@ -45,8 +45,17 @@ impl RoomScene {
 
     /// The same of who looks so by now.
     pub(crate) fn eye_at(&self, share: f64, look: &Look) -> Eye {
-        let camera = self.camera(share, look);
-        Eye::looking(camera.place, camera.front, DVec3::Y, self.viewing.fov_y_rad)
+        let mut camera = self.camera(share, look);
+        let mut eye = Eye::looking(camera.place, camera.front, DVec3::Y, self.viewing.fov_y_rad);
+        // Beyond a portal the axes of the scene are others.
+        let turn = camera.place.straighten();
+        let (sin, cos) = self.righting.roll_rad().sin_cos();
+        let (right, up) = (turn * eye.right, turn * eye.up);
+        eye.place = camera.place;
+        eye.front = turn * eye.front;
+        eye.right = right * cos - up * sin;
+        eye.up = up * cos + right * sin;
+        eye
     }
 
     /// Whether the eye is far enough from who walks to see them.

@@ -77,7 +77,7 @@ impl RoomScene {
     /// From the axes of what is at a place to the scene; `felt` takes them to felt metres about it.
     fn felt_pose(&self, place: &Place, felt: DMat3) -> Affine3A {
         let heading = self.walker.body.velocity;
-        let k = self.space.squeeze(&place.stack, heading, &Traveller::Body);
+        let k = self.space.carry(place, heading, &Traveller::Body);
         let pose = DAffine3 {
             matrix3: k * felt,
             translation: place.point,

@@ -128,21 +128,26 @@ impl RoomScene {
             }
             body.velocity += off / time;
         }
-        let up = -self.room().gravity * (0.5 * short / BULLET_SPEED_M_S);
+        let up = eye.turn.inverse() * -self.room().gravity * (0.5 * short / BULLET_SPEED_M_S);
         Flyer {
             place: eye,
             velocity: front * BULLET_SPEED_M_S + up,
         }
     }
 
-    /// K on the way from a place on, on average: what a change of velocity there is worth at the end, for each second.
+    /// What a felt metre is in the scene on the way from a place on, on average: what a change of velocity there is worth at the end, for each second.
     fn mean_squeeze(&self, from: &Place, front: DVec3, length: f64) -> DMat3 {
         let body = Traveller::Body;
         let of = |sample: u32| {
             let along = length * (f64::from(sample) + 0.5) / f64::from(SAMPLES);
             let path = trace(&self.space, from, front, along, &Void, &body);
-            self.space.squeeze(&path.place.stack, front, &body)
+            self.space.carry(&path.place, front, &body)
         };
+        let end = trace(&self.space, from, front, length, &Void, &body).place;
+        if end.passage != from.passage {
+            // Behind a portal it is what is there that counts.
+            return self.space.carry(&end, front, &body);
+        }
         (0..SAMPLES).map(of).sum::<DMat3>() * (1.0 / f64::from(SAMPLES))
     }
 
@@ -183,7 +188,9 @@ impl RoomScene {
             &Void,
             &Traveller::Body,
         );
-        self.things.put_lamp(path.place, normal, most);
+        let mut place = path.place;
+        let normal = place.straighten() * normal;
+        self.things.put_lamp(place, normal, most);
     }
 
     /// The lamp nearest to the eye that its way passes within a grip, nearer than `longest`.
@@ -194,7 +201,7 @@ impl RoomScene {
         let lamps: Vec<_> = all.iter().filter(|it| it.kind == ThingKind::Lamp).collect();
         while gone <= longest {
             let gripped = |it: &&&Thing| {
-                let k = self.space.squeeze(&at.stack, front, &Traveller::Body);
+                let k = self.space.carry(&at, front, &Traveller::Body);
                 let off = k.inverse() * (it.place.point - at.point);
                 it.place.stack == at.stack && off.length() <= LAMP_GRIP_M
             };

@@ -17,6 +17,7 @@ mod moment;
 mod pick;
 mod picture;
 mod probe;
+mod righting;
 mod scene;
 mod solids;
 mod sounds;

@@ -56,9 +56,7 @@ impl RoomScene {
         let things = self.things_between(share);
         let put_down = things.iter().filter(|it| it.kind == ThingKind::Lamp);
         let put_down = put_down.map(|thing| {
-            let k = self
-                .space
-                .squeeze(&thing.place.stack, self.up(), &Traveller::Body);
+            let k = self.space.carry(&thing.place, self.up(), &Traveller::Body);
             let longest = (0..3).map(|axis| k.col(axis).length()).fold(0.0, f64::max);
             Lamp {
                 // It shines out of its own globe.

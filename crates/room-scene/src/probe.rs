@@ -22,7 +22,8 @@ pub struct RoomProbe {
     pub pick: Pick,
     /// Speed as it is felt, metres per second.
     pub felt_speed: f64,
-    /// How large the player is in the scene, to what it is outside: the cube root of what a felt cubic metre takes up there.
+    /// How large the player is in the scene, to what it was at first: the cube root of what a felt cubic metre takes up there, with
+    /// what portals have made of it.
     pub scale: f64,
     /// Bullets in flight.
     pub bullets: usize,
@@ -128,7 +129,7 @@ impl RoomScene {
     pub(crate) fn squeeze_here(&self) -> DMat3 {
         let body = &self.walker.body;
         self.space
-            .squeeze(&body.place.stack, body.velocity, &Traveller::Body)
+            .carry(&body.place, body.velocity, &Traveller::Body)
     }
 
     /// What the last bullet that hit something has hit.

@@ -13,6 +13,7 @@ use thiserror::Error;
 use crate::hands::Hands;
 use crate::held::RoomViewing;
 use crate::hints::RoomHint;
+use crate::righting::Righting;
 use crate::solids::{standing, triangles};
 use crate::sounds::RoomSound;
 use crate::things::Things;
@@ -50,6 +51,8 @@ pub struct RoomScene {
     pub(crate) hand_before: Option<Hand>,
     pub(crate) viewing: RoomViewing,
     pub(crate) third_person: bool,
+    pub(crate) righting: Righting,
+    pub(crate) rights_at_once: bool,
     pub(crate) sounds: Vec<RoomSound>,
     pub(crate) hints: Vec<RoomHint>,
     /// How high the lowest of all that stands in the room is, metres against gravity.
@@ -83,6 +86,8 @@ impl RoomScene {
             hand_before: None,
             viewing: RoomViewing::default(),
             third_person: false,
+            righting: Righting::default(),
+            rights_at_once: false,
             sounds: Vec::new(),
             hints: Vec::new(),
             lowest_m: 0.0,

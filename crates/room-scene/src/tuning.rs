@@ -16,6 +16,8 @@ pub const ACCELERATIONS_M_S2: (f64, f64, f64) = (50.0, 12.0, 4.0);
 pub const JUMP_SPEED_M_S: f64 = 4.852_215;
 /// Nobody falls faster, metres per second.
 pub const TERMINAL_SPEED_M_S: f64 = 60.0;
+/// Time in which a view that a portal has rolled is level again, seconds.
+pub const RIGHTING_S: f64 = 0.4;
 /// Felt height of the eye above the feet, metres.
 pub const EYE_M: f64 = 1.62;
 /// Felt radius of who walks, metres.

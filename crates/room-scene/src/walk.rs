@@ -2,13 +2,14 @@
 
 use std::f64::consts::{PI, TAU};
 
-use antipode_deformation::{Place, Traveller, Void, Walker, felt_gravity, trace};
+use antipode_deformation::{Passage, Place, Traveller, Void, Walker, felt_gravity, trace};
 use antipode_frame::hand::HandMotion;
 use antipode_rooms::direction;
 use glam::{DVec2, DVec3};
 
 use crate::hands::Hands;
 use crate::hints::RoomHint;
+use crate::righting::Righting;
 use crate::scene::RoomScene;
 use crate::things::{Thing, Things};
 use crate::tuning::{
@@ -132,11 +133,7 @@ impl RoomScene {
         self.looked = self.look;
         self.look.turn(steer.look_yaw_rad, steer.look_pitch_rad);
         let gravity = self.room().gravity;
-        let body = self.walker.body;
-        let k = self
-            .space
-            .squeeze(&body.place.stack, body.velocity, &Traveller::Body);
-        let up = -felt_gravity(k, gravity).normalize_or(DVec3::NEG_Y);
+        let up = -felt_gravity(self.squeeze_here(), gravity).normalize_or(DVec3::NEG_Y);
         let wish = self.wish(steer, up);
         if self.jumps.step(steer.jump, self.walker.grounded) {
             self.walker.grounded = false;
@@ -144,10 +141,12 @@ impl RoomScene {
             self.walker.body.velocity += up * (JUMP_SPEED_M_S - falls);
         }
         let falls_m_s = -self.walker.body.velocity.dot(up);
+        let passed = self.walker.body.place.passage;
         self.walker
             .step(&self.space, &self.solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
+        self.pass_portals(passed);
         self.hold_figure(falls_m_s);
         self.things.step(&self.space, &self.solids, gravity);
         let is_lost = self.is_lost();
@@ -157,6 +156,24 @@ impl RoomScene {
             self.begin_anew();
             self.hint(RoomHint::FellOut);
         }
+    }
+
+    /// The view is turned by the portals of the last step, before which `before` was passed last, and rights itself.
+    fn pass_portals(&mut self, before: Passage) {
+        self.righting.pass();
+        if self.walker.body.place.passage != before {
+            self.look = self.righting.turn(&self.look, self.walker.turned());
+            self.looked = self.look;
+        }
+        if self.rights_at_once {
+            self.righting.right_at_once();
+            self.walker.eye.right_at_once();
+        }
+    }
+
+    /// Whether a view that a portal has rolled is level at once rather than by and by.
+    pub fn set_rights_at_once(&mut self, at_once: bool) {
+        self.rights_at_once = at_once;
     }
 
     /// The felt velocity along the ground that the step brings, on the way to what is asked.
@@ -207,6 +224,7 @@ impl RoomScene {
         let middle = self.above(&start, RADIUS_M);
         self.walker = Walker::new(middle, SHAPE);
         self.jumps = Jumps::default();
+        self.righting = Righting::default();
         self.looked = self.look;
     }
 
@@ -231,14 +249,16 @@ impl RoomScene {
         -self.room().gravity.normalize_or(DVec3::NEG_Y)
     }
 
-    /// Against felt gravity at a place, of length 1.
+    /// Against felt gravity at a place in the axes of who is there, of length 1.
     pub(crate) fn felt_up(&self, place: &Place) -> DVec3 {
         let up = self.up();
-        let k = self.space.squeeze(&place.stack, up, &Traveller::Body);
-        felt_gravity(k, up).normalize_or(up)
+        let own = place.turn.inverse() * up;
+        let k = self.space.carry(place, own, &Traveller::Body);
+        felt_gravity(k, up).normalize_or(own)
     }
 
-    /// The place of the feet at a share of the way of the last step, and where one looks there, degrees of yaw and pitch.
+    /// The place of the feet at a share of the way of the last step, and where one looks there, degrees of yaw and pitch, by the
+    /// axes of who is there.
     pub fn feet_between(&self, share: f64) -> (Place, DVec2) {
         let (_, middle) = self.walker.between(&self.space, self.up(), share);
         let look = self.look.between(&self.looked, share);

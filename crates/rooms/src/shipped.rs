@@ -32,6 +32,13 @@ pub const ROOMS: &[Shipped] = rooms![
     "nested-boxes",
     "four-tunnels",
     "thesis-room",
+    "two-portals",
+    "closet-flat",
+    "six-portals",
+    "endless-stair",
+    "growing-hall",
+    "door-to-itself",
+    "bottomless-shaft",
 ];
 
 /// The one of that id.

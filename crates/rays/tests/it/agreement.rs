@@ -1,6 +1,8 @@
 //! Rays on the adapter go where those of `antipode-deformation` go.
 
-use antipode_deformation::{End, Place, Sides, Space, Trace, Traveller, Triangles, What, trace};
+use antipode_deformation::{
+    End, EventKind, Place, Sides, Space, Trace, Traveller, Triangles, What, trace,
+};
 use antipode_rays::{Answer, Outcome, ProbeRay, Prober};
 use antipode_testing::rooms;
 use fastrand::Rng;
@@ -45,18 +47,21 @@ struct Tally {
     many: usize,
     many_off: usize,
     most_events: usize,
+    passed: usize,
+    turned: usize,
 }
 
 fn compare(
     gpu: &Gpu,
-    seed: u64,
-    depth: usize,
+    (seed, depth, pairs): (u64, usize, usize),
     most: f64,
     sides: impl Fn(&mut Rng) -> Sides + Copy,
     tally: &mut Tally,
 ) {
     let mut rng = Rng::with_seed(seed);
-    let space = Space::new(rooms::aberrations(&mut rng, depth, most, sides)).unwrap();
+    let boxes = rooms::aberrations(&mut rng, depth, most, sides);
+    let portals = rooms::portals(&mut rng, &boxes, pairs, most);
+    let space = Space::with_portals(boxes, portals).unwrap();
     let mut triangles = rooms::solids(&mut rng, 40);
     for triangle in &mut triangles {
         triangle.corners = triangle.corners.map(|corner| corner.as_vec3().as_dvec3());
@@ -81,6 +86,8 @@ fn compare(
         );
         tally.rays += 1;
         tally.most_events = tally.most_events.max(path.events.len());
+        let portals = path.events.iter().filter(|it| it.kind == EventKind::Passed);
+        tally.passed += portals.count();
         if !is_same(answer, &path) {
             tally.other_object += 1;
             continue;
@@ -93,6 +100,8 @@ fn compare(
             tally.many += 1;
             tally.many_off += usize::from(off);
         }
+        let w = path.place.turn * path.w;
+        tally.turned += usize::from((answer.w.as_dvec3() - w).length() > 1e-3);
     }
 }
 
@@ -106,16 +115,17 @@ fn the_adapter_s_rays_end_where_the_reference_s_do() {
             7 => Sides::Snell,
             _ => [Sides::Soft, Sides::Walls][rng.usize(..2)],
         };
-        compare(
-            gpu,
-            100 + round,
-            2 + (round as usize) % 5,
-            3.0,
-            sides,
-            &mut tally,
-        );
+        // Boxes alone, portals alone, and both.
+        let (depth, pairs) = match round {
+            2 | 3 => (0, 12),
+            4..6 | 9 => (2, 8),
+            _ => (2 + (round as usize) % 5, 0),
+        };
+        compare(gpu, (100 + round, depth, pairs), 3.0, sides, &mut tally);
     }
     assert_eq!(tally.rays, 100_000);
+    assert!(tally.passed > 2_000, "{tally:?}");
+    assert!(tally.turned * 1000 <= tally.rays, "{tally:?}");
     assert!(tally.other_object <= 10, "{tally:?}");
     assert!(tally.few_off * 10_000 <= tally.few, "{tally:?}");
     assert!(tally.many_off * 100 <= tally.many, "{tally:?}");

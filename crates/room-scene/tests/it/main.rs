@@ -12,6 +12,7 @@ mod eyes;
 mod figure;
 mod hands;
 mod picture;
+mod portals;
 mod raster;
 mod soak;
 mod sounds;

@@ -6,7 +6,7 @@ use antipode_language::{Language, Texts};
 use antipode_rooms::aberration::{Aberration, Lengths, stretch_of_thesis};
 use antipode_rooms::mesh::{Roundness, meshes};
 use antipode_rooms::room::{Object, What};
-use antipode_rooms::{Assets, Room, poses, read, shipped, write};
+use antipode_rooms::{Assets, Room, poses, read, shipped, space, write};
 use glam::DVec3;
 
 fn rooms() -> Vec<(&'static str, Room)> {
@@ -31,7 +31,7 @@ fn every_one_is_sound_and_written_as_the_game_writes() {
             room.name
         );
     }
-    assert_eq!(names.len(), 6);
+    assert_eq!(names.len(), 13);
 }
 
 #[test]
@@ -127,7 +127,8 @@ fn nobody_begins_in_a_solid_or_an_aberration() {
             );
         }
         let places = antipode_rooms::aberrations(&room);
-        assert!(!places.is_empty(), "{id} is not strange");
+        let strange = places.len() + room.portals().count();
+        assert!(strange > 0, "{id} is not strange");
         for (_, place) in places {
             let within = place.turn.inverse() * (body - place.centre);
             assert!(within.abs().cmpgt(place.half + 0.4).any(), "{id}");
@@ -189,6 +190,21 @@ fn signs_tell_the_truth() {
         let corner = (place.1.centre - DVec3::new(0.0, 1.25, -10.0)).abs() + place.1.half;
         assert!(corner.x <= 2.5 && corner.z <= 2.5);
     }
+    let growing = space(&of("growing-hall")).unwrap();
+    for portal in growing.portals() {
+        let times = portal.scale.max(portal.scale.recip());
+        assert!((times - 2.0).abs() < 1e-9, "{}", portal.portal.name);
+    }
+    let stair = of("endless-stair");
+    let is_sixteen = |it: &What| matches!(it, What::Stairs { steps: 16, .. });
+    assert!(stair.objects.iter().any(|it| is_sixteen(&it.what)));
+    let shaft = space(&of("bottomless-shaft")).unwrap();
+    let [bottom, top] = shaft.portals() else {
+        panic!("{shaft:?}")
+    };
+    // Nothing is turned on the way, and it is eight metres deep.
+    assert!(!bottom.is_turned());
+    assert!((top.portal.at.y - bottom.portal.at.y - 8.0).abs() < 0.05);
     let nested = of("nested-boxes");
     assert_eq!(nested.aberrations().count(), 4);
     assert!(
