@@ -265,7 +265,7 @@ fn what_is_held_is_seen_by_the_eye_alone_and_lit_as_if_nobody_stood_there() {
         ..mover(0, small, 9)
     };
     let mut seen = |movers: &[Mover], eye: DVec3, at: DVec3| {
-        let eye = looking(&scene, eye, at - eye);
+        let eye = looking(&scene, eye, at);
         let both = (&scene, &mut on_adapter);
         let drawn = draw_with(gpu, both, movers, &eye, Options::default());
         (middle(&drawn.0)[1], middle(&drawn.1).seen)
