@@ -65,18 +65,7 @@ impl Rays {
         rows: Range<u32>,
     ) {
         let size = picture.size;
-        let aspect = f64::from(size.0) / f64::from(size.1);
-        let space = loaded.aberrations();
-        let (rule, plan) = if way == Way::Plain {
-            (Rule::Plain, Plan::plain(space, eye, aspect))
-        } else {
-            let limits = Limits {
-                levels: LEVELS,
-                views: MOST_VIEWS,
-            };
-            let plan = Plan::doors(space, &loaded.tidy, eye, aspect, limits);
-            (Rule::Exact, plan)
-        };
+        let (rule, plan) = planned(loaded, way, eye, size);
         let region = Region {
             size,
             rows: rows.clone(),
@@ -114,6 +103,21 @@ impl Rays {
         let lines = rows.end.saturating_sub(rows.start).div_ceil(GROUP);
         pass.dispatch_workgroups(size.0.div_ceil(GROUP), lines, 1);
     }
+}
+
+/// By which rule light goes, and the views that the eye has.
+fn planned(loaded: &Loaded, way: Way, eye: &Eye, size: (u32, u32)) -> (Rule, Plan) {
+    let aspect = f64::from(size.0) / f64::from(size.1);
+    let space = loaded.aberrations();
+    if way == Way::Plain {
+        return (Rule::Plain, Plan::plain(space, eye, aspect));
+    }
+    let limits = Limits {
+        levels: LEVELS,
+        views: MOST_VIEWS,
+    };
+    let plan = Plan::doors(space, &loaded.tidy, eye, aspect, limits);
+    (Rule::Exact, plan)
 }
 
 /// Where in a pixel its samples are, pixels from its middle.
