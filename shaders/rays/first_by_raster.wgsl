@@ -1,13 +1,21 @@
 // Where light of the eye is met first, as raster.wgsl has found it, and how it goes on: by rays. Follows picture.wgsl;
 // first_by_rays.wgsl is the other one. Mirrors crates/rays/src/raster.
 
-// A view through a row of doors: light of felt direction w is at origin + t K w after t felt metres.
+// A view through a row of doors and portals: light that the eye has from felt direction w is at origin + t K turn w after t felt
+// metres of the eye's size, K that of the boxes there times scale.
 struct View {
     origin: vec4<f32>,      // w: depth of the stack
     k_x: vec4<f32>,         // columns of K
     k_y: vec4<f32>,
     k_z: vec4<f32>,
+    turn_x: vec4<f32>,      // columns of its turn by the portals
+    turn_y: vec4<f32>,
+    turn_z: vec4<f32>,
     stack: vec4<u32>,
+    scale: f32,             // as in Path
+    left: u32,
+    passed: u32,
+    room: u32,
 }
 
 struct Views {
@@ -28,13 +36,18 @@ override SEES_ALL: bool = false;
 @group(2) @binding(0) var visible: texture_2d_array<u32>;
 @group(2) @binding(1) var<storage, read> views: Views;
 
+// What is seen, and instance and view. Where nothing is, the view is that of the last door.
 fn visible_at(pixel: vec2<u32>) -> vec2<u32> {
     var seen = textureLoad(visible, pixel, 0, 0).xy;
     for (var level = 1u; level < views.levels; level++) {
         if seen.x < DOOR_SEEN || seen.x >= RAYS_SEE {
             break;
         }
+        let view = seen.x & 255u;
         seen = textureLoad(visible, pixel, level, 0).xy;
+        if seen.x == 0u {
+            seen.y = view;
+        }
     }
     return seen;
 }
@@ -60,11 +73,13 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
     }
     var ended = Ended(path, END_SPENT, longest, Found(0.0, NOTHING, 0u, vec2<f32>(0.0)), 0u, 0u, 0u, -1.0);
     let by_rays = seen.x >= DOOR_SEEN;
+    let view = select(seen.y & 255u, 0u, by_rays);
+    let w = mat3x3<f32>(views.list[view].turn_x.xyz, views.list[view].turn_y.xyz, views.list[view].turn_z.xyz) * path.w;
+    ended.path.w = w;
     if seen.x != 0u && !by_rays {
-        let view = seen.y & 255u;
         let k = mat3x3<f32>(views.list[view].k_x.xyz, views.list[view].k_y.xyz, views.list[view].k_z.xyz);
         let origin = views.list[view].origin;
-        let v = k * path.w;
+        let v = k * w;
         var time = 0.0;
         if seen.x < WALL_SEEN {
             ended.found = meet_again(seen.x - 1u, seen.y >> 8u, origin.xyz, v);
@@ -84,7 +99,12 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
             ended.length = time;
             var there = path;
             there.x = origin.xyz + time * v;
+            there.w = w;
+            there.unbent = w;
             there.k = k;
+            there.scale = views.list[view].scale;
+            there.left = views.list[view].left;
+            there.passed = views.list[view].passed;
             there.stack = views.list[view].stack;
             there.depth = u32(origin.w);
             if views.boxes > 0u {

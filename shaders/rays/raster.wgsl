@@ -4,7 +4,7 @@
 // What is drawn at once: triangles of a mesh, or faces of boxes, in one view.
 struct Draw {
     to_clip: mat4x4<f32>,   // from a place of the mesh about `eye`
-    eye: vec4<f32>,         // in the mesh's coordinates
+    eye: vec4<f32>,         // in the mesh's coordinates; w: of a face, by how much its depth is greater
     cut: vec4<f32>,         // a plane in these: what is before it is not seen
     what: u32,              // of a face: what it is
     instance: u32,          // added to the instance of what stays
@@ -21,8 +21,6 @@ struct Corner {
 
 // Texels of a row of the list: 2 to the power of this, as in scene.wgsl.
 const ROW_BITS: u32 = 11u;
-// Faces of boxes lie so much farther off, as a share, that a solid that lies in one is seen.
-const FACE_BACK: f32 = 4.0e-6;
 
 @group(0) @binding(0) var triangles: texture_2d<u32>;
 @group(0) @binding(1) var<storage, read> draws: array<Draw>;
@@ -55,14 +53,14 @@ fn triangle(@builtin(vertex_index) vertex: u32, @builtin(instance_index) at: u32
     return corner_at(at, place, 1u + number, draws[at].instance + third.w);
 }
 
-// A face is a square from -1 to 1 in its own coordinates.
+// A face is a square from -1 to 1 in its own coordinates, or its first half.
 @vertex
 fn face(@builtin(vertex_index) vertex: u32, @builtin(instance_index) at: u32) -> Corner {
     let right = vertex == 1u || vertex == 2u || vertex == 4u;
     let top = vertex == 2u || vertex >= 4u;
     let place = vec3<f32>(select(-1.0, 1.0, right), select(-1.0, 1.0, top), 0.0);
     var corner = corner_at(at, place, draws[at].what, 0u);
-    corner.place.z *= 1.0 - FACE_BACK;
+    corner.place.z *= draws[at].eye.w;
     return corner;
 }
 

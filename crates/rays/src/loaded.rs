@@ -38,7 +38,7 @@ pub struct Loaded {
     pub(crate) host_ways: PackedWays,
     /// What stays, for a raster.
     pub(crate) chunks: Vec<Chunk>,
-    /// What moves and is seen by the eye, for a raster.
+    /// What moves, for a raster.
     pub(crate) moved: Vec<Moved>,
     /// Aberrations, and which of them a raster sees through.
     aberrations: Space,
@@ -145,13 +145,9 @@ impl Loaded {
         Ok(())
     }
 
-    /// Movers that the eye sees, for a raster.
+    /// Movers, for a raster.
     fn moved(&self, movers: &[Mover]) -> Vec<Moved> {
-        let seen = movers
-            .iter()
-            .enumerate()
-            .filter(|(_, it)| !it.unseen_by_eye);
-        let moved = seen.filter_map(|(number, mover)| {
+        let moved = movers.iter().enumerate().filter_map(|(number, mover)| {
             let movable = self.movables.get(mover.mesh)?;
             let (low, high) = bounds(&mover.pose, self.placed.get(mover.mesh)?.bounds?);
             let first = movable.bases.1;
@@ -161,6 +157,8 @@ impl Loaded {
                 low,
                 high,
                 instance: self.resting.instances + number as u32,
+                is_held: mover.held,
+                is_unseen: mover.unseen_by_eye,
             })
         });
         moved.collect()

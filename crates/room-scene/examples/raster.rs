@@ -49,7 +49,7 @@ fn main() -> Result<(), Fault> {
             let open = RoomScene::open(room.loaded()?)?;
             let made: Result<_, Infallible> = open.ray_scene(|_| Ok(RgbaImage::new(4, 4)));
             let scene = made?;
-            if !scene.aberrations.portals().is_empty() {
+            if view == View::Plain && !scene.aberrations.portals().is_empty() {
                 // Drawn by rays alone.
                 continue;
             }

@@ -38,9 +38,10 @@ pub struct Sight<'a> {
 /// How a picture is made best.
 pub fn way(sight: &Sight<'_>) -> Way {
     match sight.view {
-        _ if sight.outlines || !sight.space.portals().is_empty() => Way::Rays,
+        _ if sight.outlines => Way::Rays,
         View::Thesis | View::Split => Way::Rays,
-        View::Plain => Way::Plain,
+        View::Plain if sight.space.portals().is_empty() => Way::Plain,
+        View::Plain => Way::Rays,
         View::Exact if is_in_bend(sight) || is_at_face(sight) => Way::Rays,
         View::Exact => Way::Doors,
     }
@@ -57,6 +58,20 @@ fn is_at_face(sight: &Sight<'_>) -> bool {
     let Sight { space, eye, .. } = sight;
     let stack = &eye.place.stack;
     let k = space.squeeze(stack, eye.front, &Traveller::Body);
+    let is_at_portal = space.portals().iter().any(|portal| {
+        let away = portal.before(eye.place.point).abs() / (k.transpose() * portal.normal).length();
+        let reach = |corner: &DVec3| corner.distance(eye.place.point);
+        let near = portal.corners.iter().map(reach).fold(0.0, f64::max);
+        let across = portal
+            .corners
+            .iter()
+            .map(|it| it.distance(portal.portal.at))
+            .fold(0.0, f64::max);
+        away < NEAR_FACE_M * eye.place.scale && near < 3.0 * across
+    });
+    if is_at_portal {
+        return true;
+    }
     let own = stack.innermost();
     let faces = space.entrances(stack).iter().map(|it| usize::from(*it));
     faces.chain(own).any(|number| {
@@ -68,7 +83,7 @@ fn is_at_face(sight: &Sight<'_>) -> bool {
             let scale = (k.transpose() * placed.axes.col(axis)).length();
             away[axis] / scale.max(1e-12)
         }));
-        felt.max_element().abs() < NEAR_FACE_M
+        felt.max_element().abs() < NEAR_FACE_M * eye.place.scale
     })
 }
 

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use antipode_deformation::Placed;
 use bytemuck::{Pod, Zeroable};
 use glam::{Affine3A, DAffine3, DMat3, DVec2, DVec3, Mat4, Vec3, Vec4};
 
@@ -16,6 +15,11 @@ const TOGETHER: usize = 128;
 const WALL_SEEN: u32 = 0x8000_0000;
 const DOOR_SEEN: u32 = 0xc000_0000;
 const RAYS_SEE: u32 = 0xe000_0000;
+/// Which portal a path has come out of: none, and before its front. As in portal.wgsl.
+const NO_PORTAL: u32 = u32::MAX;
+const BEFORE_FRONT: u32 = 256;
+/// Faces lie so much farther off, as a share, than solids that lie in them; portals as much nearer.
+const ASIDE: f32 = 4e-6;
 
 /// Triangles behind each other in the adapter's memory, and their box.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +73,10 @@ pub struct Moved {
     pub high: Vec3,
     /// Its number as an instance.
     pub instance: u32,
+    /// Whether only the eye sees it: not through portals.
+    pub is_held: bool,
+    /// Whether the eye looks through it: it is seen through portals only.
+    pub is_unseen: bool,
 }
 
 /// What is drawn at once, as raster.wgsl has it.
@@ -90,7 +98,12 @@ pub struct PackedDraw {
 pub struct PackedView {
     origin: Vec4,
     k: [Vec4; 3],
+    turn: [Vec4; 3],
     stack: [u32; 4],
+    scale: f32,
+    left: u32,
+    passed: u32,
+    room: u32,
 }
 
 /// A call to draw.
@@ -120,8 +133,6 @@ pub struct Draws {
 /// What there is to draw.
 #[derive(Clone, Copy, Debug)]
 pub struct Stock<'a> {
-    /// Aberrations.
-    pub boxes: &'a [Placed],
     /// What stays.
     pub chunks: &'a [Chunk],
     /// What moves.
@@ -136,7 +147,12 @@ impl Draws {
             let camera = Camera::new(number, view, shift);
             self.add_resting(&camera, stock.chunks);
             for moved in stock.moved {
-                if camera.may_see(moved.low, moved.high) {
+                let hidden = if view.passed > 0 {
+                    moved.is_held
+                } else {
+                    moved.is_unseen
+                };
+                if !hidden && camera.may_see(moved.low, moved.high) {
                     let pose = DAffine3 {
                         matrix3: DMat3::from_cols(
                             moved.pose.matrix3.x_axis.as_dvec3(),
@@ -150,16 +166,19 @@ impl Draws {
                 }
             }
             let own = std::iter::from_fn(|| faces.next_if(|face| face.view == number));
-            let packed = own.map(|face| camera.face(face, &stock.boxes[face.number]));
-            let first = self.packed.len() as u32;
-            self.packed.extend(packed);
-            self.calls.push(Call {
-                level: view.level,
-                extent: view.extent,
-                is_faces: true,
-                vertices: 0..6,
-                draws: first..self.packed.len() as u32,
-            });
+            let (portals, sides): (Vec<_>, Vec<_>) = own.partition(|face| face.is_portal);
+            for (faces, vertices) in [(sides, 0..6), (portals, 0..3)] {
+                let first = self.packed.len() as u32;
+                self.packed
+                    .extend(faces.into_iter().map(|face| camera.face(face)));
+                self.calls.push(Call {
+                    level: view.level,
+                    extent: view.extent,
+                    is_faces: true,
+                    vertices,
+                    draws: first..self.packed.len() as u32,
+                });
+            }
         }
     }
 
@@ -270,34 +289,40 @@ impl<'a> Camera<'a> {
         }
     }
 
-    fn face(&self, face: &Face, placed: &Placed) -> PackedDraw {
-        let (axis, half) = (face.axis, placed.aberration.half);
-        let (one, other) = ((axis + 1) % 3, (axis + 2) % 3);
-        let side = if face.is_far { 1.0 } else { -1.0 };
-        let [out, one, other] = [axis, one, other].map(|i| placed.axes.col(i) * half[i]);
-        let pose = DAffine3 {
-            matrix3: DMat3::from_cols(one, other, out),
-            translation: placed.aberration.centre + out * side,
-        };
+    fn face(&self, face: &Face) -> PackedDraw {
         let what = match face.kind {
-            Kind::Wall => {
-                let number = (face.number as u32) << 3;
-                WALL_SEEN | number | (axis as u32) << 1 | u32::from(face.is_far)
+            Kind::Wall(number, axis, is_far) => {
+                WALL_SEEN | (number as u32) << 3 | (axis as u32) << 1 | u32::from(is_far)
             }
             Kind::Door(view) => DOOR_SEEN | view as u32,
             Kind::Rays => RAYS_SEE,
         };
-        self.packed(&pose, what, 0)
+        let mut draw = self.packed(&face.pose, what, 0);
+        // A solid that lies in a face of a box is seen, and one in the plane of a portal is not.
+        draw.eye.w = if face.is_portal {
+            1.0 + ASIDE
+        } else {
+            1.0 - ASIDE
+        };
+        draw
     }
 }
 
 /// A view for the adapter.
 pub fn pack(view: &View) -> PackedView {
-    let column = |i: usize| view.k.col(i).as_vec3().extend(0.0);
+    let columns = |m: &DMat3| [0, 1, 2].map(|i| m.col(i).as_vec3().extend(0.0));
+    let left = view.left.map_or(NO_PORTAL, |(portal, front)| {
+        portal as u32 | if front { BEFORE_FRONT } else { 0 }
+    });
     PackedView {
         origin: view.origin.as_vec3().extend(view.stack.len() as f32),
-        k: [column(0), column(1), column(2)],
+        k: columns(&(view.carry * view.turn.transpose())),
+        turn: columns(&view.turn),
         stack: stack(&view.stack),
+        scale: view.scale as f32,
+        left,
+        passed: view.passed,
+        room: 0,
     }
 }
 
@@ -326,7 +351,6 @@ mod tests {
         let eye = Eye::looking(Place::at(&space, from), DVec3::NEG_Z, DVec3::Y, 0.5);
         let plan = Plan::plain(&space, &eye, 1.0);
         let stock = Stock {
-            boxes: &[],
             chunks: &chunks,
             moved: &[],
         };

@@ -174,7 +174,6 @@ impl Raster {
         queue.write_buffer(&self.views, 0, bytes_of(&head));
         queue.write_buffer(&self.views, VIEWS_HEAD, cast_slice(&views));
         let stock = Stock {
-            boxes,
             chunks: &loaded.chunks,
             moved: &loaded.moved,
         };

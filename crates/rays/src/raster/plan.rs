@@ -6,16 +6,19 @@
 //! > o' = f - K' K^-1 (f - o)
 //!
 //! which is the same for all f of the plane where K' K^-1 moves nothing along it: where the stretches along the door are 1. So
-//! each view is a camera in coordinates of the scene, at o, whose picture of x is that of K^-1 (x - o).
+//! each view is a camera in coordinates of the scene, at o, whose picture of x is that of K^-1 (x - o). Behind a portal of map G, of
+//! linear part L, x = o + t V w becomes G o + t L V w: a view more, with w turned by O, and V = m K turn for who is m times larger.
 
-use antipode_deformation::{Space, Stack, Traveller};
-use glam::{DMat3, DVec2, DVec3};
+use antipode_deformation::{Placed, Space, Stack, Traveller};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::tidy::clearance;
 use crate::scene::Eye;
 
 /// Least distance along the view's direction that is drawn, felt metres.
 pub const NEAR_M: f64 = 2e-4;
+/// What is as near to a portal's plane as this share of its coordinates lies in it.
+const PLANE: f64 = 4e-6;
 
 /// How much is drawn by a raster.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +34,16 @@ pub struct Limits {
 pub struct View {
     /// Boxes that one looks about in.
     pub stack: Stack,
-    /// K of these.
-    pub k: DMat3,
+    /// V: takes the eye's felt directions to velocities in the scene.
+    pub carry: DMat3,
+    /// Product of the O of the portals that are before it.
+    pub turn: DMat3,
+    /// Product of their q, and the eye's own scale.
+    pub scale: f64,
+    /// How many they are.
+    pub passed: u32,
+    /// The portal that one looks out of, and whether before its front.
+    pub left: Option<(usize, bool)>,
     /// From where it is seen, metres of the scene.
     pub origin: DVec3,
     /// What has n.x < d is before the door: n and d.
@@ -48,27 +59,32 @@ pub struct View {
 /// What a face of a box is in a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Opaque.
-    Wall,
-    /// A door to the view of that number.
+    /// Opaque: the face of the box of that number across that axis, and whether it is the one that the axis points to.
+    Wall(usize, usize, bool),
+    /// A door or a portal to the view of that number.
     Door(usize),
     /// Only rays know what is seen in it.
     Rays,
 }
 
-/// A face of a box in a view.
+/// A face of a box, or a part of a portal, in a view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
     /// The number of the view.
     pub view: usize,
-    /// The number of the box.
-    pub number: usize,
-    /// Across which axis it is, 0 to 2.
-    pub axis: usize,
-    /// Whether it is the one towards which the axis points.
-    pub is_far: bool,
+    /// Takes a square from -1 to 1 of the first two coordinates to where it is.
+    pub pose: DAffine3,
+    /// Whether it is of a portal: half of that square, and before what lies in its plane.
+    pub is_portal: bool,
     /// What it is.
     pub kind: Kind,
+}
+
+/// A polygon that one may see through.
+struct Opening {
+    corners: Vec<DVec3>,
+    /// The view behind it, but for the part of the picture in which it lies.
+    behind: View,
 }
 
 /// All views of a picture, and the faces in them.
@@ -87,7 +103,11 @@ impl Plan {
         let mut plan = Self::default();
         plan.views.push(View {
             stack: Stack::default(),
-            k: DMat3::IDENTITY,
+            carry: DMat3::IDENTITY,
+            turn: DMat3::IDENTITY,
+            scale: eye.place.scale,
+            passed: 0,
+            left: None,
             origin: eye.place.point,
             cut: None,
             level: 0,
@@ -98,10 +118,9 @@ impl Plan {
             let walls = sides().filter(|(axis, _)| placed.aberration.is_wall(*axis));
             plan.faces.extend(walls.map(|(axis, is_far)| Face {
                 view: 0,
-                number,
-                axis,
-                is_far,
-                kind: Kind::Wall,
+                pose: face_pose(placed, axis, is_far),
+                is_portal: false,
+                kind: Kind::Wall(number, axis, is_far),
             }));
         }
         plan
@@ -117,15 +136,19 @@ impl Plan {
             limits,
             plan: Self::default(),
         };
-        let k = maker.squeeze(&stack);
+        let carry = maker.squeeze(&stack) * eye.place.scale;
         let first = View {
             stack,
-            k,
+            carry,
+            turn: DMat3::IDENTITY,
+            scale: eye.place.scale,
+            passed: 0,
+            left: None,
             origin: eye.place.point,
             cut: None,
             level: 0,
             extent: (DVec2::NEG_ONE, DVec2::ONE),
-            rows: maker.rows(k),
+            rows: maker.rows(carry),
         };
         maker.plan.views.push(first);
         let mut at = 0;
@@ -176,9 +199,9 @@ impl Maker<'_> {
         self.space.squeeze(stack, DVec3::Z, &Traveller::Body)
     }
 
-    /// The lens of a view: p.(K^-1 x) = (K^-T p).x.
-    fn rows(&self, k: DMat3) -> [DVec3; 3] {
-        let to_scene = k.inverse().transpose();
+    /// The lens of a view: p.(V^-1 x) = (V^-T p).x.
+    fn rows(&self, carry: DMat3) -> [DVec3; 3] {
+        let to_scene = carry.inverse().transpose();
         self.lens.map(|row| to_scene * row)
     }
 
@@ -193,6 +216,7 @@ impl Maker<'_> {
                 sides().for_each(|side| self.look_at((number, view), other, side, false));
             }
         }
+        (0..self.space.portals().len()).for_each(|it| self.look_into((number, view), it));
     }
 
     /// Lists a face through which one would leave a box, or enter it, if it is seen from that side.
@@ -204,16 +228,18 @@ impl Maker<'_> {
         leaves: bool,
     ) {
         let placed = &self.space.placed()[number];
-        let half = placed.aberration.half;
-        let outward = placed.axes.col(axis) * if is_far { 1.0 } else { -1.0 };
-        let centre = placed.aberration.centre + outward * half[axis];
+        let pose = face_pose(placed, axis, is_far);
+        let (one, other, outward) = (
+            pose.matrix3.x_axis,
+            pose.matrix3.y_axis,
+            pose.matrix3.z_axis,
+        );
+        let centre = pose.translation;
         let before = outward.dot(view.origin - centre);
         let is_seen = if leaves { before < 0.0 } else { before > 0.0 };
-        let (along, across) = ((axis + 1) % 3, (axis + 2) % 3);
-        let edges = [along, across].map(|i| placed.axes.col(i) * half[i]);
         // What reaches farthest behind the door that one looks through.
         let is_beyond = view.cut.is_none_or(|(n, d)| {
-            let reach: f64 = edges.iter().map(|edge| n.dot(*edge).abs()).sum();
+            let reach = n.dot(one).abs() + n.dot(other).abs();
             n.dot(centre) + reach > d + clearance(placed)
         });
         if !is_seen || !is_beyond {
@@ -222,67 +248,133 @@ impl Maker<'_> {
         let kind = if !self.tidy[number] {
             Kind::Rays
         } else if placed.aberration.is_wall(axis) {
-            Kind::Wall
+            Kind::Wall(number, axis, is_far)
         } else {
-            let onward = if leaves { outward } else { -outward };
-            let hair_m = 0.5 * clearance(placed);
-            self.open((of, view), (centre, edges), onward, hair_m)
+            let onward = outward.normalize() * if leaves { 1.0 } else { -1.0 };
+            let stack = self
+                .space
+                .stack_at(centre + onward * (0.5 * clearance(placed)));
+            let is_next = stack.len().abs_diff(view.stack.len()) == 1;
+            let corners = [-one - other, one - other, one + other, other - one];
+            let carry = self.squeeze(&stack) * view.turn * view.scale;
+            let behind = View {
+                stack,
+                carry,
+                origin: centre - carry * (view.carry.inverse() * (centre - view.origin)),
+                cut: Some((onward, onward.dot(centre))),
+                ..view.clone()
+            };
+            let opening = Opening {
+                corners: corners.map(|corner| centre + corner).to_vec(),
+                behind,
+            };
+            self.open(view, opening, is_next)
         };
         self.plan.faces.push(Face {
             view: of,
-            number,
-            axis,
-            is_far,
+            pose,
+            is_portal: false,
             kind,
         });
     }
 
-    /// The view through a door in direction `onward`, if there may be one more.
-    fn open(
-        &mut self,
-        (of, view): (usize, &View),
-        (centre, edges): (DVec3, [DVec3; 2]),
-        onward: DVec3,
-        hair_m: f64,
-    ) -> Kind {
+    /// Lists a portal as triangles, if the view shows it, and opens the view behind it.
+    fn look_into(&mut self, (of, view): (usize, &View), number: usize) {
+        let portal = &self.space.portals()[number];
+        let partner = &self.space.portals()[portal.portal.to];
+        let front = portal.before(view.origin) > 0.0;
+        // What lies in the plane of a portal is hidden by it.
+        let slack = PLANE * (1.0 + partner.portal.at.abs().max_element());
+        let is_beyond = view.cut.is_none_or(|(n, d)| {
+            portal
+                .corners
+                .iter()
+                .any(|corner| n.dot(*corner) > d + slack)
+        });
+        if portal.stack != view.stack || !portal.is_open(front) || !is_beyond {
+            return;
+        }
+        let onward = partner.normal * if front { 1.0 } else { -1.0 };
+        let carry = portal.map.matrix3 * view.carry;
+        let behind = View {
+            stack: partner.stack,
+            carry,
+            turn: DMat3::from_quat(portal.turn) * view.turn,
+            scale: portal.scale * view.scale,
+            passed: view.passed + 1,
+            left: Some((portal.portal.to, front)),
+            origin: portal.map.transform_point3(view.origin),
+            cut: Some((onward, onward.dot(partner.portal.at) + slack)),
+            ..view.clone()
+        };
+        let is_tidy = partner.stack.iter().all(|number| self.tidy[number]);
+        let corners = portal.corners.clone();
+        let kind = self.open(view, Opening { corners, behind }, is_tidy);
+        let corners = &portal.corners;
+        for (a, b) in corners.iter().zip(&corners[1..]).skip(1) {
+            self.plan.faces.push(Face {
+                view: of,
+                pose: triangle_pose([corners[0], *a, *b]),
+                is_portal: true,
+                kind,
+            });
+        }
+    }
+
+    /// The view through an opening, if there may be one more.
+    fn open(&mut self, view: &View, opening: Opening, is_known: bool) -> Kind {
         let number = self.plan.views.len();
         let level = view.level + 1;
         let has_room = level < self.limits.levels && number < self.limits.views;
-        let extent = extent(view, centre, edges).filter(|_| has_room);
-        let stack = self.space.stack_at(centre + onward * hair_m);
-        let is_next = stack.len().abs_diff(self.plan.views[of].stack.len()) == 1;
-        let Some(extent) = extent.filter(|_| is_next) else {
+        let Some(extent) = extent(view, &opening.corners).filter(|_| has_room && is_known) else {
             return Kind::Rays;
         };
-        let k = self.squeeze(&stack);
         self.plan.views.push(View {
-            stack,
-            k,
-            origin: centre - k * (view.k.inverse() * (centre - view.origin)),
-            cut: Some((onward, onward.dot(centre))),
             level,
             extent,
-            rows: self.rows(k),
+            rows: self.rows(opening.behind.carry),
+            ..opening.behind
         });
         Kind::Door(number)
     }
 }
 
-/// In which part of the picture a door lies, as far as the view shows it; none if it does not.
-fn extent(view: &View, centre: DVec3, [one, other]: [DVec3; 2]) -> Option<(DVec2, DVec2)> {
-    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(u, v)| {
-        let away = centre + one * u + other * v - view.origin;
-        DVec3::from_array(view.rows.map(|row| row.dot(away)))
-    });
+/// Takes a square from -1 to 1 to a face of a box, the third axis outwards.
+fn face_pose(placed: &Placed, axis: usize, is_far: bool) -> DAffine3 {
+    let half = placed.aberration.half;
+    let (one, other) = ((axis + 1) % 3, (axis + 2) % 3);
+    let [out, one, other] = [axis, one, other].map(|i| placed.axes.col(i) * half[i]);
+    let out = if is_far { out } else { -out };
+    DAffine3 {
+        matrix3: DMat3::from_cols(one, other, out),
+        translation: placed.aberration.centre + out,
+    }
+}
+
+/// Takes the corners (-1, -1), (1, -1) and (1, 1) to those of a triangle.
+fn triangle_pose([a, b, c]: [DVec3; 3]) -> DAffine3 {
+    let (one, other) = (0.5 * (b - a), 0.5 * (c - b));
+    DAffine3 {
+        matrix3: DMat3::from_cols(one, other, one.cross(other).normalize_or(DVec3::Z)),
+        translation: a + one + other,
+    }
+}
+
+/// In which part of the picture a polygon lies, as far as the view shows it; none if it does not.
+fn extent(view: &View, corners: &[DVec3]) -> Option<(DVec2, DVec2)> {
+    let corners: Vec<_> = corners
+        .iter()
+        .map(|corner| DVec3::from_array(view.rows.map(|row| row.dot(*corner - view.origin))))
+        .collect();
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     let mut reach = |p: DVec3| {
         let place = p.truncate() / p.z;
         (low, high) = (low.min(place), high.max(place));
     };
-    for (at, corner) in corners.into_iter().enumerate() {
-        let next = corners[(at + 1) % 4];
+    for (at, corner) in corners.iter().enumerate() {
+        let next = corners[(at + 1) % corners.len()];
         if corner.z >= NEAR_M {
-            reach(corner);
+            reach(*corner);
         }
         if (corner.z >= NEAR_M) != (next.z >= NEAR_M) {
             let share = (NEAR_M - corner.z) / (next.z - corner.z);
@@ -345,7 +437,7 @@ mod tests {
                 if !(is_whole && is_there) {
                     continue;
                 }
-                let there = view.origin + felt_m * (view.k * w);
+                let there = view.origin + felt_m * (view.carry * w);
                 assert!(there.distance(path.place.point) < 1e-9, "{view:?}");
                 let [x, y, depth] = view.rows.map(|row| row.dot(there - view.origin));
                 assert!((x / depth - middle.x).abs() < 1e-9 && (y / depth - middle.y).abs() < 1e-9);
@@ -358,7 +450,7 @@ mod tests {
     /// Felt metres to just behind the door of a view.
     fn just_behind(view: &View, w: DVec3) -> f64 {
         view.cut.map_or(1e-3, |(n, d)| {
-            (d - n.dot(view.origin)) / n.dot(view.k * w) + 1e-3
+            (d - n.dot(view.origin)) / n.dot(view.carry * w) + 1e-3
         })
     }
 
@@ -396,6 +488,10 @@ mod tests {
         let eye = looking(&space, 14.0 * DVec3::Z, DVec3::ZERO);
         let plan = Plan::plain(&space, &eye, 1.6);
         assert_eq!(plan.faces.len(), 8);
-        assert!(plan.faces.iter().all(|face| face.kind == Kind::Wall));
+        assert!(
+            plan.faces
+                .iter()
+                .all(|face| matches!(face.kind, Kind::Wall(..)))
+        );
     }
 }

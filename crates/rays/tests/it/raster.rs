@@ -1,14 +1,15 @@
 //! A raster that begins pictures shows what rays show: through doors, of what moves, in mirrors and panes, sample by sample.
 
+use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 use std::sync::{Arc, PoisonError};
 
-use antipode_deformation::{Aberration, Sides, Space};
+use antipode_deformation::{Aberration, Portal, Sides, Space};
 use antipode_rays::{
     Eye, Lamp, Loaded, Material, Mover, Options, Picture, Pixel, RayScene, Seen, View,
 };
 use antipode_testing::rooms;
-use glam::{Affine3A, DQuat, DVec3, Mat3A, Quat, Vec3};
+use glam::{Affine3A, DQuat, DVec2, DVec3, Mat3A, Quat, Vec3};
 
 use crate::common::{Gpu, Light, looking, mesh, standing};
 use crate::pictures::{boxed, yard};
@@ -210,6 +211,53 @@ fn a_raster_shows_what_moves_where_it_is() {
             "the eye is in it"
         );
     }
+}
+
+/// A portal to another one, its front towards `yaw` from +x.
+fn portal(at: DVec3, yaw: f64, size: DVec2, to: usize) -> Portal {
+    Portal {
+        name: format!("to {to}"),
+        at,
+        turn: DQuat::from_rotation_y(yaw),
+        polygon: Portal::rectangle(size),
+        to,
+        two_sided: false,
+    }
+}
+
+#[test]
+fn a_raster_sees_through_portals_that_turn_scale_and_see_themselves() {
+    let Some(gpu) = Gpu::shared() else { return };
+    let mut scene = tunnels();
+    let boxes = scene.aberrations.placed().iter();
+    let boxes: Vec<_> = boxes.map(|it| it.aberration.clone()).collect();
+    let size = DVec2::new(1.6, 2.0);
+    let portals = vec![
+        portal(DVec3::new(2.6, 1.2, 7.5), -FRAC_PI_2, size, 1),
+        portal(DVec3::new(-6.0, 1.8, 1.0), 0.4, 1.5 * size, 0),
+        portal(DVec3::new(4.6, 1.2, 7.5), -FRAC_PI_2, size, 3),
+        portal(DVec3::new(4.6, 1.2, 13.5), FRAC_PI_2, size, 2),
+    ];
+    scene.aberrations = Space::with_portals(boxes, portals).unwrap();
+    let block = rooms::cuboid(DVec3::ZERO, DQuat::IDENTITY, DVec3::new(0.2, 0.7, 0.2), 0);
+    scene.movables = vec![Arc::new(mesh(&block))];
+    let who = Mover {
+        mesh: 0,
+        pose: Affine3A::from_translation(Vec3::new(3.9, 0.9, 11.6)),
+        object: 22,
+        materials: 0,
+        unseen_by_eye: true,
+        held: false,
+    };
+    let from = DVec3::new(3.9, 1.5, 11.5);
+    let eye = looking(&scene, from, DVec3::new(3.5, 1.2, 7.0));
+    let seen = compared(gpu, &scene, &[who], &eye, with_raster(View::Exact));
+    assert!(
+        count(&seen, |it| it == Seen::Object(22)) > 50,
+        "who looks, from behind"
+    );
+    let eye = looking(&scene, from, DVec3::new(2.4, 1.2, 7.0));
+    compared(gpu, &scene, &[who], &eye, with_raster(View::Exact));
 }
 
 #[test]
