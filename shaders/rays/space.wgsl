@@ -32,9 +32,9 @@ struct Aberration {
     stretch: vec3<f32>,
     rank: u32,
     wall_material: u32,
-    room_x: u32,
-    room_y: u32,
-    room_z: u32,
+    crowd: u32,             // of its neighbours' tree in `neighbours`, if they are many
+    crowd_end: u32,
+    padding: u32,
     heading: vec4<f32>,     // the direction with which one must go to feel it, or 0; w: 1 where it is felt whichever way
 }
 

@@ -14,9 +14,9 @@ struct Ways {
     root: u32,          // of the hierarchy of all solids, or NOTHING
     outlined: u32,      // the flags of a box whose outline is drawn, any of them
     portal_count: u32,
-    padding_x: u32,
-    padding_y: u32,
-    padding_z: u32,
+    crowd: u32,         // where the tree of these boxes lies in `neighbours`, if they are many
+    crowd_end: u32,
+    padding: u32,
     corners: Corners,
 }
 
@@ -76,10 +76,42 @@ fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
     }
     var first = ways.outermost;
     var count = ways.outermost_count;
+    var crowd = ways.crowd;
+    var crowd_end = ways.crowd_end;
     if depth > 0u {
         let innermost = stack_get(stack, depth - 1u);
         first = space.boxes[innermost].first;
         count = space.boxes[innermost].count;
+        crowd = space.boxes[innermost].crowd;
+        crowd_end = space.boxes[innermost].crowd_end;
+    }
+    if crowd < crowd_end {
+        count = 0u;
+        let pace = inverse_pace(v);
+        let ahead = v >= vec3<f32>(0.0);
+        while crowd < crowd_end {
+            let low = vec3<u32>(neighbours[crowd], neighbours[crowd + 1u], neighbours[crowd + 2u]);
+            let high = vec3<u32>(neighbours[crowd + 4u], neighbours[crowd + 5u], neighbours[crowd + 6u]);
+            let within = in_box(low, high, x, pace, ahead);
+            if within.x > within.y || within.y < 0.0 || within.x > next.time {
+                crowd = neighbours[crowd + 3u];
+                continue;
+            }
+            let number = neighbours[crowd + 7u];
+            crowd += 8u;
+            if number == NOTHING || stack_has(stack, depth, number) {
+                continue;
+            }
+            let crossing = crossing_in(local_vector(number, x - space.boxes[number].centre), local_vector(number, v), half_of(number));
+            // Of boxes that are entered together the outermost comes first, in whichever order they are asked.
+            var slack = select(together, 0.0, next.number == NOTHING);
+            if next.enters && space.boxes[number].rank < space.boxes[next.number].rank {
+                slack = -together;
+            }
+            if crossing.is_there && crossing.time < next.time - slack {
+                next = Next(crossing.time, number, crossing.axis, true);
+            }
+        }
     }
     for (var slot = first; slot < first + count; slot++) {
         let number = neighbours[slot];

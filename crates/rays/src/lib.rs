@@ -11,6 +11,7 @@
 //! the same text, to compare both. Nothing here opens a window or an adapter.
 
 mod baked;
+mod crowd;
 mod error;
 mod frame;
 mod loaded;

@@ -63,7 +63,7 @@ impl Loaded {
         let (parts, movables) = bake_all(scene, sorted)?;
         let pairs = movables.iter().zip(&parts[1..]);
         let placed = pairs.map(|(one, baked)| placed(one, baked)).collect();
-        let (neighbours, ways) = crate::packed::neighbours(scene);
+        let (neighbours, crowds, ways) = crate::packed::neighbours(scene);
         let materials: Vec<_> = scene
             .materials
             .iter()
@@ -86,7 +86,7 @@ impl Loaded {
             attributes: filled(device, queue, "attributes", &attributes, storage)?,
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
             portals: portals(device, queue, scene)?,
-            spaces: spaces(device, queue, scene)?,
+            spaces: spaces(device, queue, scene, &crowds)?,
             depths: (parts.iter().map(|it| it.depth).max().unwrap_or(0), 0),
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
             ways: filled(device, queue, "ways", &[ways], storage)?,
@@ -238,10 +238,11 @@ fn spaces(
     device: &Device,
     queue: &Queue,
     scene: &RayScene,
+    crowds: &[[u32; 2]],
 ) -> Result<[Buffer; Rule::ALL.len()], RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let by = |rule| {
-        let packed = aberrations(scene, rule);
+        let packed = aberrations(scene, rule, crowds);
         filled(device, queue, "aberrations", &packed, usage)
     };
     let [exact, thesis, plain] = Rule::ALL.map(by);
