@@ -39,11 +39,11 @@ pub struct Sight<'a> {
 pub fn way(sight: &Sight<'_>) -> Way {
     match sight.view {
         _ if sight.outlines => Way::Rays,
-        View::Thesis | View::Split => Way::Rays,
         View::Plain if sight.space.portals().is_empty() => Way::Plain,
-        View::Plain => Way::Rays,
-        View::Exact if is_in_bend(sight) || is_at_face(sight) => Way::Rays,
-        View::Exact => Way::Doors,
+        View::Exact if !(is_in_bend(sight) || is_at_face(sight) || is_at_portal(sight)) => {
+            Way::Doors
+        }
+        _ => Way::Rays,
     }
 }
 
@@ -58,20 +58,6 @@ fn is_at_face(sight: &Sight<'_>) -> bool {
     let Sight { space, eye, .. } = sight;
     let stack = &eye.place.stack;
     let k = space.squeeze(stack, eye.front, &Traveller::Body);
-    let is_at_portal = space.portals().iter().any(|portal| {
-        let away = portal.before(eye.place.point).abs() / (k.transpose() * portal.normal).length();
-        let reach = |corner: &DVec3| corner.distance(eye.place.point);
-        let near = portal.corners.iter().map(reach).fold(0.0, f64::max);
-        let across = portal
-            .corners
-            .iter()
-            .map(|it| it.distance(portal.portal.at))
-            .fold(0.0, f64::max);
-        away < NEAR_FACE_M * eye.place.scale && near < 3.0 * across
-    });
-    if is_at_portal {
-        return true;
-    }
     let own = stack.innermost();
     let faces = space.entrances(stack).iter().map(|it| usize::from(*it));
     faces.chain(own).any(|number| {
@@ -87,12 +73,28 @@ fn is_at_face(sight: &Sight<'_>) -> bool {
     })
 }
 
+/// Whether a portal is right before the eye, or the eye beside it in its plane.
+fn is_at_portal(sight: &Sight<'_>) -> bool {
+    let Sight { space, eye, .. } = sight;
+    let point = eye.place.point;
+    let k = space.squeeze(&eye.place.stack, eye.front, &Traveller::Body);
+    space.portals().iter().any(|portal| {
+        let felt_m = portal.before(point).abs() / (k.transpose() * portal.normal).length();
+        let farthest = |from: DVec3| {
+            let reach = portal.corners.iter().map(|corner| corner.distance(from));
+            reach.fold(0.0, f64::max)
+        };
+        let is_near = farthest(point) < 3.0 * farthest(portal.portal.at);
+        is_near && felt_m < NEAR_FACE_M * eye.place.scale
+    })
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-    use antipode_deformation::{Aberration, Place, Sides};
-    use glam::DQuat;
+    use antipode_deformation::{Aberration, Place, Portal, Sides};
+    use glam::{DQuat, DVec2};
 
     use super::*;
     use crate::raster::tidy;
@@ -149,5 +151,31 @@ mod tests {
         // The plane of a door beside the door is nothing.
         let beside = DVec3::new(3.0, 0.0, 4.0);
         assert_eq!(chosen(View::Exact, false, beside), Way::Doors);
+    }
+
+    #[test]
+    fn portals_are_seen_through_but_not_from_within() {
+        let portal = |x: f64, to: usize| Portal {
+            name: format!("to {to}"),
+            at: x * DVec3::X,
+            turn: DQuat::IDENTITY,
+            polygon: Portal::rectangle(DVec2::ONE),
+            to,
+            two_sided: false,
+        };
+        let space = Space::with_portals(Vec::new(), vec![portal(0.0, 1), portal(9.0, 0)]).unwrap();
+        let by = |view, from: DVec3| {
+            let eye = Eye::looking(Place::at(&space, from), DVec3::NEG_X, DVec3::Y, 1.0);
+            way(&Sight {
+                view,
+                outlines: false,
+                space: &space,
+                tidy: &[],
+                eye: &eye,
+            })
+        };
+        assert_eq!(by(View::Exact, 3.0 * DVec3::X), Way::Doors);
+        assert_eq!(by(View::Exact, 0.001 * DVec3::X), Way::Rays);
+        assert_eq!(by(View::Plain, 3.0 * DVec3::X), Way::Rays);
     }
 }

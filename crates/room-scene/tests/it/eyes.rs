@@ -5,7 +5,8 @@ use antipode_rays::Eye;
 use antipode_room_scene::RoomScene;
 use glam::DVec3;
 
-/// Where one begins, and about each of up to two aberrations: before an entrance, aside of it, within, and looking back out.
+/// Where one begins; about each of up to two aberrations before an entrance, aside of it, within, and looking back out; and before
+/// each of up to two portals.
 pub fn of(room: &RoomScene) -> Vec<Eye> {
     let mut eyes = vec![room.eye()];
     let boxes = antipode_rooms::space(room.room()).unwrap_or_default();
@@ -37,6 +38,13 @@ pub fn of(room: &RoomScene) -> Vec<Eye> {
             it.centre + 0.13 * along + 0.1 * up,
             it.centre + along * (half + 4.0) + aside,
         );
+    }
+    for portal in boxes.portals().iter().take(2) {
+        let (at, ahead, right) = (portal.portal.at, portal.normal, portal.right);
+        let size = (portal.corners[0] - at).length();
+        look(at + (1.9 * ahead + 0.1 * portal.up) * size, at);
+        look(at + (1.1 * ahead + 0.7 * right) * size, at + 0.1 * right);
+        look(at + 0.4 * ahead * size, at - ahead + 0.2 * right);
     }
     eyes
 }
