@@ -252,7 +252,13 @@ fn spaces(
 fn portals(device: &Device, queue: &Queue, scene: &RayScene) -> Result<Buffer, RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let packed = PackedPortals::of(&scene.aberrations);
-    filled(device, queue, "portals", std::slice::from_ref(&packed), usage)
+    filled(
+        device,
+        queue,
+        "portals",
+        std::slice::from_ref(&packed),
+        usage,
+    )
 }
 
 fn resting(room: &Baked, movers_at: usize, materials: usize) -> Resting {
