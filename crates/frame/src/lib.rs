@@ -9,6 +9,7 @@ mod hit_shapes;
 mod land;
 mod model;
 pub mod motion;
+mod opening;
 mod posture;
 mod quality;
 mod view;
@@ -21,6 +22,7 @@ use glam::{DQuat, DVec3};
 pub use hit_shapes::{HitForm, HitShape};
 pub use land::{ChunkChange, Land, LandCursor, LandNews};
 pub use model::{ModelId, ModelShape};
+pub use opening::Opening;
 pub use posture::{Clip, Posture};
 pub use quality::{ParseQualityError, Quality};
 pub use view::{Hand, View};
@@ -56,6 +58,8 @@ pub struct Frame {
     /// What the rear mirror of the car that is driven shows, seen from its bonnet; left and right not yet swapped, and of a
     /// picture as wide as high.
     pub mirror: Option<View>,
+    /// Doors, and what is seen through each.
+    pub openings: Vec<Opening>,
 }
 
 impl Frame {
@@ -65,6 +69,7 @@ impl Frame {
             content: Arc::new(content),
             view,
             mirror: None,
+            openings: Vec::new(),
         }
     }
 
@@ -100,6 +105,7 @@ impl Frame {
             content: Arc::clone(&self.content),
             view,
             mirror: None,
+            openings: Vec::new(),
         }
     }
 
