@@ -8,7 +8,7 @@ use crate::baked::{Baked, Movable};
 use crate::error::RaysError;
 use crate::mesh::TRIANGLE_TEXELS;
 use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
-use crate::packed_portals::PackedPortals;
+use crate::packed_portals::packed_portals;
 use crate::scene::{Mover, RayScene};
 use crate::shaders::SHALLOW_ROOM;
 use crate::texels::{ROW, Texels};
@@ -213,8 +213,14 @@ fn spaces(
 
 fn portals(device: &Device, queue: &Queue, scene: &RayScene) -> Result<Buffer, RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
-    let packed = PackedPortals::of(&scene.aberrations);
-    filled(device, queue, "portals", &[packed], usage)
+    let packed = packed_portals(&scene.aberrations);
+    filled(
+        device,
+        queue,
+        "portals",
+        std::slice::from_ref(&*packed),
+        usage,
+    )
 }
 
 fn resting(room: &Baked, movers_at: usize, materials: usize) -> Resting {
