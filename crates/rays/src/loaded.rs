@@ -9,7 +9,7 @@ use crate::baked::{Baked, Movable};
 use crate::error::RaysError;
 use crate::mesh::TRIANGLE_TEXELS;
 use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
-use crate::packed_portals::PackedPortals;
+use crate::packed_portals::packed_portals;
 use crate::raster::{Chunk, Moved, tidy};
 use crate::scene::{Mover, RayScene};
 use crate::shaders::SHALLOW_ROOM;
@@ -251,12 +251,12 @@ fn spaces(
 
 fn portals(device: &Device, queue: &Queue, scene: &RayScene) -> Result<Buffer, RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
-    let packed = PackedPortals::of(&scene.aberrations);
+    let packed = packed_portals(&scene.aberrations);
     filled(
         device,
         queue,
         "portals",
-        std::slice::from_ref(&packed),
+        std::slice::from_ref(&*packed),
         usage,
     )
 }

@@ -1,7 +1,7 @@
 //! Portals as the shaders have them.
 
 use antipode_deformation::{MAX_CORNERS, MAX_PORTALS, PlacedPortal, Space};
-use bytemuck::{Pod, Zeroable};
+use bytemuck::{Pod, Zeroable, cast_slice};
 use glam::{DMat3, Vec3, Vec4};
 
 use crate::packed::stack;
@@ -28,29 +28,16 @@ struct PackedPortal {
     stack: [u32; 4],
 }
 
-/// All portals of a space, as portal.wgsl has them.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct PackedPortals {
-    all: [PackedPortal; MAX_PORTALS],
-    edges: [Vec4; MAX_PORTALS * MAX_CORNERS],
-}
-
-impl PackedPortals {
-    /// Those of a space.
-    pub fn of(space: &Space) -> Self {
-        let mut packed = Self::zeroed();
-        let mut first = 0;
-        for (one, portal) in packed.all.iter_mut().zip(space.portals()) {
-            *one = pack(portal, first);
-            let edges = &mut packed.edges[first..first + portal.edges.len()];
-            for (edge, it) in edges.iter_mut().zip(&portal.edges) {
-                *edge = it.as_vec3().extend(0.0);
-            }
-            first += portal.edges.len();
-        }
-        packed
+/// All portals of a space, as portal.wgsl has them: as many as there may be, and behind them as many edges.
+pub fn packed_portals(space: &Space) -> Vec<u8> {
+    let mut all = vec![PackedPortal::zeroed(); MAX_PORTALS];
+    let mut edges = Vec::new();
+    for (one, portal) in all.iter_mut().zip(space.portals()) {
+        *one = pack(portal, edges.len());
+        edges.extend(portal.edges.iter().map(|it| it.as_vec3().extend(0.0)));
     }
+    edges.resize(MAX_PORTALS * MAX_CORNERS, Vec4::ZERO);
+    [cast_slice::<_, u8>(&all), cast_slice(&edges)].concat()
 }
 
 fn pack(portal: &PlacedPortal, first: usize) -> PackedPortal {

@@ -93,10 +93,10 @@ impl RoomScene {
         let body = Traveller::Body;
         let hides = |rise_m: f64| {
             let at = trace(&self.space, &from, up, rise_m, &Void, &body).place;
-            if at.stack != seen.stack {
+            if at.stack != seen.stack || at.passage != seen.passage {
                 return false;
             }
-            let k = self.space.squeeze(&at.stack, up, &body);
+            let k = self.space.carry(&at, up, &body);
             let way = k.inverse() * (seen.point - at.point);
             let length_m = way.length();
             let w = way.normalize_or(up);

@@ -24,7 +24,7 @@ pub struct InHand {
 pub struct RoomViewing {
     /// Angle between the top and the bottom of a picture, radians.
     pub fov_y_rad: f64,
-    /// Whether what is held does not bob.
+    /// Whether what is held does not bob, and a view that a portal has rolled is level at once.
     pub reduced_motion: bool,
 }
 
@@ -71,9 +71,7 @@ impl RoomScene {
             .hand_before
             .map_or(now, |before| now.between(&before, share as f32));
         let felt = DMat3::from_cols(eye.right, eye.up, -eye.front);
-        let k = self
-            .space
-            .squeeze(&eye.place.stack, eye.front, &Traveller::Body);
+        let k = self.space.carry(&eye.place, eye.front, &Traveller::Body);
         let pose = DAffine3 {
             matrix3: k * felt,
             translation: eye.place.point,

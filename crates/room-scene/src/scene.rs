@@ -52,7 +52,6 @@ pub struct RoomScene {
     pub(crate) viewing: RoomViewing,
     pub(crate) third_person: bool,
     pub(crate) righting: Righting,
-    pub(crate) rights_at_once: bool,
     pub(crate) sounds: Vec<RoomSound>,
     pub(crate) hints: Vec<RoomHint>,
     /// How high the lowest of all that stands in the room is, metres against gravity.
@@ -87,7 +86,6 @@ impl RoomScene {
             viewing: RoomViewing::default(),
             third_person: false,
             righting: Righting::default(),
-            rights_at_once: false,
             sounds: Vec::new(),
             hints: Vec::new(),
             lowest_m: 0.0,

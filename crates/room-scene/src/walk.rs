@@ -164,15 +164,10 @@ impl RoomScene {
             self.look = self.righting.turn(&self.look, self.walker.turned());
             self.looked = self.look;
         }
-        if self.rights_at_once {
+        if self.viewing.reduced_motion {
             self.righting.right_at_once();
             self.walker.eye.right_at_once();
         }
-    }
-
-    /// Whether a view that a portal has rolled is level at once rather than by and by.
-    pub fn set_rights_at_once(&mut self, at_once: bool) {
-        self.rights_at_once = at_once;
     }
 
     /// The felt velocity along the ground that the step brings, on the way to what is asked.

@@ -120,19 +120,25 @@ pub fn space_so_far(room: &Room) -> Result<(Space, Vec<usize>), Fault> {
             Ok(space) => return Ok((space, left.iter().map(|(index, _)| *index).collect())),
             Err(error) => error,
         };
-        let unfit = match &error {
-            SpaceError::NoPartner { name }
-            | SpaceError::OneWay { name, .. }
-            | SpaceError::OtherSides { name, .. }
-            | SpaceError::NotSimilar { name, .. }
-            | SpaceError::OtherSize { name, .. } => name,
-            _ => return Err(misplaced(room, &error)),
-        };
-        let kept: Vec<_> = left.iter().map(|(_, it)| it.name != *unfit).collect();
+        let unfit = unfit(&error);
+        let is_fit = |it: &deformation::Portal| unfit.is_none_or(|name| it.name != *name);
+        let kept: Vec<_> = left.iter().map(|(_, it)| is_fit(it)).collect();
         if kept.iter().all(|it| *it) {
             return Err(misplaced(room, &error));
         }
         left = without(left, &kept);
+    }
+}
+
+/// The portal that does not fit its partner, if that is what is wrong.
+fn unfit(error: &SpaceError) -> Option<&String> {
+    match error {
+        SpaceError::NoPartner { name }
+        | SpaceError::OneWay { name, .. }
+        | SpaceError::OtherSides { name, .. }
+        | SpaceError::NotSimilar { name, .. }
+        | SpaceError::OtherSize { name, .. } => Some(name),
+        _ => None,
     }
 }
 

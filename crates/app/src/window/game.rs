@@ -225,8 +225,6 @@ impl Game {
             }
             Phase::InRoom(visit) if visit.is_drawn => {
                 let feel = (!self.overlays.are_up()).then(|| Feel::from(settings));
-                let scene = &mut visit.room.scene;
-                scene.set_rights_at_once(settings.reduced_motion);
                 visit.advance(passed, &mut self.play.pace, &mut self.devices, feel);
             }
             Phase::InRoom(_) | Phase::RoomPaused(_) => {}
