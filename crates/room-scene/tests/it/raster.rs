@@ -104,17 +104,17 @@ fn compare(view: View) {
         for (number, eye) in of(&open).iter().enumerate().take(EYES) {
             let name = format!("{} {number}", shipped.id);
             let shown = both(gpu, &scene, eye, view);
-            let pairs = || shown[0].1.iter().zip(&shown[1].1);
-            let (elsewhere, common) = others(&shown);
-            assert!(
-                elsewhere <= pixels / 1000 && common <= pixels / 200,
-                "{name}: {elsewhere} show another thing, {common} another one of two in one place"
-            );
-            let far = pairs().filter(|(a, b)| {
+            let pairs = shown[0].1.iter().zip(&shown[1].1);
+            // At an edge one may see past it what is the same thing farther off.
+            let far = pairs.filter(|(a, b)| {
                 a.seen == b.seen && (a.length_m - b.length_m).abs() > 1e-3 * a.length_m
             });
             let far = far.count();
-            assert!(far <= pixels / 10_000, "{name}: {far} are elsewhere");
+            let (others, common) = others(&shown);
+            assert!(
+                far + others <= pixels / 1000 && common <= pixels / 200,
+                "{name}: {others} show another thing, {far} are elsewhere, {common} show the other one of two in one place"
+            );
             let lit = unlike(&shown, 12);
             assert!(lit <= pixels / 50, "{name}: {lit} are lit in another way");
             if number < DARK_EYES {
