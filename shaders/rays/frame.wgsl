@@ -44,7 +44,7 @@ struct Frame {
     line_column: u32,       // shown as a line
     first_row: u32,
     end_row: u32,
-    padding: u32,
+    scale: f32,             // how many times larger than at first the eye is
     lamps: array<Lamp, 8>,
 }
 

@@ -3,7 +3,8 @@
 // A direction in which light may come.
 struct Aim {
     w: vec3<f32>,
-    length: f32,    // felt metres, or -1 where it does not
+    length: f32,    // felt metres of the lamp's size, or -1 where it does not
+    scale: f32,     // how large, to those, the metres here are
 }
 
 // A row of up to three media behind each other, in the axes of the box whose faces part them.
@@ -42,7 +43,7 @@ fn weight(part: f32, medium: vec3<f32>, i: u32) -> vec3<f32> {
 // The way through the faces across axis i from p to l, both in the box's coordinates; `to_felt` is the inverse of K outside
 // of the box.
 fn through_faces(row: Row, i: u32, p: vec3<f32>, l: vec3<f32>, to_felt: mat3x3<f32>) -> Aim {
-    let none = Aim(vec3<f32>(0.0), -1.0);
+    let none = Aim(vec3<f32>(0.0), -1.0, 1.0);
     let number = row.number;
     let away = l - p;
     let h = half_of(number);
@@ -73,11 +74,57 @@ fn through_faces(row: Row, i: u32, p: vec3<f32>, l: vec3<f32>, to_felt: mat3x3<f
     let time = parts.x * row.media[0][i] + parts.y * row.media[1][i] + parts.z * row.media[2][i];
     let felt = to_felt * (axes_of(number) * (u * time));
     let length = length(felt);
-    return Aim(felt / max(length, 1.0e-20), length);
+    return Aim(felt / max(length, 1.0e-20), length, 1.0);
 }
 
-// How many ways to a lamp there may be from a place.
+// The way to a lamp through a portal. Behind it the lamp shows where the inverse of G, which is that of its partner, takes it.
+fn lamp_through_portal(from_path: ptr<function, Path>, lamp: u32, number: u32) -> Aim {
+    let none = Aim(vec3<f32>(0.0), -1.0, 1.0);
+    let partner = portals.all[number].partner;
+    let x = (*from_path).x;
+    let is_here = (*from_path).depth == portals.all[number].depth && all((*from_path).stack == portals.all[number].stack);
+    let is_there = frame.lamps[lamp].depth == portals.all[partner].depth && all(frame.lamps[lamp].stack == portals.all[partner].stack);
+    let image = portals.all[number].at + portal_carried(partner, frame.lamps[lamp].place - portals.all[partner].at);
+    let here = before_portal(number, x);
+    let there = before_portal(number, image);
+    let is_open = here > 0.0 || portals.all[number].sides == 2u;
+    if !is_here || !is_there || !is_open || here * there >= 0.0 || !is_in_portal(number, mix(x, image, here / (here - there))) {
+        return none;
+    }
+    let away = image - x;
+    let felt = inverse_of(squeeze_of((*from_path).stack, (*from_path).depth, away, false)) * away;
+    let length = length(felt);
+    let scale = portals.all[number].scale;
+    return Aim(felt / max(length, 1.0e-20), length * scale, 1.0 / scale);
+}
+
+// The direction of the sun as it shows in a portal, where that may be seen from a place.
+fn sun_through_portal(from_path: ptr<function, Path>, number: u32) -> Aim {
+    let none = Aim(vec3<f32>(0.0), -1.0, 1.0);
+    if portals.all[number].is_turned == 0u {
+        return none;
+    }
+    let w = portal_turned_back(number, frame.sun);
+    let is_here = (*from_path).depth == portals.all[number].depth && all((*from_path).stack == portals.all[number].stack);
+    if is_here && portal_opening(number, from_path, squeeze_of((*from_path).stack, (*from_path).depth, w, false) * w).time < 0.0 {
+        return none;
+    }
+    return Aim(w, frame.reach_m, 1.0);
+}
+
+// Whether a path to the sun has come to it: straight, or through a portal by itself where one is named.
+fn is_sunward(path: Path, number: u32) -> bool {
+    if number == NO_PORTAL {
+        return dot(path.w, frame.sun) > 0.99999;
+    }
+    return path.passed == 1u && (path.left & 255u) == portals.all[number].partner;
+}
+
+// How many ways to a lamp there may be from a place, without portals.
 fn lamp_tries(from_path: ptr<function, Path>, lamp: u32) -> u32 {
+    if IS_FLAT {
+        return 1u;
+    }
     let stack = (*from_path).stack;
     let depth = (*from_path).depth;
     let lamp_stack = frame.lamps[lamp].stack;
@@ -94,7 +141,7 @@ fn lamp_tries(from_path: ptr<function, Path>, lamp: u32) -> u32 {
 
 // The way of a number below that.
 fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
-    let none = Aim(vec3<f32>(0.0), -1.0);
+    let none = Aim(vec3<f32>(0.0), -1.0, 1.0);
     let own = (*from_path).stack;
     let own_depth = (*from_path).depth;
     let lamp_stack = frame.lamps[lamp].stack;
@@ -108,9 +155,9 @@ fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
     let outer_depth = min(own_depth, lamp_depth);
     let to_felt = inverse_of(squeeze_of(outer, outer_depth, away, false));
     let straight = to_felt * away;
-    if is_same && attempt == 0u {
+    if IS_FLAT || (is_same && attempt == 0u) {
         let length = length(straight);
-        return Aim(straight / max(length, 1.0e-20), length);
+        return Aim(straight / max(length, 1.0e-20), length, 1.0);
     }
     var number = 0u;
     var axis = attempt % 3u;

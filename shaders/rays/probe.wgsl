@@ -22,7 +22,7 @@ fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let ray = rays[id.x];
-    let ended = trace(path_from(ray.x.xyz, ray.w.xyz, ray.stack, u32(ray.w.w), false), ray.x.w, false, false, 0.0);
+    let ended = trace(path_from(ray.x.xyz, ray.w.xyz, ray.stack, u32(ray.w.w), false, 1.0), ray.x.w, false, false, 0.0);
     var what = vec2<u32>(ended.wall, ended.axis);
     if ended.end == END_OBJECT {
         what = vec2<u32>(instance_part(ended.found.instance, 3u).y, triangle_part(ended.found.triangle, 0u).w);

@@ -13,6 +13,7 @@ const INSTANCE: u32 = 0x80000000u;
 // Flags of instances.
 const MOVES: u32 = 1u;
 const UNSEEN_BY_EYE: u32 = 2u;
+const HELD: u32 = 4u;             // seen by the eye alone
 // Texels of a row of the lists: 2 to the power of this.
 const ROW_BITS: u32 = 11u;
 
@@ -83,7 +84,7 @@ fn meet(triangle: u32, o: vec3<f32>, d: vec3<f32>, instance: u32, found: ptr<fun
 }
 
 // What the path x + t v meets first for 0 <= t <= longest; or anything that it meets, where `any_will_do`. Light of the eye
-// passes what it does not see.
+// passes what it does not see, and all other light what is held before it.
 fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do: bool, of_eye: bool) -> Found {
     var found = Found(longest, NOTHING, 0u, vec2<f32>(0.0));
     var waiting: array<u32, WAITING_ROOM>;
@@ -154,7 +155,7 @@ fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do:
             count += 1u;
             at = about.x;
         }
-        if !enters || (of_eye && (about.w & UNSEEN_BY_EYE) != 0u) {
+        if !enters || (about.w & select(HELD, UNSEEN_BY_EYE, of_eye)) != 0u {
             count -= 1u;
             at = waiting[count];
         }

@@ -1,5 +1,5 @@
 // Deformed space: aberrations, and what their faces do. Mirrors crates/deformation (event.rs, face.rs, space.rs) in f32.
-// First of the files of shaders/rays; scene.wgsl, trace.wgsl, shading.wgsl and an entry follow.
+// First of the files of shaders/rays; portal.wgsl, scene.wgsl, trace.wgsl, shading.wgsl and an entry follow.
 
 const SIDES_SOFT: u32 = 0u;
 const SIDES_SNELL: u32 = 1u;
@@ -32,15 +32,18 @@ struct Aberration {
     stretch: vec3<f32>,
     rank: u32,
     wall_material: u32,
-    room_x: u32,
-    room_y: u32,
-    room_z: u32,
+    crowd: u32,             // of its neighbours' tree in `neighbours`, if they are many
+    crowd_end: u32,
+    padding: u32,
     heading: vec4<f32>,     // the direction with which one must go to feel it, or 0; w: 1 where it is felt whichever way
 }
 
 // Whether there are boxes of those sides: what is not there takes no time.
 override HAS_SNELL: bool = true;
 override HAS_LEGACY: bool = true;
+// Whether nothing is felt to be stretched, and whether it matters which faces light passes.
+override IS_FLAT: bool = false;
+override HAS_FACES: bool = true;
 
 struct Spaces {
     boxes: array<Aberration, 256>,
@@ -55,10 +58,13 @@ struct Path {
     x: vec3<f32>,
     w: vec3<f32>,           // felt direction, of length 1
     unbent: vec3<f32>,      // the same before the thesis's rule bent it
-    k: mat3x3<f32>,         // product of the K of the boxes of the stack
+    k: mat3x3<f32>,         // product of the K of the boxes of the stack, times scale
     stack: vec4<u32>,       // a byte for each box, outermost first
     depth: u32,
     is_light: bool,         // light of the picture, which the thesis's rule bends
+    scale: f32,             // how many times larger than at first the traveller is
+    left: u32,              // the portal that it has come out of last, 256 more before its front; or NO_PORTAL
+    passed: u32,            // portals
 }
 
 // The directions of two opposite corners of the picture, component by component.
@@ -133,6 +139,9 @@ fn is_felt(number: u32, w: vec3<f32>) -> bool {
 // The product of the K of all boxes of a stack, the innermost to the left.
 fn squeeze_of(stack: vec4<u32>, depth: u32, w: vec3<f32>, is_light: bool) -> mat3x3<f32> {
     var k = mat3x3<f32>(vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0));
+    if IS_FLAT {
+        return k;
+    }
     for (var at = 0u; at < depth; at++) {
         let number = stack_get(stack, at);
         if !is_felt(number, w) {
@@ -265,7 +274,7 @@ fn cross_face(path: ptr<function, Path>, number: u32, axis: u32, enters: bool, c
             (*path).w = legacy_bend(corners, before.w, -d);
         }
     }
-    (*path).k = squeeze_of((*path).stack, (*path).depth, (*path).w, before.is_light);
+    (*path).k = carry(path);
     if HAS_SNELL && sides == SIDES_SNELL {
         let n = axis_of(number, axis);
         let m = n * (*path).k;

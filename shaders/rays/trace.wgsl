@@ -13,6 +13,10 @@ struct Ways {
     outermost_count: u32,
     root: u32,          // of the hierarchy of all solids, or NOTHING
     outlined: u32,      // the flags of a box whose outline is drawn, any of them
+    portal_count: u32,
+    crowd: u32,         // where the tree of these boxes lies in `neighbours`, if they are many
+    crowd_end: u32,
+    padding: u32,
     corners: Corners,
 }
 
@@ -31,8 +35,9 @@ struct Ended {
     outline: f32,       // felt metres to the first outline that it passed within `width`, or -1
 }
 
-fn path_from(x: vec3<f32>, w: vec3<f32>, stack: vec4<u32>, depth: u32, is_light: bool) -> Path {
-    var path = Path(x, w, w, squeeze_of(stack, depth, w, is_light), stack, depth, is_light);
+// Who sets out, as large as the metres of the scene times `scale`.
+fn path_from(x: vec3<f32>, w: vec3<f32>, stack: vec4<u32>, depth: u32, is_light: bool, scale: f32) -> Path {
+    var path = Path(x, w, w, mat3x3<f32>(), stack, depth, is_light, scale, NO_PORTAL, 0u);
     if HAS_LEGACY && is_light {
         for (var at = 0u; at < depth; at++) {
             let number = stack_get(stack, at);
@@ -40,16 +45,16 @@ fn path_from(x: vec3<f32>, w: vec3<f32>, stack: vec4<u32>, depth: u32, is_light:
                 path.w = legacy_bend(ways.corners, path.w, space.boxes[number].legacy);
             }
         }
-        path.k = squeeze_of(stack, depth, path.w, is_light);
     }
+    path.k = carry(&path);
     return path;
 }
 
 struct Next {
     time: f32,
-    number: u32,    // of a box, or NOTHING at the end of the path
+    number: u32,    // of a box; PORTAL and more, of a portal; NOTHING at the end of the path
     axis: u32,
-    enters: bool,
+    enters: bool,   // a portal before its front
 }
 
 fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
@@ -58,6 +63,9 @@ fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
     let depth = (*path).depth;
     let together = 2.0 * ROUNDING * (1.0 + greatest(abs(x))) * inverseSqrt(max(dot(v, v), 1.0e-30));
     var next = Next(longest, NOTHING, 0u, false);
+    if !HAS_FACES {
+        return next;
+    }
     for (var at = 0u; at < depth; at++) {
         let number = stack_get(stack, at);
         let out = crossing_out(local_vector(number, x - space.boxes[number].centre), local_vector(number, v), half_of(number));
@@ -68,10 +76,42 @@ fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
     }
     var first = ways.outermost;
     var count = ways.outermost_count;
+    var crowd = ways.crowd;
+    var crowd_end = ways.crowd_end;
     if depth > 0u {
         let innermost = stack_get(stack, depth - 1u);
         first = space.boxes[innermost].first;
         count = space.boxes[innermost].count;
+        crowd = space.boxes[innermost].crowd;
+        crowd_end = space.boxes[innermost].crowd_end;
+    }
+    if crowd < crowd_end {
+        count = 0u;
+        let pace = inverse_pace(v);
+        let ahead = v >= vec3<f32>(0.0);
+        while crowd < crowd_end {
+            let low = vec3<u32>(neighbours[crowd], neighbours[crowd + 1u], neighbours[crowd + 2u]);
+            let high = vec3<u32>(neighbours[crowd + 4u], neighbours[crowd + 5u], neighbours[crowd + 6u]);
+            let within = in_box(low, high, x, pace, ahead);
+            if within.x > within.y || within.y < 0.0 || within.x > next.time {
+                crowd = neighbours[crowd + 3u];
+                continue;
+            }
+            let number = neighbours[crowd + 7u];
+            crowd += 8u;
+            if number == NOTHING || stack_has(stack, depth, number) {
+                continue;
+            }
+            let crossing = crossing_in(local_vector(number, x - space.boxes[number].centre), local_vector(number, v), half_of(number));
+            // Of boxes that are entered together the outermost comes first, in whichever order they are asked.
+            var slack = select(together, 0.0, next.number == NOTHING);
+            if next.enters && space.boxes[number].rank < space.boxes[next.number].rank {
+                slack = -together;
+            }
+            if crossing.is_there && crossing.time < next.time - slack {
+                next = Next(crossing.time, number, crossing.axis, true);
+            }
+        }
     }
     for (var slot = first; slot < first + count; slot++) {
         let number = neighbours[slot];
@@ -82,6 +122,14 @@ fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
         let least = next.time - select(together, 0.0, next.number == NOTHING);
         if crossing.is_there && crossing.time < least {
             next = Next(crossing.time, number, crossing.axis, true);
+        }
+    }
+    if HAS_PORTALS {
+        for (var number = 0u; number < ways.portal_count; number++) {
+            let opening = portal_opening(number, path, v);
+            if opening.time >= 0.0 && opening.time < next.time {
+                next = Next(opening.time, PORTAL + number, 0u, opening.front);
+            }
         }
     }
     return next;
@@ -102,9 +150,21 @@ fn trace(start: Path, longest: f32, any_will_do: bool, of_eye: bool, width: f32)
     for (var event = 0u; event < MAX_EVENTS; event++) {
         let v = path.k * path.w;
         let next = next_event(&path, v, max(longest - ended.length, 0.0));
-        let beyond = ROUNDING * (1.0 + greatest(abs(path.x))) * inverseSqrt(max(dot(v, v), 1.0e-30));
-        let found = scene_first(path.x, v, next.time + beyond, ways.root, any_will_do, of_eye);
+        var beyond = ROUNDING * (1.0 + greatest(abs(path.x))) * inverseSqrt(max(dot(v, v), 1.0e-30));
+        var hidden = 0.0;
+        let is_portal = HAS_PORTALS && next.number >= PORTAL && next.number != NOTHING;
+        if HAS_PORTALS {
+            // What lies in a portal's plane is hidden by it from either side.
+            hidden = portal_hid(&path, v);
+            if is_portal {
+                beyond = -portal_hides(next.number - PORTAL, path.x, v);
+            }
+        }
+        // Through a portal one sees oneself.
+        let unseen = of_eye && (!HAS_PORTALS || path.passed == 0u);
+        var found = scene_first(path.x + hidden * v, v, next.time + beyond - hidden, ways.root, any_will_do, unseen);
         if found.instance != NOTHING {
+            found.time += hidden;
             path.x += found.time * v;
             ended.length += found.time;
             ended.end = END_OBJECT;
@@ -116,6 +176,11 @@ fn trace(start: Path, longest: f32, any_will_do: bool, of_eye: bool, width: f32)
         if next.number == NOTHING {
             ended.end = END_SPENT;
             break;
+        }
+        if is_portal {
+            ended.events += 1u;
+            pass_portal(&path, next.number - PORTAL, next.enters);
+            continue;
         }
         if width > 0.0 && ended.outline < 0.0 && (space.boxes[next.number].flags & ways.outlined) != 0u && is_at_edge(next.number, next.axis, path.x, 0.002 + width * ended.length * length(v)) {
             ended.outline = ended.length;

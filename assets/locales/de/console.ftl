@@ -18,6 +18,8 @@ console-saving = Die Welt wird gespeichert.
 console-not-kept = Diese Welt hat keinen Namen und wird darum nicht aufgehoben.
 console-open-already = „{ $name }“ ist schon offen.
 console-no-worlds = Noch ist keine Welt gespeichert.
+console-room-changed = Geändert. „room save“ behält es.
+console-room-saved = Der Raum ist gespeichert.
 console-world = { $name } ({ $space }, Startwert { $seed })
 console-shot-name = Das Bild kommt nach { $dir }; gib ihm einen Namen ohne Ordner.
 
@@ -50,7 +52,7 @@ console-help-teleport = Versetzt dich anderswohin, in Metern der Karte. Zeichnet
 console-help-spawn = Stellt eine Figur, ein Auto, eine Lampe oder eine Fahne in die Welt.
 console-help-name-flag = Gibt der Fahne, die dir am nächsten ist, einen Namen.
 console-help-perf = Misst Bilder; nur in Skripten.
-console-help-room = Macht, betritt, speichert, löscht oder nennt Räume verformten Raums; bisher nur in Skripten.
+console-help-room = Macht, betritt, speichert, löscht oder nennt Räume verformten Raums.
 console-help-add = Stellt etwas in den offenen Raum.
 console-help-change = Ändert etwas im offenen Raum.
 console-help-remove = Nimmt etwas aus dem offenen Raum.

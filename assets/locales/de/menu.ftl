@@ -4,6 +4,7 @@
 menu-resume = Weiterspielen
 menu-save = Speichern
 menu-save-and-quit = Speichern und zum Menü
+menu-begin-anew = Von vorn beginnen
 menu-leave-room = Den Raum verlassen
 menu-new-game = Neues Spiel
 menu-load = Laden

@@ -20,3 +20,17 @@ room-four-tunnels-lower-sign = d = +0,8 in der Höhe: 10,5 Meter fühlen sich an
 room-four-tunnels-lower-number = 5,8 m hoch
 room-thesis-room-name = Der Raum der Abschlussarbeit
 room-thesis-room-sentence = Geh hinein, und du bist doppelt so groß: Diese Halle von 12 mal 8 Metern misst für den, der in ihr ist, 6 mal 4.
+room-two-portals-name = Zwei Portale
+room-two-portals-sentence = Geh in die blaue Tür hinein, und du kommst aus der orangen heraus, wo immer sie steht.
+room-six-portals-name = Sechs Portale
+room-six-portals-sentence = Dieser Pavillon ist nach allen sechs Seiten offen, und wer auf einer hinausgeht, kommt auf der anderen wieder herein.
+room-endless-stair-name = Die endlose Treppe
+room-endless-stair-sentence = Diese Treppe hat sechzehn Stufen, und wer sie hinaufsteigt, kommt nie auf die letzte.
+room-door-to-itself-name = Die Tür zu sich selbst
+room-door-to-itself-sentence = Das ist kein Spiegel, sondern eine Tür zu sich selbst, und wer hineingeht, kommt wieder heraus.
+room-growing-hall-name = Die Halle, in der man wächst
+room-growing-hall-sentence = Jede dieser Türen führt aus einer heraus, die doppelt so groß ist, und du bist es auch.
+room-bottomless-shaft-name = Der bodenlose Schacht
+room-bottomless-shaft-sentence = Wer in diesen Schacht springt, fällt für immer, und er ist nur acht Meter tief.
+room-closet-flat-name = Die Wohnung im Schrank
+room-closet-flat-sentence = In diesem Schrank von einem Quadratmeter ist eine ganze Wohnung.

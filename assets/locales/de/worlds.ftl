@@ -72,7 +72,7 @@ rooms-new = Neuer Raum
 rooms-load-named = „{ $name }“ betreten
 rooms-running = Hier bist du gerade
 rooms-running-no-change = Du bist gerade in diesem Raum. Erst verlassen, dann ändern.
-rooms-shipped = Dieser Raum gehört zum Spiel. Kopiere ihn, um ihn zu ändern.
+rooms-shipped = Dieser Raum gehört zum Spiel. Dupliziere ihn und ändere die Kopie.
 rooms-objects = { $count ->
     [one] { $count } Gegenstand
    *[other] { $count } Gegenstände

@@ -4,6 +4,7 @@
 menu-resume = Resume
 menu-save = Save
 menu-save-and-quit = Save and quit to menu
+menu-begin-anew = Begin anew
 menu-leave-room = Leave the room
 menu-new-game = New Game
 menu-load = Load

@@ -20,3 +20,17 @@ room-four-tunnels-lower-sign = d = +0.8 upward: 10.5 metres feel like 5.8.
 room-four-tunnels-lower-number = 5.8 m high
 room-thesis-room-name = The room of the thesis
 room-thesis-room-sentence = Walk in and you are twice as large: this hall of 12 by 8 metres is 6 by 4 for who is in it.
+room-two-portals-name = Two portals
+room-two-portals-sentence = Walk into the blue door and you walk out of the orange one, wherever that stands.
+room-six-portals-name = Six portals
+room-six-portals-sentence = This pavilion is open on all six sides, and whoever leaves by one side comes in by the opposite one.
+room-endless-stair-name = The endless stair
+room-endless-stair-sentence = This stair has sixteen steps, and whoever climbs it never comes to the last one.
+room-door-to-itself-name = The door to itself
+room-door-to-itself-sentence = This is no mirror but a door to itself, and whoever walks in comes back out.
+room-growing-hall-name = The hall where one grows
+room-growing-hall-sentence = Each of these doors leads out of one that is twice as large, and so are you.
+room-bottomless-shaft-name = The bottomless shaft
+room-bottomless-shaft-sentence = Whoever jumps into this shaft falls for ever, and it is only eight metres deep.
+room-closet-flat-name = The flat in the closet
+room-closet-flat-sentence = In this closet of one square metre there is a whole flat.

@@ -72,7 +72,7 @@ rooms-new = New room
 rooms-load-named = Enter “{ $name }”
 rooms-running = You are in it now
 rooms-running-no-change = You are in this room. Leave it first, then change it.
-rooms-shipped = This room comes with the game. Copy it to change it.
+rooms-shipped = This room comes with the game. Duplicate it, and change the copy.
 rooms-objects = { $count ->
     [one] { $count } object
    *[other] { $count } objects

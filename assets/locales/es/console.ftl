@@ -18,6 +18,8 @@ console-saving = El mundo se está guardando.
 console-not-kept = Este mundo no tiene nombre, así que no se conserva.
 console-open-already = «{ $name }» ya está abierto.
 console-no-worlds = Todavía no hay mundos guardados.
+console-room-changed = Cambiado. «room save» lo guarda.
+console-room-saved = La sala está guardada.
 console-world = { $name } ({ $space }, semilla { $seed })
 console-shot-name = La imagen va a { $dir }; dale un nombre sin carpeta.
 
@@ -50,7 +52,7 @@ console-help-teleport = Te lleva a otro lugar, en metros de la carta. Marca el m
 console-help-spawn = Pone una figura, un coche, una lámpara o una bandera en el mundo.
 console-help-name-flag = Da un nombre a la bandera más cercana.
 console-help-perf = Mide imágenes; solo en guiones.
-console-help-room = Crea, abre, guarda, borra o enumera salas de espacio deformado; por ahora solo en guiones.
+console-help-room = Crea, abre, guarda, borra o enumera salas de espacio deformado.
 console-help-add = Pone algo en la sala abierta.
 console-help-change = Cambia algo en la sala abierta.
 console-help-remove = Quita algo de la sala abierta.

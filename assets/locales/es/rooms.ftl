@@ -20,3 +20,17 @@ room-four-tunnels-lower-sign = d = +0,8 a lo alto: 10,5 metros parecen 5,8.
 room-four-tunnels-lower-number = 5,8 m de alto
 room-thesis-room-name = La sala de la tesis
 room-thesis-room-sentence = Entra y serás el doble de grande: esta sala de 12 por 8 metros mide 6 por 4 para quien está en ella.
+room-two-portals-name = Dos portales
+room-two-portals-sentence = Entra por la puerta azul y saldrás por la naranja, esté donde esté.
+room-six-portals-name = Seis portales
+room-six-portals-sentence = Este pabellón está abierto por sus seis lados, y quien sale por uno entra por el opuesto.
+room-endless-stair-name = La escalera sin fin
+room-endless-stair-sentence = Esta escalera tiene dieciséis peldaños, y quien la sube nunca llega al último.
+room-door-to-itself-name = La puerta a sí misma
+room-door-to-itself-sentence = Esto no es un espejo, sino una puerta a sí misma, y quien entra vuelve a salir.
+room-growing-hall-name = La sala donde se crece
+room-growing-hall-sentence = Cada una de estas puertas lleva a otra el doble de grande, y tú también lo serás.
+room-bottomless-shaft-name = El pozo sin fondo
+room-bottomless-shaft-sentence = Quien salta a este pozo cae para siempre, y solo tiene ocho metros de hondo.
+room-closet-flat-name = El piso en el armario
+room-closet-flat-sentence = En este armario de un metro cuadrado hay un piso entero.

@@ -72,7 +72,7 @@ rooms-new = Sala nueva
 rooms-load-named = Entrar en «{ $name }»
 rooms-running = Estás en ella
 rooms-running-no-change = Estás en esta sala. Primero sal de ella, después cámbiala.
-rooms-shipped = Esta sala viene con el juego. Cópiala para cambiarla.
+rooms-shipped = Esta sala viene con el juego. Duplícala y cambia la copia.
 rooms-objects = { $count ->
     [one] { $count } objeto
    *[other] { $count } objetos

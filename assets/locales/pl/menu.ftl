@@ -4,6 +4,7 @@
 menu-resume = Wróć do gry
 menu-save = Zapisz
 menu-save-and-quit = Zapisz i wyjdź do menu
+menu-begin-anew = Zacznij od nowa
 menu-leave-room = Wyjdź z pokoju
 menu-new-game = Nowa gra
 menu-load = Wczytaj

@@ -20,3 +20,17 @@ room-four-tunnels-lower-sign = d = +0,8 w górę: 10,5 metra wydaje się mieć 5
 room-four-tunnels-lower-number = 5,8 m wysokości
 room-thesis-room-name = Sala z pracy dyplomowej
 room-thesis-room-sentence = Wejdź, a będziesz dwa razy większy: ta sala 12 na 8 metrów ma 6 na 4 dla tego, kto w niej jest.
+room-two-portals-name = Dwa portale
+room-two-portals-sentence = Wejdź w niebieskie drzwi, a wyjdziesz z pomarańczowych, gdziekolwiek stoją.
+room-six-portals-name = Sześć portali
+room-six-portals-sentence = Ten pawilon jest otwarty z sześciu stron, a kto wychodzi jedną, wchodzi przeciwną.
+room-endless-stair-name = Schody bez końca
+room-endless-stair-sentence = Te schody mają szesnaście stopni, a kto po nich wchodzi, nigdy nie dochodzi do ostatniego.
+room-door-to-itself-name = Drzwi do samych siebie
+room-door-to-itself-sentence = To nie lustro, lecz drzwi do samych siebie, a kto w nie wchodzi, wychodzi z powrotem.
+room-growing-hall-name = Sala, w której się rośnie
+room-growing-hall-sentence = Każde z tych drzwi prowadzą do dwa razy większych, a ty też rośniesz dwukrotnie.
+room-bottomless-shaft-name = Szyb bez dna
+room-bottomless-shaft-sentence = Kto skoczy do tego szybu, spada bez końca, a ma on tylko osiem metrów głębokości.
+room-closet-flat-name = Mieszkanie w szafie
+room-closet-flat-sentence = W tej szafie o powierzchni jednego metra kwadratowego jest całe mieszkanie.

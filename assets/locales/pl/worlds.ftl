@@ -73,7 +73,7 @@ rooms-new = Nowy pokój
 rooms-load-named = Wejdź do „{ $name }”
 rooms-running = Jesteś w nim teraz
 rooms-running-no-change = Jesteś teraz w tym pokoju. Najpierw z niego wyjdź, potem go zmień.
-rooms-shipped = Ten pokój należy do gry. Skopiuj go, aby go zmienić.
+rooms-shipped = Ten pokój należy do gry. Powiel go i zmień kopię.
 rooms-objects = { $count ->
     [one] { $count } przedmiot
     [few] { $count } przedmioty

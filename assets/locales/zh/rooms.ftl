@@ -20,3 +20,17 @@ room-four-tunnels-lower-sign = 向上 d = +0.8：10.5 米感觉像 5.8 米。
 room-four-tunnels-lower-number = 高 5.8 米
 room-thesis-room-name = 论文中的房间
 room-thesis-room-sentence = 走进去，你就大了一倍：这个 12 乘 8 米的大厅，对里面的人来说是 6 乘 4 米。
+room-two-portals-name = 两道传送门
+room-two-portals-sentence = 走进蓝门，就会从橙门出来，不管它立在哪里。
+room-six-portals-name = 六道传送门
+room-six-portals-sentence = 这座亭子六面敞开，从一面走出去，就从对面走进来。
+room-endless-stair-name = 无尽的楼梯
+room-endless-stair-sentence = 这段楼梯有十六级，往上走的人却永远走不到最后一级。
+room-door-to-itself-name = 通向自己的门
+room-door-to-itself-sentence = 这不是镜子，而是一扇通向自己的门，走进去的人又会走出来。
+room-growing-hall-name = 让人长大的大厅
+room-growing-hall-sentence = 每扇门都通向一扇大一倍的门，你也会大一倍。
+room-bottomless-shaft-name = 无底的竖井
+room-bottomless-shaft-sentence = 跳进这口竖井的人会永远下落，而它只有八米深。
+room-closet-flat-name = 衣柜里的公寓
+room-closet-flat-sentence = 这个一平方米的衣柜里有一整套公寓。

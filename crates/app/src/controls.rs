@@ -7,6 +7,19 @@ use antipode_settings::{Action, Config, Input, Profile, Settings};
 
 use crate::bindings::wheel_input;
 
+/// Uses of what is in hand: one step begins one of them only.
+const USES: [Action; 2] = [Action::Use, Action::SecondUse];
+/// Of these every press counts, however long a frame takes.
+const COUNTED: [Action; 5] = [
+    Action::Use,
+    Action::SecondUse,
+    Action::Drop,
+    Action::Camera,
+    Action::OtherMap,
+];
+/// So many presses of one of them are remembered.
+const MOST_PRESSES: usize = 8;
+
 /// What is held and what has happened since the last step.
 #[derive(Debug)]
 pub struct Controls {
@@ -16,8 +29,11 @@ pub struct Controls {
     look_up: f64,
     curvature_step: f64,
     held: HashSet<Input>,
-    /// What went down since the last step: a press shorter than a step still acts in one.
+    /// What went down since the last step, in order: a press shorter than a step still acts in one. Where each press counts,
+    /// those after the first wait for steps of their own.
     pressed: Vec<Action>,
+    /// Uses of what is in hand that the last step took for held.
+    used: Vec<Action>,
     events: Actions,
     /// How far the view is turned since the last step.
     turned: LookTurn,
@@ -41,6 +57,7 @@ impl Default for Controls {
             curvature_step: 1.0,
             held: HashSet::new(),
             pressed: Vec::new(),
+            used: Vec::new(),
             events: Actions::default(),
             turned: LookTurn::default(),
             shown: LookTurn::default(),
@@ -168,14 +185,10 @@ impl Controls {
 
     /// As [`Controls::take`], but that the view does not turn: while the world stands still.
     pub fn take_keys(&mut self) -> Actions {
-        let mut pressed = std::mem::take(&mut self.pressed);
-        let waits = waiting(&pressed);
-        if let Some(action) = waits {
-            pressed.retain(|other| *other != action);
-            self.pressed.push(action);
-        }
-        let held =
-            |action| waits != Some(action) && (self.is_held(action) || pressed.contains(&action));
+        let (pressed, lets_go) = self.take_pressed();
+        let held = |action| {
+            !lets_go.contains(&action) && (self.is_held(action) || pressed.contains(&action))
+        };
         let axis = |plus, minus| f64::from(i8::from(held(plus)) - i8::from(held(minus)));
         let actions = Actions {
             forward: axis(Action::Forward, Action::Backward),
@@ -185,10 +198,35 @@ impl Controls {
             sink: held(Action::Sink),
             primary: held(Action::Use),
             secondary: held(Action::SecondUse),
+            drop_one: pressed.contains(&Action::Drop),
+            toggle_camera: pressed.contains(&Action::Camera),
+            turn_map: pressed.contains(&Action::OtherMap),
             ..self.events
         };
+        self.used = USES.into_iter().filter(|action| held(*action)).collect();
         self.events = Actions::default();
         actions
+    }
+
+    /// What the next step takes of what went down, and which uses of what is in hand it takes for let go: a button that was down
+    /// in the last step has to come up before it goes down again, and of both uses that went down the later waits.
+    fn take_pressed(&mut self) -> (Vec<Action>, Vec<Action>) {
+        let (mut now, mut lets_go) = (Vec::new(), Vec::new());
+        for action in std::mem::take(&mut self.pressed) {
+            let is_use = USES.contains(&action);
+            let comes_up = is_use && self.used.contains(&action);
+            let waits = is_use && now.iter().any(|it| USES.contains(it));
+            if comes_up || waits || now.contains(&action) {
+                self.pressed.push(action);
+                // Of one that has just gone down, only the presses after it wait.
+                if is_use && !now.contains(&action) {
+                    lets_go.push(action);
+                }
+            } else {
+                now.push(action);
+            }
+        }
+        (now, lets_go)
     }
 
     /// Lets go of everything, as when the menu opens or the window loses focus. What a picture has shown of a turn is
@@ -196,6 +234,7 @@ impl Controls {
     pub fn release_all(&mut self) {
         self.held.clear();
         self.pressed.clear();
+        self.used.clear();
         self.events = Actions::default();
         self.turned = self.shown;
         self.notches = 0.0;
@@ -214,7 +253,13 @@ impl Controls {
 
     /// Does once what an action does once.
     fn act(&mut self, action: Action) -> Option<Action> {
-        if !self.pressed.contains(&action) {
+        let known = self.pressed.iter().filter(|it| **it == action).count();
+        let most = if COUNTED.contains(&action) {
+            MOST_PRESSES
+        } else {
+            1
+        };
+        if known < most {
             self.pressed.push(action);
         }
         match action {
@@ -229,9 +274,6 @@ impl Controls {
             Action::FlipCar => self.events.flip_car = true,
             Action::Horn => self.events.horn = true,
             Action::Talk => self.events.talk = true,
-            Action::Drop => self.events.drop_one = true,
-            Action::Camera => self.events.toggle_camera = !self.events.toggle_camera,
-            Action::OtherMap => self.events.turn_map = !self.events.turn_map,
             Action::Menu
             | Action::HideDisplay
             | Action::HitShapes
@@ -252,191 +294,5 @@ fn is_slot_step(action: Action) -> bool {
     matches!(action, Action::PreviousSlot | Action::NextSlot)
 }
 
-/// Of both uses of what is in hand, pressed since the last step, the later: one step begins one of them only.
-fn waiting(pressed: &[Action]) -> Option<Action> {
-    let is_use = |action: &&Action| matches!(action, Action::Use | Action::SecondUse);
-    let mut uses = pressed.iter().filter(is_use);
-    uses.next().and_then(|_| uses.next()).copied()
-}
-
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-
-    use antipode_settings::MouseButton;
-
-    use super::*;
-
-    const LEFT: Input = Input::Mouse(MouseButton::Left);
-    const RIGHT: Input = Input::Mouse(MouseButton::Right);
-
-    fn key(controls: &mut Controls, name: &str, pressed: bool) -> Option<Action> {
-        controls.input(Input::key(name).unwrap(), pressed)
-    }
-
-    #[test]
-    fn a_held_key_acts_until_it_is_let_go() {
-        let mut c = Controls::default();
-        key(&mut c, "KeyW", true);
-        assert_eq!(c.take().forward, 1.0);
-        assert_eq!(c.take().forward, 1.0);
-        key(&mut c, "KeyS", true);
-        assert_eq!(c.take().forward, 0.0);
-        key(&mut c, "KeyW", false);
-        assert_eq!(c.take().forward, -1.0);
-    }
-
-    #[test]
-    fn an_event_happens_once_however_many_steps_a_frame_has() {
-        let mut c = Controls::default();
-        key(&mut c, "Tab", true);
-        key(&mut c, "KeyH", true);
-        c.motion(10.0, -5.0);
-        let first = c.take();
-        assert!(first.turn_map);
-        assert!(first.toggle_camera && first.look_yaw > 0.0 && first.look_pitch > 0.0);
-        assert_eq!(c.take(), Actions::default());
-    }
-
-    #[test]
-    fn the_wheel_turns_curvature_where_there_is_some_and_slots_elsewhere() {
-        let mut c = Controls::default();
-        c.wheel(2.0, true);
-        assert_eq!(c.take().dial, 2.0);
-        c.wheel(1.0, false);
-        assert_eq!(c.take().slot_step, -1);
-        key(&mut c, "AltLeft", true);
-        c.wheel(-1.0, true);
-        let actions = c.take();
-        assert_eq!((actions.dial, actions.slot_step), (0.0, 1));
-    }
-
-    #[test]
-    fn a_press_shorter_than_a_step_still_acts_in_one() {
-        let mut c = Controls::default();
-        c.input(LEFT, true);
-        c.input(LEFT, false);
-        assert!(c.take().primary);
-        assert!(!c.take().primary);
-        key(&mut c, "Space", true);
-        key(&mut c, "Space", false);
-        c.release_all();
-        assert!(!c.take().jump);
-    }
-
-    #[test]
-    fn both_buttons_pressed_in_one_slow_frame_act_one_after_the_other() {
-        for (first, second) in [(LEFT, RIGHT), (RIGHT, LEFT)] {
-            let mut c = Controls::default();
-            for button in [first, second] {
-                c.input(button, true);
-                c.input(button, false);
-            }
-            let steps = [c.take(), c.take(), c.take()].map(|it| (it.primary, it.secondary));
-            let left_first = [(true, false), (false, true), (false, false)];
-            let right_first = [(false, true), (true, false), (false, false)];
-            assert_eq!(
-                steps,
-                if first == LEFT {
-                    left_first
-                } else {
-                    right_first
-                }
-            );
-        }
-    }
-
-    #[test]
-    fn fractions_of_a_notch_add_up() {
-        let mut c = Controls::default();
-        for _ in 0..5 {
-            c.wheel(0.25, false);
-        }
-        assert_eq!(c.take().slot_step, -1);
-        c.wheel(0.75, false);
-        assert_eq!(c.take().slot_step, -1);
-        c.wheel(-0.5, false);
-        c.wheel(-0.5, false);
-        assert_eq!(c.take().slot_step, 1);
-    }
-
-    #[test]
-    fn letting_go_of_everything_leaves_no_stuck_key_and_no_late_click() {
-        let mut c = Controls::default();
-        key(&mut c, "KeyW", true);
-        c.input(LEFT, true);
-        c.motion(500.0, 0.0);
-        c.release_all();
-        assert_eq!(c.take(), Actions::default());
-    }
-
-    #[test]
-    fn the_menu_key_is_handed_to_the_shell_on_the_way_down_only() {
-        let mut c = Controls::default();
-        assert_eq!(key(&mut c, "Escape", true), Some(Action::Menu));
-        assert_eq!(key(&mut c, "Escape", false), None);
-        assert_eq!(key(&mut c, "F4", true), Some(Action::FrameFigures));
-    }
-
-    #[test]
-    fn the_mouse_goes_by_the_settings() {
-        let turned = |settings: &dyn Fn(&mut Settings)| {
-            let mut config = Config::default();
-            settings(&mut config.settings);
-            let mut c = Controls::default();
-            c.set_config(&config);
-            c.motion(100.0, 100.0);
-            let actions = c.take();
-            (
-                actions.look_yaw.to_degrees(),
-                actions.look_pitch.to_degrees(),
-            )
-        };
-        let near =
-            |(a, b): (f64, f64), (x, y): (f64, f64)| (a - x).abs() < 1e-9 && (b - y).abs() < 1e-9;
-        assert!(near(turned(&|_| {}), (12.0, -12.0)));
-        assert!(near(
-            turned(&|own| own.mouse_sensitivity_deg_per_px = 0.5),
-            (50.0, -50.0)
-        ));
-        assert!(near(turned(&|own| own.invert_look = true), (12.0, 12.0)));
-    }
-
-    #[test]
-    fn the_dial_goes_by_its_step() {
-        let mut config = Config::default();
-        config.settings.curvature_step = 0.25;
-        let mut c = Controls::default();
-        c.set_config(&config);
-        c.wheel(-2.0, true);
-        assert_eq!(c.take().dial, -0.5);
-    }
-
-    #[test]
-    fn bindings_change_at_once_and_two_keys_of_an_action_do_not_disturb_each_other() {
-        let mut config = Config::default();
-        let own = config.profiles.chosen_mut();
-        own.bind(Action::Forward, Input::key("KeyI").unwrap())
-            .unwrap();
-        own.bind(Action::Jump, Input::WheelUp).unwrap();
-        own.rebind(Action::DialUp, Input::WheelUp, Input::key("KeyR").unwrap())
-            .unwrap();
-        let mut c = Controls::default();
-        key(&mut c, "KeyW", true);
-        c.set_config(&config);
-        assert_eq!(c.take().forward, 0.0, "what was held is let go");
-        key(&mut c, "KeyW", true);
-        key(&mut c, "KeyI", true);
-        key(&mut c, "KeyW", false);
-        assert_eq!(c.take().forward, 1.0, "the other key is still held");
-        c.wheel(1.0, true);
-        let first = c.take();
-        assert!(
-            first.jump && first.slot_step == -1 && first.dial == 0.0,
-            "{first:?}"
-        );
-        assert!(!c.take().jump, "a notch is no hold");
-        key(&mut c, "KeyR", true);
-        assert_eq!(c.take().dial, 1.0);
-    }
-}
+mod tests;

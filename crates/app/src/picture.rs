@@ -151,26 +151,29 @@ impl Studio {
         Ok(self.offscreen.read(&self.gpu)?)
     }
 
-    /// Takes a picture of a room, without a display.
+    /// Takes a picture of a room, without a display. Its signs are in the language of `texts`; `with_hand`: whether it
+    /// shows what is held.
     ///
     /// # Errors
     /// When the adapter cannot trace rays, the room is too large for it, or it fails.
     pub fn shoot_room(
         &mut self,
-        room: &OpenRoom,
+        (room, texts): (&OpenRoom, &Texts),
         id: (u64, u64),
         quality: Quality,
+        with_hand: bool,
     ) -> Result<RgbaImage, Failure> {
         let view = RoomView {
             id,
-            moment: room.scene.now(),
+            moment: room.shown(room.scene.now(), with_hand),
             options: room.picture_options(quality, self.options.samples),
         };
         let pictures = match &mut self.rooms {
             Some(pictures) => pictures,
             none => none.insert(RoomPictures::new(&self.gpu, &self.options, self.size)?),
         };
-        pictures.shoot(&self.gpu, &self.offscreen, &room.scene, &view)
+        let shown = (&room.scene, texts);
+        pictures.shoot(&self.gpu, &self.offscreen, shown, &view)
     }
 
     fn record(&mut self, frame: &Frame, encoder: &mut wgpu::CommandEncoder) -> DrawStats {

@@ -1,27 +1,42 @@
-//! Figures in pictures of rooms: the astronaut as a mesh that rays meet, bent anew for each picture.
+//! Figures in pictures of rooms: the astronaut as a mesh that rays meet, bent anew for each picture, and what is in a hand.
 
 use std::sync::Arc;
 
 use antipode_rays::{Loaded, Material, Mesh, Mover, RayScene};
-use antipode_render::{BentMesh, BentSurface, Gpu};
-use antipode_room_scene::{Moment, RoomFigure, tuning};
+use antipode_render::{
+    BentMesh, BentSurface, Gpu, HAND_FOCAL, HandPose, Held, before_eye, in_hand_of,
+};
+use antipode_room_scene::{Moment, tuning};
+use antipode_scene::Item;
 use antipode_scene::frame::{ModelId, Posture};
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 
 use crate::failure::Failure;
 
 /// Light of what glows with full strength, in noon light; as the renderer of worlds has it.
 const GLOW: f32 = 3.2 * tuning::DAYLIGHT;
 
-/// What is drawn of who walks.
+/// How much smaller what is held before the eye is drawn, and nearer to it by as much: it looks the same there, and no wall is
+/// so near to an eye that it would cut it.
+const NEARER: f32 = 0.15;
+
+/// A model of the game among the meshes that may move.
+#[derive(Clone, Copy, Debug)]
+struct Numbers {
+    /// Its number among these meshes, and that of its first material.
+    mesh: usize,
+    materials: usize,
+}
+
+/// What is drawn of who walks, and of what they hold.
 #[derive(Debug)]
 pub struct RoomFigures {
     astronaut: BentMesh,
-    /// Its number among the meshes that may move, and that of its first material.
-    mesh: usize,
-    materials: usize,
-    /// How it was held when it was bent last.
-    posture: Option<Posture>,
+    numbers: Numbers,
+    /// What can be held, and its flash.
+    things: Vec<(ModelId, Numbers)>,
+    /// How it was held when it was bent last, and where its hand was.
+    posture: Option<(Posture, Option<HandPose>)>,
 }
 
 impl RoomFigures {
@@ -31,23 +46,15 @@ impl RoomFigures {
     /// When a model of the game cannot be read; a test reads them all.
     pub fn add_to(scene: &mut RayScene) -> Result<Self, Failure> {
         let astronaut = BentMesh::new(ModelId::Astronaut)?;
-        let materials = scene.materials.len();
-        let mesh = scene.movables.len();
-        let (triangles, looks) = looks(&astronaut.surfaces());
-        let corners = astronaut.corners(&Posture::default());
-        scene.movables.push(Arc::new(Mesh {
-            positions: corners.places,
-            triangles: astronaut.triangles().to_vec(),
-            normals: corners.normals,
-            uvs: Vec::new(),
-            colours: astronaut.surfaces().iter().map(|it| it.colour).collect(),
-            materials: triangles,
-        }));
-        scene.materials.extend(looks);
+        let numbers = add(scene, &astronaut);
+        let things = [Item::Gun.into(), ModelId::Flash].map(|model| {
+            let mesh = BentMesh::new(model)?;
+            Ok((model, add(scene, &mesh)))
+        });
         Ok(Self {
             astronaut,
-            mesh,
-            materials,
+            numbers,
+            things: things.into_iter().collect::<Result<_, Failure>>()?,
             posture: None,
         })
     }
@@ -57,27 +64,90 @@ impl RoomFigures {
     /// # Errors
     /// When the figure is no longer that of the scene, or squeezed to nothing.
     pub fn show(&mut self, gpu: &Gpu, loaded: &mut Loaded, moment: &Moment) -> Result<(), Failure> {
-        let RoomFigure {
-            posture,
-            pose,
-            object,
-            unseen_by_eye,
-        } = moment.figure;
-        if self.posture != Some(posture) {
-            let corners = self.astronaut.corners(&posture);
-            loaded.pose(&gpu.queue, self.mesh, &corners.places, &corners.normals)?;
-            self.posture = Some(posture);
-        }
-        let mut movers = moment.things.clone();
-        movers.push(Mover {
-            mesh: self.mesh,
-            pose,
-            object,
-            materials: self.materials,
-            unseen_by_eye,
-        });
-        Ok(loaded.show(&gpu.queue, &movers)?)
+        let figure = &moment.figure;
+        let known = self.posture.filter(|(known, _)| *known == figure.posture);
+        let hand = if let Some((_, hand)) = known {
+            hand
+        } else {
+            let corners = self.astronaut.corners(&figure.posture);
+            let (places, normals) = (&corners.places, &corners.normals);
+            loaded.pose(&gpu.queue, self.numbers.mesh, places, normals)?;
+            let hand = self.astronaut.hand(&figure.posture);
+            self.posture = Some((figure.posture, hand));
+            hand
+        };
+        Ok(loaded.show(&gpu.queue, &self.movers(moment, hand))?)
     }
+
+    /// All that moves; `hand` is where that of the figure is.
+    fn movers(&self, moment: &Moment, hand: Option<HandPose>) -> Vec<Mover> {
+        let figure = &moment.figure;
+        let who = Mover {
+            mesh: self.numbers.mesh,
+            pose: figure.pose,
+            object: figure.object,
+            materials: self.numbers.materials,
+            unseen_by_eye: figure.unseen_by_eye,
+            held: false,
+        };
+        let mut movers = moment.things.clone();
+        movers.push(who);
+        if let (Some(hand), Some(model)) = (hand, figure.held) {
+            let held = in_hand_of(hand, model, figure.flashes);
+            movers.extend(held.iter().filter_map(|it| self.mover(it, &who)));
+        }
+        if let Some(in_hand) = &moment.hand {
+            let pose = in_hand.pose * before_the_eye(moment.eye.fov_y_rad as f32);
+            let eye = Mover {
+                pose,
+                unseen_by_eye: false,
+                held: true,
+                ..who
+            };
+            let held = before_eye(&in_hand.hand);
+            movers.extend(held.iter().filter_map(|it| self.mover(it, &eye)));
+        }
+        movers
+    }
+
+    /// Something that is held, in the axes of whoever holds it.
+    fn mover(&self, held: &Held, by: &Mover) -> Option<Mover> {
+        let (_, numbers) = self.things.iter().find(|(model, _)| *model == held.model)?;
+        Some(Mover {
+            mesh: numbers.mesh,
+            materials: numbers.materials,
+            pose: by.pose * Affine3A::from_rotation_translation(held.turn, held.place),
+            ..*by
+        })
+    }
+}
+
+/// From the axes of the eye to where what is held there is drawn. It is seen at the focal length that it has in worlds, whatever
+/// the field of view is: a place (x, y, -z) is drawn at (x, y) F / z, and at f r x / z for the picture's own focal length f, where
+/// r = F / f widens what is held.
+fn before_the_eye(fov_y_rad: f32) -> Affine3A {
+    let wider = HAND_FOCAL * (0.5 * fov_y_rad).tan();
+    Affine3A::from_scale(NEARER * Vec3::new(wider, wider, 1.0))
+}
+
+/// Adds a model to the meshes that may move.
+fn add(scene: &mut RayScene, model: &BentMesh) -> Numbers {
+    let numbers = Numbers {
+        mesh: scene.movables.len(),
+        materials: scene.materials.len(),
+    };
+    let (triangles, looks) = looks(&model.surfaces());
+    let corners = model.corners(&Posture::default());
+    scene.movables.push(Arc::new(Mesh {
+        positions: corners.places,
+        triangles: model.triangles().to_vec(),
+        normals: corners.normals,
+        uvs: Vec::new(),
+        colours: model.surfaces().iter().map(|it| it.colour).collect(),
+        materials: triangles,
+    }));
+    scene.materials.extend(looks);
+    numbers
 }
 
 /// The material of each triangle, and the materials: what glows has one for each of its colours.
@@ -113,16 +183,30 @@ mod tests {
             ..RayScene::default()
         };
         let figures = RoomFigures::add_to(&mut scene).unwrap();
-        let mesh = &scene.movables[figures.mesh];
+        let mesh = &scene.movables[figures.numbers.mesh];
         assert_eq!(mesh.triangles.len(), mesh.materials.len());
         let most = *mesh.materials.iter().max().unwrap() as usize;
-        assert_eq!(figures.materials + most + 1, scene.materials.len());
-        let own = &scene.materials[figures.materials..];
+        let own = figures.numbers.materials;
+        let own = &scene.materials[own..=own + most];
         assert!(own.len() < 16, "{}", own.len());
         assert!(
             own.iter().any(|it| it.glow.max_element() > 0.5),
             "its lights"
         );
         assert!(own.iter().any(|it| it.gloss > 0.5), "its visor");
+    }
+
+    /// A point of the gun is seen where it is in worlds, whatever the field of view is.
+    #[test]
+    fn what_is_held_is_seen_at_one_focal_length() {
+        for degrees in [50.0_f32, 75.0, 110.0] {
+            let fov_y_rad = degrees.to_radians();
+            let muzzle = Vec3::new(0.22, -0.16, -0.7);
+            let drawn = before_the_eye(fov_y_rad).transform_point3(muzzle);
+            let seen = drawn.truncate() / (-drawn.z * (0.5 * fov_y_rad).tan());
+            let in_worlds = HAND_FOCAL * muzzle.truncate() / 0.7;
+            assert!(seen.distance(in_worlds) < 1e-5, "{seen} {in_worlds}");
+            assert!(drawn.z > -0.15, "nearer than any wall: {drawn}");
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use antipode_language::Texts;
 use antipode_rays::{Loaded, Picture, RayScene, Rays};
 use antipode_render::{Gpu, Offscreen, Options, Shaders, Tonemap};
 use antipode_room_scene::{Moment, RoomScene, SignBoard};
@@ -12,6 +13,7 @@ use image::RgbaImage;
 use crate::failure::Failure;
 use crate::overlay::Overlay;
 use crate::room_figures::RoomFigures;
+use crate::room_texts::RoomTexts;
 
 /// The format of the writing on signs.
 const SIGN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -59,13 +61,25 @@ impl RoomPainter {
         })
     }
 
-    /// Makes what a room is drawn of, and waits for the writing on its signs.
+    /// Makes what a room is drawn of, and waits for the writing on its signs, which is in the language of `texts`.
     ///
     /// # Errors
     /// When the room is too large for the adapter, or that fails.
-    pub fn drawable(&self, gpu: &Gpu, room: &RoomScene) -> Result<Drawable, Failure> {
+    pub fn drawable(
+        &self,
+        gpu: &Gpu,
+        room: &RoomScene,
+        texts: &Texts,
+    ) -> Result<Drawable, Failure> {
         let mut overlay = Overlay::new(gpu, SIGN_FORMAT);
-        let mut scene = room.ray_scene(|board| write_sign(gpu, &mut overlay, board))?;
+        let words = RoomTexts::of(texts);
+        let mut scene = room.ray_scene(|board| {
+            let said = SignBoard {
+                text: words.say(&board.text).to_owned(),
+                ..board.clone()
+            };
+            write_sign(gpu, &mut overlay, &said)
+        })?;
         let figures = RoomFigures::add_to(&mut scene)?;
         let loaded = self.rays.upload(&gpu.device, &gpu.queue, &scene)?;
         self.rays.prepare(&gpu.device, &loaded);
@@ -141,7 +155,7 @@ impl RoomPictures {
         })
     }
 
-    /// Draws a room as the view says, and waits for it.
+    /// Draws a room as the view says, with signs in the language of `texts`, and waits for it.
     ///
     /// # Errors
     /// When the room is too large for the adapter, or that fails.
@@ -149,11 +163,11 @@ impl RoomPictures {
         &mut self,
         gpu: &Gpu,
         target: &Offscreen,
-        room: &RoomScene,
+        (room, texts): (&RoomScene, &Texts),
         view: &RoomView,
     ) -> Result<RgbaImage, Failure> {
         if self.drawable.as_ref().is_none_or(|(id, _)| *id != view.id) {
-            self.drawable = Some((view.id, self.painter.drawable(gpu, room)?));
+            self.drawable = Some((view.id, self.painter.drawable(gpu, room, texts)?));
         }
         let mut encoder = gpu.encoder();
         if let Some((_, drawable)) = &mut self.drawable {

@@ -1,12 +1,12 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
-use antipode_language::Texts;
 use antipode_rays::{Options, Outlines, View};
-use antipode_room_scene::{RoomScene, Steer};
+use antipode_room_scene::{Moment, RoomScene, RoomViewing, Steer};
 use antipode_rooms::folder::assets;
-use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir, shipped};
+use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, rooms_dir};
 use antipode_scene::Actions;
 use antipode_scene::frame::Quality;
+use antipode_settings::Settings;
 use glam::DVec3;
 
 use crate::common::Common;
@@ -23,8 +23,8 @@ pub struct Rooms {
     open: Option<OpenRoom>,
     /// How many rooms have been opened.
     opened: u64,
-    /// What is read in rooms of the game.
-    texts: Texts,
+    /// How often what is read in rooms was to be in another language.
+    reworded: u64,
 }
 
 /// An open room.
@@ -91,19 +91,12 @@ impl OpenRoom {
         Self::of(dir.open(&kept)?, Some(kept))
     }
 
-    /// Enters a room that is kept; one of the game's has its signs in these words.
+    /// Enters a room that is kept.
     ///
     /// # Errors
     /// When it is not there any more, or not sound.
-    pub fn enter(dir: &RoomsDir, kept: RoomSummary, texts: &Texts) -> Result<Self, RoomError> {
-        let mut loaded = dir.open(&kept)?;
-        if let Some(it) = shipped::find(&kept.slug).filter(|_| kept.shipped) {
-            it.reword(&mut loaded.room, |key| {
-                let key = format!("room-{key}");
-                texts.has(&key).then(|| texts.say(&key))
-            });
-        }
-        Self::of(loaded, Some(kept))
+    pub fn enter(dir: &RoomsDir, kept: RoomSummary) -> Result<Self, RoomError> {
+        Self::of(dir.open(&kept)?, Some(kept))
     }
 
     fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Result<Self, RoomError> {
@@ -116,16 +109,36 @@ impl OpenRoom {
         })
     }
 
+    /// Pictures of it are made as the player has chosen for worlds.
+    pub fn fit(&mut self, settings: &Settings) {
+        let viewing = crate::options::viewing(settings);
+        self.scene.set_viewing(RoomViewing {
+            fov_y_rad: viewing.fov_y_rad,
+            reduced_motion: viewing.reduced_motion,
+        });
+    }
+
     /// One step of who does that.
     pub fn step(&mut self, actions: &Actions) {
         if actions.turn_map {
             self.look = next_look(self.look);
+        }
+        if actions.flip_car {
+            self.scene.begin_anew();
         }
         if actions.toggle_camera {
             let third_person = !self.scene.third_person();
             self.scene.set_third_person(third_person);
         }
         self.scene.step(&steer(actions));
+    }
+
+    /// What a picture of a moment of it shows: what is held before the eye only where `with_hand` asks for it, and by the exact
+    /// rule, since by others it would be bent by what the eye is in.
+    pub fn shown(&self, mut moment: Moment, with_hand: bool) -> Moment {
+        let has_hand = with_hand && self.look == View::Exact;
+        moment.hand = moment.hand.filter(|_| has_hand);
+        moment
     }
 
     /// How pictures of it are made in that quality, with so many samples a pixel.
@@ -138,6 +151,7 @@ impl OpenRoom {
             samples,
             view: self.look,
             outlines: self.outlines,
+            raster: true,
         }
     }
 }
@@ -149,13 +163,13 @@ impl Rooms {
             dir: RoomsDir::new(rooms_dir(common.saves_dir.as_deref())),
             open: None,
             opened: 0,
-            texts: Texts::default(),
+            reworded: 0,
         }
     }
 
-    /// Signs in rooms of the game that are entered from now on are in these words.
-    pub fn set_texts(&mut self, texts: &Texts) {
-        self.texts = texts.clone();
+    /// What is read in rooms is in another language from now on.
+    pub fn reword(&mut self) {
+        self.reworded += 1;
     }
 
     /// The open room, as it is played.
@@ -171,7 +185,7 @@ impl Rooms {
     /// Tells pictures of what the open room looks like from those of others.
     pub fn look_id(&self) -> (u64, u64) {
         let revision = self.open.as_ref().map_or(0, |open| open.scene.revision());
-        (self.opened, revision)
+        (self.opened, revision + self.reworded)
     }
 
     /// Leaves the open room.
@@ -203,7 +217,7 @@ impl Rooms {
     /// When there is none of that name, or it is not sound.
     pub fn load(&mut self, name: &str) -> Result<(), RoomError> {
         let found = self.dir.find(name)?;
-        let entered = OpenRoom::enter(&self.dir, found, &self.texts)?;
+        let entered = OpenRoom::enter(&self.dir, found)?;
         self.take(entered);
         Ok(())
     }
@@ -220,7 +234,7 @@ impl Rooms {
     /// When the room comes with the game or has no name and is given none, the name is taken, or the disk refuses.
     pub fn save(&mut self, name: Option<&str>) -> Option<Result<(), RoomError>> {
         let open = self.open.as_mut()?;
-        Some(keep(&self.dir, open, name))
+        Some(open.save(&self.dir, name))
     }
 
     /// Deletes a room of the player.
@@ -244,11 +258,28 @@ impl Rooms {
     /// As [`RoomScene::edit`].
     pub fn edit(&mut self, words: &[&str]) -> Option<Result<(), RoomError>> {
         let open = self.open.as_mut()?;
+        Some(open.edit(&self.dir, words))
+    }
+}
+
+impl OpenRoom {
+    /// Changes it by the words of a command.
+    ///
+    /// # Errors
+    /// As [`RoomScene::edit`].
+    pub fn edit(&mut self, dir: &RoomsDir, words: &[&str]) -> Result<(), RoomError> {
         // A room that is kept nowhere has no files.
-        let own = open.kept.as_ref().filter(|kept| !kept.shipped);
-        let dir = self.dir.path().join(own.map_or("", |kept| &kept.slug));
-        let read = |room: &Room| assets(&dir, room);
-        Some(open.scene.edit(words, read))
+        let own = self.kept.as_ref().filter(|kept| !kept.shipped);
+        let dir = dir.path().join(own.map_or("", |kept| &kept.slug));
+        self.scene.edit(words, |room: &Room| assets(&dir, room))
+    }
+
+    /// Keeps it as it is now; under another name as another room, which it is then.
+    ///
+    /// # Errors
+    /// When it comes with the game or has no name and is given none, the name is taken, or the disk refuses.
+    pub fn save(&mut self, dir: &RoomsDir, name: Option<&str>) -> Result<(), RoomError> {
+        keep(dir, self, name)
     }
 }
 
@@ -276,6 +307,7 @@ fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), R
         sentence: room.sentence,
         objects: room.objects.len(),
         shipped: false,
+        says: open.kept.take().and_then(|kept| kept.says),
         problem: None,
     });
     Ok(())

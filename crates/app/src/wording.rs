@@ -6,6 +6,7 @@ use std::path::Path;
 use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_language::{Texts, Value};
 use antipode_render::RenderError;
+use antipode_room_scene::RoomHint;
 use antipode_rooms::{RoomError, RoomSummary};
 use antipode_scene::{Hint, Item, Line, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
@@ -110,31 +111,40 @@ pub struct RoomWords {
     pub sentence: String,
 }
 
-/// The words for a room in a list; of those that come with the game in the player's language.
+/// The words for a room in a list; what the game has written is in the player's language, in copies of its rooms, too.
 pub fn room(texts: &Texts, room: &RoomSummary) -> RoomWords {
-    let own = |what: &str, otherwise: &str| {
-        let key = format!("room-{}-{what}", room.slug);
-        if room.shipped && texts.has(&key) {
-            texts.say(&key)
-        } else {
-            otherwise.to_owned()
-        }
+    let own = |what: &str, is_games: bool, otherwise: &str| {
+        let key = room.says.as_ref().map(|id| format!("room-{id}-{what}"));
+        key.filter(|key| is_games && texts.has(key))
+            .map_or_else(|| otherwise.to_owned(), |key| texts.say(&key))
     };
+    let name = own("name", room.shipped, &room.name);
     RoomWords {
-        name: legible_name(&own("name", &room.name), &room.slug).into_owned(),
-        sentence: own("sentence", &room.sentence),
+        name: legible_name(&name, &room.slug).into_owned(),
+        sentence: own("sentence", true, &room.sentence),
     }
+}
+
+/// A short answer to what one does in a room.
+pub fn room_hint(texts: &Texts, hint: RoomHint) -> String {
+    texts.say(match hint {
+        RoomHint::NoPlaceForLamp => "room-hint-no-place-for-lamp",
+        RoomHint::TooManyLamps => "room-hint-too-many-lamps",
+        RoomHint::FellOut => "room-hint-fell-out",
+    })
 }
 
 /// The words for an open room, which comes from there if it is kept.
 pub fn open_room(texts: &Texts, open: &OpenRoom) -> RoomWords {
     match &open.kept {
         Some(kept) if kept.shipped => room(texts, kept),
-        _ => {
+        kept => {
             let it = open.scene.room();
+            let kept = kept.as_ref().filter(|kept| kept.sentence == it.sentence);
             RoomWords {
                 name: legible_name(&it.name, "").into_owned(),
-                sentence: it.sentence.clone(),
+                sentence: kept
+                    .map_or_else(|| it.sentence.clone(), |kept| room(texts, kept).sentence),
             }
         }
     }

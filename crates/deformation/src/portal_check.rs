@@ -86,12 +86,13 @@ fn check(portal: &Portal) -> Result<(), SpaceError> {
 }
 
 fn check_partners(portals: &[Portal]) -> Result<(), SpaceError> {
+    if let Some(portal) = portals.iter().find(|it| it.to >= portals.len()) {
+        return Err(SpaceError::NoPartner {
+            name: portal.name.clone(),
+        });
+    }
     for (number, portal) in portals.iter().enumerate() {
-        let Some(partner) = portals.get(portal.to) else {
-            return Err(SpaceError::NoPartner {
-                name: portal.name.clone(),
-            });
-        };
+        let partner = &portals[portal.to];
         if partner.to != number {
             return Err(SpaceError::OneWay {
                 name: portal.name.clone(),

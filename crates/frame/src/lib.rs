@@ -5,6 +5,7 @@
 //!
 //! Directions and positions are in chart coordinates, lengths in metres. Colours are linear light, not sRGB.
 
+pub mod hand;
 mod hit_shapes;
 mod land;
 mod model;

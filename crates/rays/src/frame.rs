@@ -6,8 +6,8 @@ use antipode_deformation::PictureCorners;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3, Vec4};
 
+use crate::options::Options;
 use crate::packed::stack;
-use crate::rays::Options;
 use crate::scene::{Eye, Lamp, MAX_LAMPS, RayScene};
 
 /// Cosine of the angle of the sun's radius.
@@ -71,7 +71,7 @@ pub struct Frame {
     line_column: u32,
     first_row: u32,
     end_row: u32,
-    padding: u32,
+    scale: f32,
     lamps: [PackedLamp; MAX_LAMPS],
 }
 
@@ -127,7 +127,7 @@ pub fn frame(
         line_column: part.line,
         first_row: part.rows.start,
         end_row: part.rows.end,
-        padding: 0,
+        scale: eye.place.scale as f32,
         lamps,
     }
 }

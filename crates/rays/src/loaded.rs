@@ -1,5 +1,6 @@
 //! A scene in the adapter's memory.
 
+use antipode_deformation::Space;
 use bytemuck::{Pod, bytes_of, cast_slice};
 use glam::Vec3;
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
@@ -8,11 +9,13 @@ use crate::baked::{Baked, Movable};
 use crate::error::RaysError;
 use crate::mesh::TRIANGLE_TEXELS;
 use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
+use crate::packed_portals::PackedPortals;
+use crate::raster::{Chunk, Moved, tidy};
 use crate::scene::{Mover, RayScene};
 use crate::shaders::SHALLOW_ROOM;
 use crate::texels::{ROW, Texels};
 use crate::textures;
-use crate::top::{INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, build, pack};
+use crate::top::{INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, bounds, build, pack};
 use crate::tree::NODE_TEXELS;
 
 /// A scene in the adapter's memory. What stays, materials, pictures and aberrations are as they were loaded; movers may be
@@ -23,6 +26,7 @@ pub struct Loaded {
     pub(crate) triangles: Texels,
     pub(crate) instances: Texels,
     pub(crate) neighbours: Buffer,
+    pub(crate) portals: Buffer,
     spaces: [Buffer; Rule::ALL.len()],
     kinds: [Kinds; Rule::ALL.len()],
     /// Levels of the deepest hierarchy below the upper one, and of that.
@@ -32,6 +36,13 @@ pub struct Loaded {
     pub(crate) attributes: Buffer,
     pub(crate) textures: TextureView,
     pub(crate) host_ways: PackedWays,
+    /// What stays, for a raster.
+    pub(crate) chunks: Vec<Chunk>,
+    /// What moves, for a raster.
+    pub(crate) moved: Vec<Moved>,
+    /// Aberrations, and which of them a raster sees through.
+    aberrations: Space,
+    pub(crate) tidy: Vec<bool>,
     movables: Vec<Movable>,
     placed: Vec<Placed>,
     resting: Resting,
@@ -52,7 +63,7 @@ impl Loaded {
         let (parts, movables) = bake_all(scene, sorted)?;
         let pairs = movables.iter().zip(&parts[1..]);
         let placed = pairs.map(|(one, baked)| placed(one, baked)).collect();
-        let (neighbours, ways) = crate::packed::neighbours(scene);
+        let (neighbours, crowds, ways) = crate::packed::neighbours(scene);
         let materials: Vec<_> = scene
             .materials
             .iter()
@@ -74,7 +85,8 @@ impl Loaded {
             instances: Texels::new(device, "instances", instances)?,
             attributes: filled(device, queue, "attributes", &attributes, storage)?,
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
-            spaces: spaces(device, queue, scene)?,
+            portals: portals(device, queue, scene)?,
+            spaces: spaces(device, queue, scene, &crowds)?,
             depths: (parts.iter().map(|it| it.depth).max().unwrap_or(0), 0),
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
             ways: filled(device, queue, "ways", &[ways], storage)?,
@@ -82,6 +94,10 @@ impl Loaded {
             textures: textures::upload(device, queue, &scene.textures)?,
             host_ways: ways,
             resting: resting(&parts[0], movers_at, materials.len()),
+            chunks: Chunk::all(&parts[0].triangles),
+            moved: Vec::new(),
+            tidy: tidy(&scene.aberrations),
+            aberrations: scene.aberrations.clone(),
             movables,
             placed,
             movers_at,
@@ -124,8 +140,28 @@ impl Loaded {
         self.host_ways.root = root;
         self.depths.1 = depth;
         queue.write_buffer(&self.ways, 0, bytes_of(&self.host_ways));
+        self.moved = self.moved(movers);
         self.shown = Some(movers.to_vec());
         Ok(())
+    }
+
+    /// Movers, for a raster.
+    fn moved(&self, movers: &[Mover]) -> Vec<Moved> {
+        let moved = movers.iter().enumerate().filter_map(|(number, mover)| {
+            let movable = self.movables.get(mover.mesh)?;
+            let (low, high) = bounds(&mover.pose, self.placed.get(mover.mesh)?.bounds?);
+            let first = movable.bases.1;
+            Some(Moved {
+                triangles: first..first + movable.sizes().1 as u32,
+                pose: mover.pose,
+                low,
+                high,
+                instance: self.resting.instances + number as u32,
+                is_held: mover.held,
+                is_unseen: mover.unseen_by_eye,
+            })
+        });
+        moved.collect()
     }
 
     /// Gives a mesh that may move, by its number among these, another shape: the places of its corners, metres of the mesh,
@@ -168,6 +204,11 @@ impl Loaded {
         }
     }
 
+    /// The aberrations, as they were given.
+    pub(crate) fn aberrations(&self) -> &Space {
+        &self.aberrations
+    }
+
     /// The aberrations by a rule.
     pub(crate) fn space(&self, rule: Rule) -> &Buffer {
         &self.spaces[rule as usize]
@@ -197,14 +238,27 @@ fn spaces(
     device: &Device,
     queue: &Queue,
     scene: &RayScene,
+    crowds: &[[u32; 2]],
 ) -> Result<[Buffer; Rule::ALL.len()], RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let by = |rule| {
-        let packed = aberrations(scene, rule);
+        let packed = aberrations(scene, rule, crowds);
         filled(device, queue, "aberrations", &packed, usage)
     };
     let [exact, thesis, plain] = Rule::ALL.map(by);
     Ok([exact?, thesis?, plain?])
+}
+
+fn portals(device: &Device, queue: &Queue, scene: &RayScene) -> Result<Buffer, RaysError> {
+    let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+    let packed = PackedPortals::of(&scene.aberrations);
+    filled(
+        device,
+        queue,
+        "portals",
+        std::slice::from_ref(&packed),
+        usage,
+    )
 }
 
 fn resting(room: &Baked, movers_at: usize, materials: usize) -> Resting {

@@ -6,7 +6,8 @@ use antipode_deformation::{
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
-use crate::rays::Outlines;
+use crate::crowd;
+use crate::options::Outlines;
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
 use crate::tree::NOTHING;
 
@@ -28,7 +29,8 @@ pub struct PackedAberration {
     stretch: Vec3,
     rank: u32,
     wall_material: u32,
-    room: [u32; 3],
+    crowd: [u32; 2],
+    padding: u32,
     heading: Vec4,
 }
 
@@ -42,6 +44,10 @@ pub struct PackedWays {
     pub root: u32,
     /// The flags of a box whose outline is drawn, any of them.
     pub outlined: u32,
+    pub portal_count: u32,
+    /// Where the tree lies of the boxes that can be entered from outside of all.
+    pub crowd: [u32; 2],
+    pub padding: u32,
     pub low: Vec4,
     pub high: Vec4,
 }
@@ -126,12 +132,17 @@ impl Rule {
 }
 
 /// What shaders are told of beforehand, so that what is not there takes no time: whether there are boxes of *snell* and of
-/// *legacy*, and whether the hierarchies are deep.
+/// *legacy*, and portals, whether the hierarchies are deep, and whether boxes change anything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kinds {
     pub snell: bool,
     pub legacy: bool,
+    pub portals: bool,
     pub deep: bool,
+    /// Whether nothing is felt to be stretched.
+    pub flat: bool,
+    /// Whether it does not matter besides which faces light passes.
+    pub faceless: bool,
 }
 
 impl Kinds {
@@ -139,36 +150,70 @@ impl Kinds {
     pub const ALL: Self = Self {
         snell: true,
         legacy: true,
+        portals: true,
         deep: true,
+        flat: false,
+        faceless: false,
     };
+    /// How many there are.
+    pub const COUNT: usize = 64;
 
     /// Of a space by a rule.
     pub fn of(space: &Space, rule: Rule) -> Self {
-        let mut kinds = Self::default();
+        let flat = space.portals().is_empty() && (rule == Rule::Plain || space.placed().is_empty());
+        let mut kinds = Self {
+            portals: !space.portals().is_empty(),
+            flat,
+            faceless: flat,
+            ..Self::default()
+        };
         for placed in space.placed() {
-            let sides = rule.of(placed).aberration.sides;
+            let it = rule.of(placed).aberration;
+            let sides = it.sides;
+            kinds.faceless &= !(0..3).any(|axis| it.is_wall(axis));
             kinds.snell |= sides == Sides::Snell;
             kinds.legacy |= matches!(sides, Sides::Legacy(_));
         }
         kinds
     }
 
-    /// A number below 8.
+    /// The same where outlines are drawn, which are seen in faces.
+    pub fn with_outlines(self, are_drawn: bool) -> Self {
+        Self {
+            faceless: self.faceless && !are_drawn,
+            ..self
+        }
+    }
+
+    /// A number below [`Self::COUNT`].
     pub fn number(self) -> usize {
-        usize::from(self.snell) + 2 * usize::from(self.legacy) + 4 * usize::from(self.deep)
+        let Self {
+            snell,
+            legacy,
+            portals,
+            deep,
+            flat,
+            faceless,
+        } = self;
+        let all = [snell, legacy, portals, deep, flat, faceless];
+        let bits = all.into_iter().enumerate();
+        bits.map(|(bit, it)| usize::from(it) << bit).sum()
     }
 
     /// What the shaders' constants are set to.
-    pub fn constants(self) -> [(&'static str, f64); 2] {
+    pub fn constants(self) -> [(&'static str, f64); 5] {
         [
             ("HAS_SNELL", f64::from(u8::from(self.snell))),
             ("HAS_LEGACY", f64::from(u8::from(self.legacy))),
+            ("HAS_PORTALS", f64::from(u8::from(self.portals))),
+            ("IS_FLAT", f64::from(u8::from(self.flat))),
+            ("HAS_FACES", f64::from(u8::from(!self.faceless))),
         ]
     }
 }
 
 /// All aberrations by a rule.
-pub fn aberrations(scene: &RayScene, rule: Rule) -> Vec<PackedAberration> {
+pub fn aberrations(scene: &RayScene, rule: Rule, crowds: &[[u32; 2]]) -> Vec<PackedAberration> {
     let mut first = 0;
     let mut packed: Vec<_> = scene
         .aberrations
@@ -180,7 +225,10 @@ pub fn aberrations(scene: &RayScene, rule: Rule) -> Vec<PackedAberration> {
             let wall = own.copied().unwrap_or(WALL_DEFAULT);
             let is_outlined = scene.outlined.get(number).copied().unwrap_or(false);
             let wall = wall.min(scene.materials.len().saturating_sub(1));
-            let packed = pack(&rule.of(placed), first, wall, is_outlined);
+            let packed = PackedAberration {
+                crowd: crowds.get(number).copied().unwrap_or_default(),
+                ..pack(&rule.of(placed), first, wall, is_outlined)
+            };
             first += packed.count;
             if rule == Rule::Plain {
                 // Its walls stay, and are told by how it was stretched.
@@ -196,24 +244,31 @@ pub fn aberrations(scene: &RayScene, rule: Rule) -> Vec<PackedAberration> {
     packed
 }
 
-/// Lists of neighbours, and where the outermost ones are listed.
-pub fn neighbours(scene: &RayScene) -> (Vec<u32>, PackedWays) {
+/// Lists of neighbours, trees of them where they are many, where the tree of each box lies, and what the outermost ones are.
+pub fn neighbours(scene: &RayScene) -> (Vec<u32>, Vec<[u32; 2]>, PackedWays) {
     let space = &scene.aberrations;
     let of_each = space.placed().iter().flat_map(|placed| &placed.neighbours);
     let mut neighbours: Vec<_> = of_each.map(|number| u32::from(*number)).collect();
     let outermost = space.entrances(&Stack::default());
+    let outermost_at = neighbours.len();
+    neighbours.extend(outermost.iter().map(|number| u32::from(*number)));
+    let of_box = |it: &Placed| crowd::append(&mut neighbours, space.placed(), &it.neighbours);
+    let crowds = space.placed().iter().map(of_box).collect();
+    let crowd = crowd::append(&mut neighbours, space.placed(), outermost);
     let ways = PackedWays {
-        outermost: neighbours.len() as u32,
+        outermost: outermost_at as u32,
         outermost_count: outermost.len() as u32,
         root: NOTHING,
         outlined: OUTLINED,
+        portal_count: space.portals().len() as u32,
+        crowd,
+        padding: 0,
         low: Vec4::ZERO,
         high: Vec4::ZERO,
     };
-    neighbours.extend(outermost.iter().map(|number| u32::from(*number)));
     // A buffer may not be empty.
     neighbours.push(0);
-    (neighbours, ways)
+    (neighbours, crowds, ways)
 }
 
 fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAberration {
@@ -257,7 +312,8 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
         stretch: aberration.stretch.as_vec3(),
         rank: placed.rank as u32,
         wall_material: wall as u32,
-        room: [0; 3],
+        crowd: [0; 2],
+        padding: 0,
         heading,
     }
 }

@@ -25,7 +25,7 @@ pub struct RayScene {
     pub textures: Vec<Arc<TextureImage>>,
     /// Meshes where they stand, as long as the scene is loaded.
     pub instances: Vec<Instance>,
-    /// Aberrations.
+    /// Aberrations and portals.
     pub aberrations: Space,
     /// Number of the material of each aberration's walls; [`WALL_DEFAULT`] for those that are missing.
     pub wall_materials: Vec<usize>,
@@ -69,6 +69,9 @@ pub struct Mover {
     pub materials: usize,
     /// Whether the eye looks through it: it is seen in mirrors only, and throws a shadow.
     pub unseen_by_eye: bool,
+    /// Whether only the eye sees it, as what who looks holds before it: it throws no shadow but on itself, and what the eye
+    /// looks through throws none on it.
+    pub held: bool,
 }
 
 /// How a surface looks.

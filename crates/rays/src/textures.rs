@@ -8,10 +8,10 @@ use wgpu::{Device, Extent3d, Queue, TextureView};
 use crate::error::RaysError;
 use crate::scene::TextureImage;
 
-/// Side of every layer, pixels; pictures of another size are scaled.
-const SIDE: u32 = 512;
-/// Copies, each half as large as the one before, down to one pixel.
-const LEVELS: u32 = SIDE.ilog2() + 1;
+/// Side of every layer, pixels, of a few pictures and of more; pictures of another size are scaled.
+const SIDES: (u32, u32) = (1024, 512);
+/// How many are a few: they take up 5.6 MB each.
+const FEW: usize = 24;
 
 /// Puts the pictures into the adapter's memory. Without any there is one white layer of one pixel.
 pub fn upload(
@@ -26,11 +26,13 @@ pub fn upload(
             most: most.into(),
         });
     }
-    let (side, levels) = if textures.is_empty() {
-        (1, 1)
-    } else {
-        (SIDE, LEVELS)
+    let side = match textures.len() {
+        0 => 1,
+        1..=FEW => SIDES.0,
+        _ => SIDES.1,
     };
+    // Copies, each half as large as the one before, down to one pixel.
+    let levels = side.ilog2() + 1;
     let texture = device.create_texture(&wgpu::TextureDescriptor {
         label: Some("room textures"),
         size: Extent3d {

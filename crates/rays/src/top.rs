@@ -12,9 +12,10 @@ use crate::tree::{INSTANCE, NOTHING, Node, Tree};
 pub const INSTANCE_TEXELS: usize = 8;
 /// Instances of meshes that move there may be at most; `MOVES` of scene.wgsl.
 pub const MOST_MOVERS: usize = 512;
-/// Flags of an instance: its triangles are in its own coordinates; light of the eye passes it.
+/// Flags of an instance: its triangles are in its own coordinates; light of the eye passes it; all other light does.
 const MOVES: u32 = 1;
 const UNSEEN: u32 = 2;
+const HELD: u32 = 4;
 
 /// An instance, as scene.wgsl has it.
 #[repr(C)]
@@ -120,7 +121,7 @@ fn checked<'a>(
 }
 
 /// The box of a posed box in the scene, a little too large rather than too small.
-fn bounds(pose: &Affine3A, (low, high): (Vec3, Vec3)) -> (Vec3, Vec3) {
+pub fn bounds(pose: &Affine3A, (low, high): (Vec3, Vec3)) -> (Vec3, Vec3) {
     let matrix = pose.matrix3;
     let middle = pose.transform_point3(0.5 * (low + high));
     let reach = Mat3A::from_cols(
@@ -140,9 +141,13 @@ pub fn pack(instance: &Instance) -> PackedInstance {
 fn pack_mover(mover: &Mover, root: u32) -> PackedInstance {
     PackedInstance {
         root,
-        flags: MOVES | if mover.unseen_by_eye { UNSEEN } else { 0 },
+        flags: MOVES | flag(mover.unseen_by_eye, UNSEEN) | flag(mover.held, HELD),
         ..packed(&mover.pose, mover.object, mover.materials)
     }
+}
+
+fn flag(is_on: bool, flag: u32) -> u32 {
+    if is_on { flag } else { 0 }
 }
 
 fn packed(pose: &Affine3A, object: u32, materials: usize) -> PackedInstance {

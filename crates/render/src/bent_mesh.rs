@@ -6,6 +6,7 @@ use glam::{Vec3, Vec4};
 
 use crate::error::RenderError;
 use crate::models::{self, Loaded, ModelVertex};
+use crate::rig::HandPose;
 
 /// How a triangle looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +62,11 @@ impl BentMesh {
     pub fn surfaces(&self) -> Vec<BentSurface> {
         let of = |[corner, ..]: &[u32; 3]| surface(&self.loaded.shape.vertices[*corner as usize]);
         self.triangles.iter().map(of).collect()
+    }
+
+    /// Where the right hand of a model with a skeleton is in a posture.
+    pub fn hand(&self, posture: &Posture) -> Option<HandPose> {
+        self.loaded.rig.as_ref().map(|rig| rig.pose(posture).hand)
     }
 
     /// Where its corners are in a posture; a model without a skeleton has only one.

@@ -1,8 +1,7 @@
 //! Figures: one mesh for each model, and which figures a view shows, with an instance for each and for what it holds.
 
-use antipode_frame::{Figure, Frame, ModelId};
-use antipode_geometry::ChartPoint;
-use glam::{DQuat, DVec3, Mat3, Quat, Vec3};
+use antipode_frame::{Figure, Frame};
+use glam::{Mat3, Quat, Vec3};
 use wgpu::Device;
 
 use crate::charts::offset_of;
@@ -10,11 +9,11 @@ use crate::culling::{Falls, Reaches, Shown, Wanted};
 use crate::error::RenderError;
 use crate::figure_buffers::Statics;
 use crate::figure_draws::{Seen, Way};
-use crate::hand;
+use crate::hand::{self, Held, in_hand_of};
 use crate::lamps::lights_near;
 use crate::models::{Loaded, number};
 use crate::plan::{FramePlan, Tolerance};
-use crate::rig::{HandPose, Posed};
+use crate::rig::Posed;
 use crate::shadow::Caster;
 use crate::uniforms::{BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, frame_rows};
 
@@ -112,19 +111,13 @@ impl Figures {
             last.joints = Some(joints);
         }
         let Some(held) = figure.held else { return };
-        let (turn, place) = in_hand(figure, held, hand);
-        let flash = figure.flashes.then_some(ModelId::Flash);
-        for thing in [Some(held), flash].into_iter().flatten() {
-            let beyond = if thing == ModelId::Flash {
-                turn * hand::MUZZLE_M.as_dvec3()
-            } else {
-                DVec3::ZERO
-            };
+        for Held { model, turn, place } in in_hand_of(hand, held, figure.flashes) {
+            let place = figure.turn * place.as_dvec3();
             let figure = Figure {
-                turn,
-                ..Figure::standing(thing, place.moved(beyond), 0.0)
+                turn: figure.turn * turn.as_dquat(),
+                ..Figure::standing(model, figure.point.moved(place), 0.0)
             };
-            let thing = number(thing);
+            let thing = number(model);
             let limits = self.statics.ranges[thing].limits;
             put(frame, plan, &figure, wanted, thing, limits, seen);
         }
@@ -186,14 +179,6 @@ fn flags(figure: &Figure) -> u32 {
     ];
     let on = switches.into_iter().filter(|(is_on, _)| *is_on);
     on.fold(0, |flags, (_, flag)| flags | flag)
-}
-
-/// How what a figure holds is turned and where its origin is, given how its hand is in the figure's axes.
-fn in_hand(figure: &Figure, held: ModelId, hand: HandPose) -> (DQuat, ChartPoint) {
-    let turn = figure.turn * hand.turn.as_dquat();
-    let grip = turn * -hand::grip_m(held).as_dvec3();
-    let place = figure.turn * hand.place.as_dvec3();
-    (turn, figure.point.moved(place + grip))
 }
 
 /// The box of a turned box.

@@ -7,10 +7,14 @@ use antipode_geometry::ChartPoint;
 use glam::{Quat, Vec3};
 
 use crate::lamps::{BEAMS, LAMPS, lights_near};
+use crate::rig::HandPose;
 use crate::uniforms::FigureInstance;
 
 /// The gun's muzzle from its grip, metres.
 pub const MUZZLE_M: Vec3 = Vec3::new(0.275, 0.085, 0.0);
+
+/// What is in the hand is seen at this focal length, whatever the field of view is, as figure.wgsl has it.
+pub const HAND_FOCAL: f32 = 1.96;
 
 /// Lights within this of the eye are carried beside what is held, metres.
 const CARRIED_M: f64 = 0.8;
@@ -48,8 +52,19 @@ fn lights_beyond(frame: &Frame, carried_m: f64) -> [u32; 3] {
     mask
 }
 
-/// What is drawn of the hand: the model, and its instance in the eye's axes.
-pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
+/// Something in a hand: what it is, and how it is turned and where its origin is, metres, in the axes of whoever holds it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held {
+    /// What is drawn.
+    pub model: ModelId,
+    /// How it is turned.
+    pub turn: Quat,
+    /// Where its origin is.
+    pub place: Vec3,
+}
+
+/// What is drawn of the hand, in the eye's axes: x to the right, y up, z back.
+pub fn before_eye(hand: &Hand) -> Vec<Held> {
     let ModelId::Item(item) = hand.model else {
         return Vec::new();
     };
@@ -70,17 +85,37 @@ pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
     // From there to the eye's: x to the right, y up, z back.
     let turn = Quat::from_rotation_y(FRAC_PI_2) * held;
     let origin = Vec3::new(place.x, place.y, -place.z) - turn * grip_m(hand.model);
+    with_flash(hand.model, turn, origin, hand.flashes)
+}
+
+/// What a figure holds, in the figure's axes; `hand` is where its hand is.
+pub fn in_hand_of(hand: HandPose, model: ModelId, flashes: bool) -> Vec<Held> {
+    let origin = hand.place - hand.turn * grip_m(model);
+    with_flash(model, hand.turn, origin, flashes)
+}
+
+fn with_flash(model: ModelId, turn: Quat, place: Vec3, flashes: bool) -> Vec<Held> {
+    let mut held = vec![Held { model, turn, place }];
+    if flashes {
+        held.push(Held {
+            model: ModelId::Flash,
+            turn,
+            place: place + turn * MUZZLE_M,
+        });
+    }
+    held
+}
+
+/// What is drawn of the hand: the model, and its instance in the eye's axes.
+pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
     let lights = lights_beyond(frame, CARRIED_M);
-    let instance = |at: Vec3| FigureInstance {
-        offset: at.into(),
+    let instance = |held: Held| FigureInstance {
+        offset: held.place.into(),
         flags: 0,
-        turn: turn.to_array(),
+        turn: held.turn.to_array(),
         frame: [[0.0; 4]; 4],
         lights,
     };
-    let mut seen = vec![(hand.model, instance(origin))];
-    if hand.flashes {
-        seen.push((ModelId::Flash, instance(origin + turn * MUZZLE_M)));
-    }
-    seen
+    let all = before_eye(hand).into_iter();
+    all.map(|held| (held.model, instance(held))).collect()
 }

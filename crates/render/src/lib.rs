@@ -57,12 +57,14 @@ mod uniforms;
 pub use bent_mesh::{BentCorners, BentMesh, BentSurface};
 pub use error::RenderError;
 pub use gpu::{AdapterChoice, Gpu};
+pub use hand::{HAND_FOCAL, Held, before_eye, in_hand_of};
 pub use offscreen::{Offscreen, PictureReading};
 pub use plan::{
     Affine, ChunkChoice, ChunkLand, FramePlan, Ground, LandIndex, PlanStats, Planner, Port, plan,
     tolerance_px,
 };
 pub use renderer::{DrawStats, FurtherView, Options, Picture, Renderer, ViewTarget};
+pub use rig::HandPose;
 pub use shaders::{Shader, Shaders, TERRAIN};
 pub use shadow::{ShadowQuality, ShadowStats};
 pub use subdivision_thread::Delivery;

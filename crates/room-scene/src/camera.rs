@@ -1,17 +1,21 @@
 //! From where one sees a room: from the head, or from behind. The camera goes by `trace` as everything does, so that it is as
 //! far behind as it feels, and never behind a wall.
 
-use antipode_deformation::{Place, Traveller, trace};
+use antipode_deformation::{Place, Traveller, Void, trace};
 use antipode_rays::Eye;
 use glam::DVec3;
 
 use crate::scene::RoomScene;
 use crate::tuning::{
-    CAMERA_RADIUS_M, FIGURE_SEEN_FROM_M, FOV_Y_RAD, THIRD_PERSON_BACK_M, THIRD_PERSON_UP_M,
+    CAMERA_RADIUS_M, FIGURE_SEEN_FROM_M, RADIUS_M, SHINS_M, THIRD_PERSON_BACK_M,
+    THIRD_PERSON_RISES_M, THIRD_PERSON_UP_M,
 };
 use crate::walk::Look;
 
-/// A camera: its place, the felt direction into its picture, and how far behind the head it feels.
+/// Halvings of the rise that shows the legs, to end within a centimetre or two.
+const RISE_HALVINGS: u32 = 7;
+
+/// A camera: its place, the felt direction into its picture by the axes of who is there, and how far behind the head it feels.
 struct Camera {
     place: Place,
     front: DVec3,
@@ -41,8 +45,17 @@ impl RoomScene {
 
     /// The same of who looks so by now.
     pub(crate) fn eye_at(&self, share: f64, look: &Look) -> Eye {
-        let camera = self.camera(share, look);
-        Eye::looking(camera.place, camera.front, DVec3::Y, FOV_Y_RAD)
+        let mut camera = self.camera(share, look);
+        let mut eye = Eye::looking(camera.place, camera.front, DVec3::Y, self.viewing.fov_y_rad);
+        // Beyond a portal the axes of the scene are others.
+        let turn = camera.place.straighten();
+        let (sin, cos) = self.righting.roll_rad().sin_cos();
+        let (right, up) = (turn * eye.right, turn * eye.up);
+        eye.place = camera.place;
+        eye.front = turn * eye.front;
+        eye.right = right * cos - up * sin;
+        eye.up = up * cos + right * sin;
+        eye
     }
 
     /// Whether the eye is far enough from who walks to see them.
@@ -52,7 +65,7 @@ impl RoomScene {
     }
 
     fn camera(&self, share: f64, look: &Look) -> Camera {
-        let (head, _) = self.walker.between(&self.space, self.up(), share);
+        let (head, middle) = self.walker.between(&self.space, self.up(), share);
         let front = look.front();
         if !self.third_person {
             return Camera {
@@ -63,12 +76,46 @@ impl RoomScene {
         }
         let (above, _, _) = self.leg(&head, self.felt_up(&head), THIRD_PERSON_UP_M);
         let (place, back, behind_m) = self.leg(&above, -front, THIRD_PERSON_BACK_M);
+        let shins = self.above(&middle, SHINS_M - RADIUS_M);
+        let place = self.over_ground(place, &shins);
         // What it sees in its middle comes by the way that it went.
         Camera {
             place,
             front: -back,
             behind_m,
         }
+    }
+
+    /// A place for a camera, or one above it from where another is seen: the lowest, or as high as the camera may rise. It stays
+    /// where faces lie between them: what it sees in its middle would not be who walks any more.
+    fn over_ground(&self, from: Place, seen: &Place) -> Place {
+        let up = self.felt_up(&from);
+        let body = Traveller::Body;
+        let hides = |rise_m: f64| {
+            let at = trace(&self.space, &from, up, rise_m, &Void, &body).place;
+            if at.stack != seen.stack {
+                return false;
+            }
+            let k = self.space.squeeze(&at.stack, up, &body);
+            let way = k.inverse() * (seen.point - at.point);
+            let length_m = way.length();
+            let w = way.normalize_or(up);
+            let path = trace(&self.space, &at, w, length_m, &self.solids, &body);
+            path.hit().is_some()
+        };
+        if !hides(0.0) {
+            return from;
+        }
+        let (mut low_m, mut high_m) = (0.0, THIRD_PERSON_RISES_M);
+        for _ in 0..RISE_HALVINGS {
+            let middle_m = f64::midpoint(low_m, high_m);
+            if hides(middle_m) {
+                low_m = middle_m;
+            } else {
+                high_m = middle_m;
+            }
+        }
+        self.leg(&from, up, high_m).0
     }
 
     /// Goes on for a felt length and stops short of what is in the way: where that is, the direction there, and how far it was.

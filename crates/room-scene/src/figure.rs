@@ -1,8 +1,9 @@
 //! The figure of who walks, and things that come and go: how they are held, and where and how large they are in the scene.
 
 use antipode_deformation::{Place, Traveller};
-use antipode_frame::Posture;
 use antipode_frame::motion::Doing;
+use antipode_frame::{ModelId, Posture};
+use antipode_items::Item;
 use antipode_rays::{Material, Mesh, Mover};
 use antipode_rooms::direction;
 use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec2, DVec3, Vec3};
@@ -25,6 +26,10 @@ const MARK_THICKNESS: f64 = 0.15;
 pub struct RoomFigure {
     /// How it is held.
     pub posture: Posture,
+    /// What is in its hand.
+    pub held: Option<ModelId>,
+    /// Whether that flashes.
+    pub flashes: bool,
     /// From its own axes (x ahead, y up, z to the right; metres from between its feet) to the scene. It keeps its felt size, so
     /// that it is squeezed by the aberrations that it is in.
     pub pose: Affine3A,
@@ -42,8 +47,12 @@ impl RoomScene {
         let ahead = direction(DVec2::new(look_deg.x, 0.0)).reject_from_normalized(up);
         let ahead = ahead.normalize_or(up.any_orthonormal_vector());
         let turn = DMat3::from_cols(ahead, up, ahead.cross(up));
+        let mut posture = self.motion.posture();
+        self.hand.move_arm(&mut posture);
         RoomFigure {
-            posture: self.motion.posture(),
+            posture,
+            held: Some(Item::Gun.into()),
+            flashes: self.hand.flashes(),
             pose: self.felt_pose(&feet, turn),
             object: self.room().objects.len() as u32,
             unseen_by_eye: !self.sees_who_walks(share),
@@ -60,6 +69,7 @@ impl RoomScene {
             object: first + (thing.id & 0x00ff_ffff) as u32,
             materials: THINGS_FROM + thing.kind as usize,
             unseen_by_eye: false,
+            held: false,
         };
         self.things_between(share).iter().map(of).collect()
     }
@@ -67,7 +77,7 @@ impl RoomScene {
     /// From the axes of what is at a place to the scene; `felt` takes them to felt metres about it.
     fn felt_pose(&self, place: &Place, felt: DMat3) -> Affine3A {
         let heading = self.walker.body.velocity;
-        let k = self.space.squeeze(&place.stack, heading, &Traveller::Body);
+        let k = self.space.carry(place, heading, &Traveller::Body);
         let pose = DAffine3 {
             matrix3: k * felt,
             translation: place.point,
@@ -86,10 +96,12 @@ impl RoomScene {
             rise_m_s: velocity.dot(up),
             grounded,
             impact_m_s: if grounded { falls_m_s.max(0.0) } else { 0.0 },
+            holds: true,
             pitch_rad: self.look.pitch_rad,
             ..Doing::default()
         };
         let foot_down = self.motion.pass(&doing, STEP_S);
+        self.move_hand();
         self.hear_body(foot_down, falls_m_s, up);
     }
 }

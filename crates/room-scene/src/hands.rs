@@ -5,6 +5,7 @@ use antipode_rays::MAX_LAMPS;
 use antipode_rooms::What as Kind;
 use glam::{DMat3, DVec3};
 
+use crate::hints::RoomHint;
 use crate::scene::RoomScene;
 use crate::sounds::RoomSound;
 use crate::things::{Thing, ThingKind};
@@ -14,6 +15,8 @@ use crate::tuning::{
 };
 use crate::walk::Steer;
 
+/// So many pulls of the trigger are remembered while the gun rests: who pulls twice within a slow frame shoots twice.
+const MOST_PULLS: u32 = 3;
 /// The share of the way to the muzzle that is left when a wall is nearer.
 const SHORT_OF_WALL: f64 = 0.9;
 /// How often a shot is aimed anew, and how near it has to come, felt metres.
@@ -31,23 +34,40 @@ const SHORT_OF_TARGET_M: f64 = 0.1;
 pub struct Hands {
     shoots: bool,
     places: bool,
+    /// Pulls of the trigger that the gun has not answered: it rests after a shot.
+    pulls: u32,
     /// Until the gun shoots again, seconds.
     gun_rests_s: f64,
+}
+
+impl Hands {
+    /// Who begins anew with a button down has not pressed it again.
+    pub fn begun_anew(self) -> Self {
+        Self {
+            shoots: self.shoots,
+            places: self.places,
+            ..Self::default()
+        }
+    }
 }
 
 impl RoomScene {
     /// Does what hands are asked for in a step.
     pub(crate) fn use_hands(&mut self, steer: &Steer) {
         let before = self.hands;
+        let pulled = u32::from(steer.shoot && !before.shoots);
         self.hands = Hands {
             shoots: steer.shoot,
             places: steer.place,
+            pulls: (before.pulls + pulled).min(MOST_PULLS),
             gun_rests_s: (before.gun_rests_s - STEP_S).max(0.0),
         };
-        if steer.shoot && !before.shoots && self.hands.gun_rests_s <= 0.0 {
+        if self.hands.pulls > 0 && self.hands.gun_rests_s <= 0.0 {
+            self.hands.pulls -= 1;
             self.hands.gun_rests_s = SHOT_EVERY_S;
             let shot = self.shot();
             self.things.shoot(shot);
+            self.hand.fire();
             self.sound(RoomSound::Shot);
         }
         if steer.throw {
@@ -75,7 +95,12 @@ impl RoomScene {
     }
 
     /// A place beside the eye, felt metres to the right, up and ahead, short of what is in the way.
-    fn beside(&self, eye: &Place, front: DVec3, (right, up, ahead): (f64, f64, f64)) -> Place {
+    pub(crate) fn beside(
+        &self,
+        eye: &Place,
+        front: DVec3,
+        (right, up, ahead): (f64, f64, f64),
+    ) -> Place {
         let side = front.cross(DVec3::Y).normalize_or(DVec3::X);
         let way = side * right + side.cross(front) * up + front * ahead;
         let (length, w) = (way.length(), way.normalize_or(front));
@@ -114,21 +139,26 @@ impl RoomScene {
             }
             body.velocity += off / time;
         }
-        let up = -self.room().gravity * (0.5 * short / BULLET_SPEED_M_S);
+        let up = eye.turn.inverse() * -self.room().gravity * (0.5 * short / BULLET_SPEED_M_S);
         Flyer {
             place: eye,
             velocity: front * BULLET_SPEED_M_S + up,
         }
     }
 
-    /// K on the way from a place on, on average: what a change of velocity there is worth at the end, for each second.
+    /// What a felt metre is in the scene on the way from a place on, on average: what a change of velocity there is worth at the end, for each second.
     fn mean_squeeze(&self, from: &Place, front: DVec3, length: f64) -> DMat3 {
         let body = Traveller::Body;
         let of = |sample: u32| {
             let along = length * (f64::from(sample) + 0.5) / f64::from(SAMPLES);
             let path = trace(&self.space, from, front, along, &Void, &body);
-            self.space.squeeze(&path.place.stack, front, &body)
+            self.space.carry(&path.place, front, &body)
         };
+        let end = trace(&self.space, from, front, length, &Void, &body).place;
+        if end.passage != from.passage {
+            // Behind a portal it is what is there that counts.
+            return self.space.carry(&end, front, &body);
+        }
         (0..SAMPLES).map(of).sum::<DMat3>() * (1.0 / f64::from(SAMPLES))
     }
 
@@ -152,9 +182,14 @@ impl RoomScene {
         let own = self.room().objects.iter();
         let own = own.filter(|it| matches!(it.what, Kind::Light { .. }));
         let most = MAX_LAMPS.saturating_sub(own.count());
-        let Some(hit) = sight.hit().filter(|_| most > 0) else {
+        let Some(hit) = sight.hit() else {
+            self.hint(RoomHint::NoPlaceForLamp);
             return;
         };
+        if most == 0 {
+            self.hint(RoomHint::TooManyLamps);
+            return;
+        }
         let normal = hit.felt_normal;
         let path = trace(
             &self.space,
@@ -164,7 +199,9 @@ impl RoomScene {
             &Void,
             &Traveller::Body,
         );
-        self.things.put_lamp(path.place, normal, most);
+        let mut place = path.place;
+        let normal = place.straighten() * normal;
+        self.things.put_lamp(place, normal, most);
     }
 
     /// The lamp nearest to the eye that its way passes within a grip, nearer than `longest`.
@@ -175,7 +212,7 @@ impl RoomScene {
         let lamps: Vec<_> = all.iter().filter(|it| it.kind == ThingKind::Lamp).collect();
         while gone <= longest {
             let gripped = |it: &&&Thing| {
-                let k = self.space.squeeze(&at.stack, front, &Traveller::Body);
+                let k = self.space.carry(&at, front, &Traveller::Body);
                 let off = k.inverse() * (it.place.point - at.point);
                 it.place.stack == at.stack && off.length() <= LAMP_GRIP_M
             };

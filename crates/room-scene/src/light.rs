@@ -50,22 +50,22 @@ pub fn fog_m(room: &Room) -> f32 {
 }
 
 impl RoomScene {
-    /// All lamps, at a share of the way of the last step: those of the room, and those that were put down.
+    /// All lamps, at a share of the way of the last step: those of the room, and those that were put down, and a shot.
     pub fn lamps_between(&self, share: f64) -> Vec<Lamp> {
         let mut all = lamps(self.room(), &self.space);
         let things = self.things_between(share);
         let put_down = things.iter().filter(|it| it.kind == ThingKind::Lamp);
-        all.extend(put_down.map(|thing| {
-            let k = self
-                .space
-                .squeeze(&thing.place.stack, self.up(), &Traveller::Body);
+        let put_down = put_down.map(|thing| {
+            let k = self.space.carry(&thing.place, self.up(), &Traveller::Body);
             let longest = (0..3).map(|axis| k.col(axis).length()).fold(0.0, f64::max);
             Lamp {
                 // It shines out of its own globe.
                 radius_m: (1.05 * thing.radius_m * longest) as f32,
                 ..lamp(thing.place, linear(PUT_DOWN_COLOUR), PUT_DOWN_POWER)
             }
-        }));
+        });
+        all.extend(put_down);
+        all.extend(self.shot_light(all.len()));
         all
     }
 }

@@ -3,6 +3,7 @@
 use antipode_rays::{Eye, Lamp, Mover};
 
 use crate::figure::RoomFigure;
+use crate::held::InHand;
 use crate::scene::RoomScene;
 
 /// What a picture of a moment shows beside what stays.
@@ -12,6 +13,8 @@ pub struct Moment {
     pub eye: Eye,
     /// Who walks.
     pub figure: RoomFigure,
+    /// What is held before the eye.
+    pub hand: Option<InHand>,
     /// What has come into the room since it was entered.
     pub things: Vec<Mover>,
     /// All that lightens.
@@ -32,9 +35,11 @@ impl RoomScene {
     pub fn moment(&self, share: f64, (right_rad, up_rad): Turn) -> Moment {
         let mut look = self.look;
         look.turn(right_rad, up_rad);
+        let eye = self.eye_at(share, &look);
         Moment {
-            eye: self.eye_at(share, &look),
+            eye,
             figure: self.figure_between(share),
+            hand: self.held_between(&eye, share),
             things: self.movers_between(share),
             lamps: self.lamps_between(share),
         }

@@ -2,7 +2,7 @@
 
 use antipode_deformation::Traveller;
 use antipode_rooms::poses;
-use glam::{DMat3, DVec3};
+use glam::DMat3;
 use serde::Serialize;
 
 use crate::pick::Pick;
@@ -22,7 +22,8 @@ pub struct RoomProbe {
     pub pick: Pick,
     /// Speed as it is felt, metres per second.
     pub felt_speed: f64,
-    /// How large the player is in the scene, to what it is outside: the cube root of what a felt cubic metre takes up there.
+    /// How large the player is in the scene, to what it was at first: the cube root of what a felt cubic metre takes up there, with
+    /// what portals have made of it.
     pub scale: f64,
     /// Bullets in flight.
     pub bullets: usize,
@@ -82,6 +83,15 @@ pub struct CameraProbe {
     pub mode: &'static str,
 }
 
+/// How large the player is in the scene, to what they are outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sizes {
+    /// In height.
+    pub up: f64,
+    /// Along the ground, where it is least and where it is most.
+    pub level: [f64; 2],
+}
+
 impl ThingProbe {
     fn of(thing: &Thing) -> Self {
         Self {
@@ -98,19 +108,28 @@ impl RoomScene {
         self.squeeze_here().determinant().abs().cbrt()
     }
 
-    /// How large the player is in the scene along the axis of it that is squeezed most, and along that which is squeezed least.
-    pub fn scales(&self) -> [f64; 2] {
+    /// How large the player is here, to what they are outside. Along the ground K stretches a felt direction
+    /// v = a cos t + b sin t to |K v|^2 = m + r cos(2 t - t0), with m = (|Ka|^2 + |Kb|^2) / 2 and
+    /// r^2 = (|Ka|^2 - |Kb|^2)^2 / 4 + (Ka Kb)^2.
+    pub fn sizes(&self) -> Sizes {
         let k = self.squeeze_here();
-        let lengths = [k.x_axis, k.y_axis, k.z_axis].map(DVec3::length);
-        let least = lengths.into_iter().fold(f64::INFINITY, f64::min);
-        [least, lengths.into_iter().fold(0.0, f64::max)]
+        let up = self.up();
+        let (a, b) = up.any_orthonormal_pair();
+        let (a, b) = (k * a, k * b);
+        let mean = 0.5 * (a.length_squared() + b.length_squared());
+        let off = 0.5 * (a.length_squared() - b.length_squared());
+        let r = off.hypot(a.dot(b));
+        Sizes {
+            up: (k * up).length(),
+            level: [(mean - r).max(0.0).sqrt(), (mean + r).sqrt()],
+        }
     }
 
     /// What a felt vector is in the scene where the player is.
     pub(crate) fn squeeze_here(&self) -> DMat3 {
         let body = &self.walker.body;
         self.space
-            .squeeze(&body.place.stack, body.velocity, &Traveller::Body)
+            .carry(&body.place, body.velocity, &Traveller::Body)
     }
 
     /// What the last bullet that hit something has hit.

@@ -1,6 +1,8 @@
 //! An open room: what is worked out of it, and who is in it.
 
 use antipode_deformation::{Place, Space, Triangles, Walker};
+use antipode_frame::Hand;
+use antipode_frame::hand::HandMotion;
 use antipode_frame::motion::Motion;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
@@ -9,6 +11,9 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::hands::Hands;
+use crate::held::RoomViewing;
+use crate::hints::RoomHint;
+use crate::righting::Righting;
 use crate::solids::{standing, triangles};
 use crate::sounds::RoomSound;
 use crate::things::Things;
@@ -41,8 +46,17 @@ pub struct RoomScene {
     pub(crate) things: Things,
     pub(crate) time_s: f64,
     pub(crate) motion: Motion,
+    pub(crate) hand: HandMotion,
+    /// What was in the hand before the last step.
+    pub(crate) hand_before: Option<Hand>,
+    pub(crate) viewing: RoomViewing,
     pub(crate) third_person: bool,
+    pub(crate) righting: Righting,
+    pub(crate) rights_at_once: bool,
     pub(crate) sounds: Vec<RoomSound>,
+    pub(crate) hints: Vec<RoomHint>,
+    /// How high the lowest of all that stands in the room is, metres against gravity.
+    pub(crate) lowest_m: f64,
     revision: u64,
 }
 
@@ -68,8 +82,15 @@ impl RoomScene {
             things: Things::default(),
             time_s: 0.0,
             motion: Motion::default(),
+            hand: HandMotion::default(),
+            hand_before: None,
+            viewing: RoomViewing::default(),
             third_person: false,
+            righting: Righting::default(),
+            rights_at_once: false,
             sounds: Vec::new(),
+            hints: Vec::new(),
+            lowest_m: 0.0,
             revision: 0,
         };
         scene.work_out()?;
@@ -123,6 +144,7 @@ impl RoomScene {
         self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
         self.meshes = standing(room, &self.assets);
         self.solids = triangles(&self.meshes);
+        self.lowest_m = self.lowest();
         let place = &mut self.walker.body.place;
         *place = Place {
             scale: place.scale,
@@ -132,6 +154,22 @@ impl RoomScene {
         self.things.wake(&self.space);
         self.revision += 1;
         Ok(())
+    }
+
+    fn lowest(&self) -> f64 {
+        let room = self.editor.room();
+        let up = self.up();
+        let of_solids = self.meshes.iter().flat_map(|mesh| {
+            let corners = mesh.shape.positions.iter();
+            corners.map(|it| mesh.pose.transform_point3(*it))
+        });
+        // One may stand in boxes that nothing stands in.
+        let of_boxes = aberrations(room).into_iter().flat_map(|(_, it)| {
+            let reach = DVec3::splat(it.half.length());
+            [it.centre - reach, it.centre + reach]
+        });
+        let all = of_solids.chain(of_boxes).chain([room.spawn.at]);
+        all.map(|it| it.dot(up)).fold(f64::INFINITY, f64::min)
     }
 
     /// Looks there, degrees; pitch is held short of the vertical.

@@ -120,13 +120,15 @@ impl Things {
     }
 
     /// A bullet leaves the muzzle.
-    pub fn shoot(&mut self, body: Flyer) {
+    pub fn shoot(&mut self, mut body: Flyer) {
+        body.straighten();
         let life = Life::Bullet { body, flown_m: 0.0 };
         self.add(ThingKind::Bullet, life, MOST_BULLETS);
     }
 
     /// A ball leaves the hand.
-    pub fn throw(&mut self, body: Flyer) {
+    pub fn throw(&mut self, mut body: Flyer) {
+        body.straighten();
         let ball = Ball::thrown(body.place, body.velocity, THROWN);
         self.add(ThingKind::Ball, Life::Ball(ball), MOST_BALLS);
     }
@@ -143,7 +145,12 @@ impl Things {
 
     /// The room has changed: what lay still may fall, and places are in the boxes that there are now.
     pub fn wake(&mut self, space: &Space) {
-        let anew = |place: &mut Place| *place = Place::at(space, place.point);
+        let anew = |place: &mut Place| {
+            *place = Place {
+                scale: place.scale,
+                ..Place::at(space, place.point)
+            };
+        };
         self.struck = None;
         // A mark may be on nothing now.
         self.all.retain(|it| it.kind != ThingKind::Mark);
@@ -178,8 +185,13 @@ impl Things {
         self.all.push(one);
     }
 
-    /// Goes on by a step. What has flown out of the room, farther than `lost_m` from its origin along an axis, is gone.
-    pub fn step(&mut self, space: &Space, solids: &Triangles, g: DVec3, lost_m: f64) {
+    /// Keeps what is at places of which that is true.
+    pub fn keep(&mut self, is_here: impl Fn(DVec3) -> bool) {
+        self.all.retain(|one| is_here(one.place().point));
+    }
+
+    /// Goes on by a step.
+    pub fn step(&mut self, space: &Space, solids: &Triangles, g: DVec3) {
         let mut hits = Vec::new();
         for one in &mut self.all {
             one.was = one.place();
@@ -207,13 +219,8 @@ impl Things {
             };
             self.add(ThingKind::Mark, life, MOST_MARKS);
         }
-        let is_here = |one: &One| {
-            let is_spent =
-                matches!(one.life, Life::Bullet { flown_m, .. } if flown_m >= BULLET_REACH_M);
-            let point = one.place().point.abs();
-            !is_spent && point.cmple(DVec3::splat(lost_m)).all()
-        };
-        self.all.retain(is_here);
+        let is_spent = |one: &One| matches!(one.life, Life::Bullet { flown_m, .. } if flown_m >= BULLET_REACH_M);
+        self.all.retain(|one| !is_spent(one));
     }
 }
 
@@ -229,5 +236,9 @@ fn fly(
     let hit = body.fly(space, solids, g, STEP_S);
     let time = STEP_S - hit.map_or(0.0, |(_, left)| left);
     *flown_m += 0.5 * (before + body.velocity.length()) * time;
-    hit.map(|(hit, _)| hit)
+    let turn = body.straighten();
+    hit.map(|(hit, _)| Hit {
+        felt_normal: turn * hit.felt_normal,
+        ..hit
+    })
 }

@@ -16,6 +16,8 @@ pub const ACCELERATIONS_M_S2: (f64, f64, f64) = (50.0, 12.0, 4.0);
 pub const JUMP_SPEED_M_S: f64 = 4.852_215;
 /// Nobody falls faster, metres per second.
 pub const TERMINAL_SPEED_M_S: f64 = 60.0;
+/// Time in which a view that a portal has rolled is level again, seconds.
+pub const RIGHTING_S: f64 = 0.4;
 /// Felt height of the eye above the feet, metres.
 pub const EYE_M: f64 = 1.62;
 /// Felt radius of who walks, metres.
@@ -24,6 +26,10 @@ pub const RADIUS_M: f64 = 0.35;
 pub const THIRD_PERSON_BACK_M: f64 = 5.2;
 /// See [`THIRD_PERSON_BACK_M`].
 pub const THIRD_PERSON_UP_M: f64 = 0.45;
+/// Most that it rises besides, so that ground does not hide the legs, felt metres; as in worlds.
+pub const THIRD_PERSON_RISES_M: f64 = 1.5;
+/// What of the legs it is to see, felt metres above the feet.
+pub const SHINS_M: f64 = 0.3;
 /// Felt metres by which a camera stays off what it cannot go through.
 pub const CAMERA_RADIUS_M: f64 = 0.25;
 /// From this many felt metres behind the head on the camera shows who walks.
@@ -34,6 +40,8 @@ pub const PITCH_LIMIT_RAD: f64 = 89.0 * PI / 180.0;
 pub const FOV_Y_RAD: f64 = 75.0 * PI / 180.0;
 /// Who is farther from the origin than this, along an axis, has fallen out of the room and begins anew; metres.
 pub const LOST_M: f64 = 1100.0;
+/// So is who is farther below all that stands in it, along gravity; metres.
+pub const LOST_BELOW_M: f64 = 40.0;
 /// How far the crosshair picks, felt metres.
 pub const PICK_M: f64 = 100_000.0;
 
@@ -83,7 +91,7 @@ pub const MUZZLE_M: (f64, f64, f64) = (0.22, -0.16, 0.7);
 /// Least time between two shots, seconds.
 pub const SHOT_EVERY_S: f64 = 0.12;
 /// Felt radius of what a bullet leaves, metres.
-pub const MARK_RADIUS_M: f64 = 0.05;
+pub const MARK_RADIUS_M: f64 = 0.03;
 /// Marks at once; the oldest goes.
 pub const MOST_MARKS: usize = 64;
 /// What is thrown.
@@ -91,7 +99,7 @@ pub const THROWN: BallShape = BallShape {
     radius_m: 0.12,
     bounce: 0.6,
     slide: 0.9,
-    rolling_m_s2: 0.8,
+    rolling_m_s2: 1.6,
 };
 /// Felt speed at which it is thrown, metres per second.
 pub const THROW_SPEED_M_S: f64 = 9.0;

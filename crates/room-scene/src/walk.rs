@@ -2,16 +2,18 @@
 
 use std::f64::consts::{PI, TAU};
 
-use antipode_deformation::{Place, Traveller, Void, Walker, felt_gravity, trace};
+use antipode_deformation::{Passage, Place, Traveller, Void, Walker, felt_gravity, trace};
+use antipode_frame::hand::HandMotion;
 use antipode_rooms::direction;
 use glam::{DVec2, DVec3};
 
-use crate::hands::Hands;
+use crate::hints::RoomHint;
+use crate::righting::Righting;
 use crate::scene::RoomScene;
 use crate::things::{Thing, Things};
 use crate::tuning::{
-    ACCELERATIONS_M_S2, COYOTE_S, JUMP_BUFFER_S, JUMP_SPEED_M_S, LOST_M, PITCH_LIMIT_RAD, RADIUS_M,
-    SHAPE, SPRINT_FACTOR, STEP_S, TERMINAL_SPEED_M_S, WALK_SPEED_M_S,
+    ACCELERATIONS_M_S2, COYOTE_S, JUMP_BUFFER_S, JUMP_SPEED_M_S, LOST_BELOW_M, LOST_M,
+    PITCH_LIMIT_RAD, RADIUS_M, SHAPE, SPRINT_FACTOR, STEP_S, TERMINAL_SPEED_M_S, WALK_SPEED_M_S,
 };
 
 /// What is asked of who walks, for one step.
@@ -36,6 +38,9 @@ pub struct Steer {
     /// A ball is thrown.
     pub throw: bool,
 }
+
+/// See [`RoomScene::stand_at`]; metres.
+const OVER_FACE_M: f64 = 1e-4;
 
 /// Where one looks, radians: 0 is along +x, yaw goes towards +z and pitch upwards.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -127,11 +132,7 @@ impl RoomScene {
         self.looked = self.look;
         self.look.turn(steer.look_yaw_rad, steer.look_pitch_rad);
         let gravity = self.room().gravity;
-        let body = self.walker.body;
-        let k = self
-            .space
-            .squeeze(&body.place.stack, body.velocity, &Traveller::Body);
-        let up = -felt_gravity(k, gravity).normalize_or(DVec3::NEG_Y);
+        let up = -felt_gravity(self.squeeze_here(), gravity).normalize_or(DVec3::NEG_Y);
         let wish = self.wish(steer, up);
         if self.jumps.step(steer.jump, self.walker.grounded) {
             self.walker.grounded = false;
@@ -139,17 +140,39 @@ impl RoomScene {
             self.walker.body.velocity += up * (JUMP_SPEED_M_S - falls);
         }
         let falls_m_s = -self.walker.body.velocity.dot(up);
+        let passed = self.walker.body.place.passage;
         self.walker
             .step(&self.space, &self.solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
+        self.pass_portals(passed);
         self.hold_figure(falls_m_s);
-        self.things.step(&self.space, &self.solids, gravity, LOST_M);
+        self.things.step(&self.space, &self.solids, gravity);
+        let is_lost = self.is_lost();
+        self.things.keep(|point| !is_lost(point));
         self.use_hands(steer);
-        let away = self.walker.body.place.point.abs();
-        if !away.cmple(DVec3::splat(LOST_M)).all() {
+        if is_lost(self.walker.body.place.point) {
             self.begin_anew();
+            self.hint(RoomHint::FellOut);
         }
+    }
+
+    /// The view is turned by the portals of the last step, before which `before` was passed last, and rights itself.
+    fn pass_portals(&mut self, before: Passage) {
+        self.righting.pass();
+        if self.walker.body.place.passage != before {
+            self.look = self.righting.turn(&self.look, self.walker.turned());
+            self.looked = self.look;
+        }
+        if self.rights_at_once {
+            self.righting.right_at_once();
+            self.walker.eye.right_at_once();
+        }
+    }
+
+    /// Whether a view that a portal has rolled is level at once rather than by and by.
+    pub fn set_rights_at_once(&mut self, at_once: bool) {
+        self.rights_at_once = at_once;
     }
 
     /// The felt velocity along the ground that the step brings, on the way to what is asked.
@@ -168,26 +191,44 @@ impl RoomScene {
         has + (asked - has).clamp_length_max(rate * STEP_S)
     }
 
+    /// What has fallen out of the room: farther below all that stands in it than it could come back from, or out of its bounds.
+    fn is_lost(&self) -> impl Fn(DVec3) -> bool + use<> {
+        let (up, lowest_m) = (self.up(), self.lowest_m - LOST_BELOW_M);
+        let has_down = self.room().gravity != DVec3::ZERO;
+        move |point| {
+            let falls = has_down && up.dot(point) < lowest_m;
+            falls || !point.abs().cmple(DVec3::splat(LOST_M)).all()
+        }
+    }
+
     /// Puts who walks back to where one begins; what they have done is forgotten.
-    pub(crate) fn begin_anew(&mut self) {
+    pub fn begin_anew(&mut self) {
         let spawn = self.room().spawn;
         self.look = Look::of_degrees(spawn.look);
         self.things = Things::default();
-        self.hands = Hands::default();
+        self.hands = self.hands.begun_anew();
+        self.hand = HandMotion::default();
+        self.hand_before = None;
         self.stand_at(spawn.at);
     }
 
     /// Puts the feet of who walks there, at rest.
     pub(crate) fn stand_at(&mut self, feet: DVec3) {
-        let start = Place::at(&self.space, feet);
+        // A point on a face is outside: who is put on the lower face of a box begins a little above it.
+        let over = Place::at(&self.space, feet + OVER_FACE_M * self.up());
+        let start = match Place::at(&self.space, feet) {
+            on if on.stack == over.stack => on,
+            _ => over,
+        };
         let middle = self.above(&start, RADIUS_M);
         self.walker = Walker::new(middle, SHAPE);
         self.jumps = Jumps::default();
+        self.righting = Righting::default();
         self.looked = self.look;
     }
 
     /// So many felt metres above a place, or below it.
-    fn above(&self, place: &Place, felt_m: f64) -> Place {
+    pub(crate) fn above(&self, place: &Place, felt_m: f64) -> Place {
         let w = self.felt_up(place) * felt_m.signum();
         trace(&self.space, place, w, felt_m.abs(), &Void, &Traveller::Body).place
     }
@@ -207,14 +248,16 @@ impl RoomScene {
         -self.room().gravity.normalize_or(DVec3::NEG_Y)
     }
 
-    /// Against felt gravity at a place, of length 1.
+    /// Against felt gravity at a place in the axes of who is there, of length 1.
     pub(crate) fn felt_up(&self, place: &Place) -> DVec3 {
         let up = self.up();
-        let k = self.space.squeeze(&place.stack, up, &Traveller::Body);
-        felt_gravity(k, up).normalize_or(up)
+        let own = place.turn.inverse() * up;
+        let k = self.space.carry(place, own, &Traveller::Body);
+        felt_gravity(k, up).normalize_or(own)
     }
 
-    /// The place of the feet at a share of the way of the last step, and where one looks there, degrees of yaw and pitch.
+    /// The place of the feet at a share of the way of the last step, and where one looks there, degrees of yaw and pitch, by the
+    /// axes of who is there.
     pub fn feet_between(&self, share: f64) -> (Place, DVec2) {
         let (_, middle) = self.walker.between(&self.space, self.up(), share);
         let look = self.look.between(&self.looked, share);

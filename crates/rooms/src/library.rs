@@ -43,6 +43,8 @@ pub struct RoomSummary {
     pub objects: usize,
     /// Whether it comes with the game.
     pub shipped: bool,
+    /// The room of the game whose sentence it has, word for word: itself, or the one that it is a copy of.
+    pub says: Option<String>,
     /// Why it cannot be entered, if its text is not sound. Files that it names are not looked at for a list.
     pub problem: Option<String>,
 }
@@ -71,13 +73,18 @@ impl RoomsDir {
     /// # Errors
     /// If the directory itself cannot be read; a missing one is empty.
     pub fn list(&self) -> Result<Vec<RoomSummary>, RoomError> {
+        let rooms = shipped::ROOMS.iter();
+        let mut games: Vec<_> = rooms.map(|it| summary(it.id, it.room(), true)).collect();
         let mut own = self.own()?;
         own.sort_by_key(|it| (folded_name(&it.name), it.slug.clone()));
-        own.extend(
-            shipped::ROOMS
-                .iter()
-                .map(|it| summary(it.id, it.room(), true)),
-        );
+        for room in own.iter_mut().filter(|it| !it.sentence.is_empty()) {
+            let told = games.iter().find(|it| it.sentence == room.sentence);
+            room.says = told.map(|it| it.slug.clone());
+        }
+        for room in &mut games {
+            room.says = Some(room.slug.clone());
+        }
+        own.append(&mut games);
         Ok(own)
     }
 
@@ -325,6 +332,7 @@ fn summary(slug: &str, room: Result<Room, RoomError>, shipped: bool) -> RoomSumm
             sentence: room.sentence,
             objects: room.objects.len(),
             shipped,
+            says: None,
             problem: None,
         },
         Err(error) => RoomSummary {
@@ -333,6 +341,7 @@ fn summary(slug: &str, room: Result<Room, RoomError>, shipped: bool) -> RoomSumm
             sentence: String::new(),
             objects: 0,
             shipped,
+            says: None,
             problem: Some(error.to_string()),
         },
     }

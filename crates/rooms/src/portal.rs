@@ -62,6 +62,17 @@ impl TryFrom<Written> for Portal {
     }
 }
 
+impl Portal {
+    /// One that leads nowhere yet.
+    pub(crate) fn new() -> Self {
+        Self {
+            opening: Opening::Size(DVec2::ONE),
+            to: String::new(),
+            sides: 1,
+        }
+    }
+}
+
 impl Opening {
     /// Its corners, metres of the scene to the right and up.
     pub fn polygon(&self) -> Vec<DVec2> {

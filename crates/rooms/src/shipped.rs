@@ -1,7 +1,7 @@
 //! The rooms that come with the game. They are written by hand, and read as anybody's are.
 //!
-//! What can be read in them is English in their files. Whoever has words in other languages gives them by their keys
-//! ([`Shipped::reword`]); a room's copy, which is its player's own, has those of the file.
+//! What can be read in them is English in their files. Whoever has words in other languages finds them by their keys
+//! ([`words`]), in copies of these rooms, too, as long as nobody has changed what is read there.
 
 use crate::error::RoomError;
 use crate::files::ROOM_FILE;
@@ -32,11 +32,23 @@ pub const ROOMS: &[Shipped] = rooms![
     "nested-boxes",
     "four-tunnels",
     "thesis-room",
+    "two-portals",
+    "closet-flat",
+    "six-portals",
+    "endless-stair",
+    "growing-hall",
+    "door-to-itself",
+    "bottomless-shaft",
 ];
 
 /// The one of that id.
 pub fn find(id: &str) -> Option<&'static Shipped> {
     ROOMS.iter().find(|it| it.id == id)
+}
+
+/// What can be read in all of them, word for word as in their files, each with its key. It reads them all.
+pub fn words() -> Vec<(String, String)> {
+    ROOMS.iter().flat_map(Shipped::words).collect()
 }
 
 impl Shipped {
@@ -48,25 +60,23 @@ impl Shipped {
         read(&format!("{}/{ROOM_FILE}", self.id), self.text.as_bytes())
     }
 
-    /// Gives what can be read in the room in the words that `say` has for its key, and leaves what it has none for. Keys are
-    /// `ID-sentence`, and `ID-NAME` for the sign of that name if it has a text with letters. The room's name is what it
-    /// is found by and stays; `ID-name` is the key of what a list may show in its place.
-    pub fn reword(&self, room: &mut Room, say: impl Fn(&str) -> Option<String>) {
-        let ask = |what: &str, text: &mut String| {
-            if let Some(words) = say(&format!("{}-{what}", self.id)) {
-                *text = words;
-            }
+    /// What can be read in the room, each with its key: `ID-sentence`, and `ID-NAME` for the sign of that name if it has a text
+    /// with letters. The room's name is what it is found by and not among them; `ID-name` is the key of what a list may show
+    /// in its place.
+    fn words(&self) -> Vec<(String, String)> {
+        let Ok(room) = self.room() else {
+            return Vec::new();
         };
-        ask("sentence", &mut room.sentence);
-        for object in &mut room.objects {
-            if let What::Sign {
-                text: Some(text), ..
-            } = &mut object.what
-                && text.contains(char::is_alphabetic)
+        let key = |what: &str| format!("{}-{what}", self.id);
+        let mut words = vec![(room.sentence, key("sentence"))];
+        for object in room.objects {
+            if let What::Sign { text: Some(it), .. } = object.what
+                && it.contains(char::is_alphabetic)
             {
-                ask(&object.name, text);
+                words.push((it, key(&object.name)));
             }
         }
+        words
     }
 
     /// The room with all that it needs; those of the game have no files besides.

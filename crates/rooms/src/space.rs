@@ -181,15 +181,15 @@ fn misplaced(room: &Room, error: &SpaceError) -> Fault {
 }
 
 /// Of a portal: which, its field, and what is wrong.
-fn of_portal(error: &SpaceError) -> Option<(Option<&String>, &'static str, String)> {
+type OfPortal<'e> = (Option<&'e String>, &'static str, String);
+
+fn of_portal(error: &SpaceError) -> Option<OfPortal<'_>> {
+    of_pair(error).or_else(|| of_place(error))
+}
+
+/// Of a portal and its partner.
+fn of_pair(error: &SpaceError) -> Option<OfPortal<'_>> {
     let (name, field, reason) = match error {
-        SpaceError::PortalShape { name, what } => (
-            name,
-            "what.size",
-            format!(
-                "{what}; its corners are to be those of a convex polygon, each once and in their order"
-            ),
-        ),
         SpaceError::NoPartner { name } => (
             name,
             "what.to",
@@ -222,6 +222,21 @@ fn of_portal(error: &SpaceError) -> Option<(Option<&String>, &'static str, Strin
             format!(
                 "differs from that of its partner {} by more than 32 times",
                 shown(partner)
+            ),
+        ),
+        _ => return None,
+    };
+    Some((Some(name), field, reason))
+}
+
+/// Of a portal by itself.
+fn of_place(error: &SpaceError) -> Option<OfPortal<'_>> {
+    let (name, field, reason) = match error {
+        SpaceError::PortalShape { name, what } => (
+            name,
+            "what.size",
+            format!(
+                "{what}; its corners are to be those of a convex polygon, each once and in their order"
             ),
         ),
         SpaceError::OverSide { name, aberration } => (

@@ -108,14 +108,7 @@ fn kind(word: &str) -> Option<(What, &'static [&'static str])> {
             &["power"],
         ),
         "aberration" => (What::Aberration(aberration), &["half"]),
-        "portal" => (
-            What::Portal(Portal {
-                opening: Opening::Size(DVec2::ONE),
-                to: String::new(),
-                sides: 1,
-            }),
-            &["to"],
-        ),
+        "portal" => (What::Portal(Portal::new()), &["to"]),
         "sign" => (
             What::Sign {
                 text: None,

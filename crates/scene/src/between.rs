@@ -7,12 +7,13 @@
 //! A figure is not shown on the way if it did not move there by itself: if it came, went, died, changed its camera or
 //! its seat, or if it is farther away than anything gets in a step.
 
+use antipode_frame::hand::{kick_between, swing_between};
 use antipode_geometry::{Atlas, ChartPoint, Crossing};
 use glam::DQuat;
 
 use crate::actions::Actions;
 use crate::camera::{CameraPose, LookTurn, keep_clear};
-use crate::frame::{BeamLight, Figure, Frame, Hand, LampLight};
+use crate::frame::{BeamLight, Figure, Frame, LampLight};
 use crate::frame::{Clip, Posture};
 use crate::moment::{Mark, Moment, Seen, Who};
 use crate::photo::Viewpoint;
@@ -182,7 +183,7 @@ impl Moment {
             self.time_of_day_s = (self.time_of_day_s - day_s * (1.0 - share)).rem_euclid(DAY_S);
         }
         if let (Some(hand), Some(from)) = (&mut self.hand, &before.hand) {
-            go_hand(hand, from, share as f32);
+            *hand = hand.between(from, share as f32);
         }
         if let (Some(mark), Some(from)) = (&mut self.mark, &before.mark) {
             go_mark(mark, from, share);
@@ -310,20 +311,8 @@ fn go_posture(posture: &mut Posture, from: &Posture, share: f32) {
     let twist = f64::from(posture.twist_rad);
     posture.twist_rad = mix_angle(f64::from(from.twist_rad), twist, f64::from(share)) as f32;
     posture.pitch_rad = mix_f32(from.pitch_rad, posture.pitch_rad, share);
-    posture.swing = mix_swing(from.swing, posture.swing, share);
-    posture.kick = mix_kick(from.kick, posture.kick, share);
-}
-
-fn go_hand(hand: &mut Hand, from: &Hand, share: f32) {
-    if hand.model != from.model {
-        return;
-    }
-    hand.lowered = mix_f32(from.lowered, hand.lowered, share);
-    for (bob_m, from_m) in hand.bob_m.iter_mut().zip(from.bob_m) {
-        *bob_m = mix_f32(from_m, *bob_m, share);
-    }
-    hand.swing = mix_swing(from.swing, hand.swing, share);
-    hand.kick = mix_kick(from.kick, hand.kick, share);
+    posture.swing = swing_between(from.swing, posture.swing, share);
+    posture.kick = kick_between(from.kick, posture.kick, share);
 }
 
 fn go_mark(mark: &mut Mark, from: &Mark, share: f64) {
@@ -331,24 +320,6 @@ fn go_mark(mark: &mut Mark, from: &Mark, share: f64) {
         mark.way = from.way.lerp(mark.way, share).normalize_or(mark.way);
         mark.away_m = mix(from.away_m, mark.away_m, share);
         mark.marker.radius_m = mix(from.marker.radius_m, mark.marker.radius_m, share);
-    }
-}
-
-/// A swing begins at once.
-fn mix_swing(from: f32, to: f32, share: f32) -> f32 {
-    if from < 0.0 || to < 0.0 {
-        to
-    } else {
-        mix_f32(from, to, share)
-    }
-}
-
-/// So does a kick.
-fn mix_kick(from: f32, to: f32, share: f32) -> f32 {
-    if to > from {
-        to
-    } else {
-        mix_f32(from, to, share)
     }
 }
 

@@ -6,12 +6,12 @@ use glam::{DMat3, DVec3, DVec4};
 use crate::aimed::ViewParams;
 use crate::car;
 use crate::crosshair::Crosshair;
-use crate::fixture;
 use crate::frame::{BeamLight, LampLight};
 use crate::gun::muzzle_of;
 use crate::moment::{Lit, Who};
 use crate::scene::Scene;
 use crate::situation::Situation;
+use crate::{fixture, hand};
 use antipode_items::Item;
 
 /// Lamps that a picture shows.
@@ -52,7 +52,7 @@ pub(crate) fn lights(scene: &Scene, eye: &Eye) -> Lit {
     let is_free = !now.actors.cars.is_driving();
     let params = scene.picturing();
     let muzzle = || muzzle_of(now.world, &now.head());
-    let shot = scene.shown.hand.shot_light(muzzle);
+    let shot = hand::shot_light(&scene.shown.hand, muzzle);
     let holds_lamp = is_free && now.player.inventory.held().is_some_and(Item::shines);
     let in_hand = holds_lamp.then(|| shining(held_at(&now.head_through(&params))));
     let flashlight = is_free && now.player.flashlight;

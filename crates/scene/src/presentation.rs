@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
+use antipode_frame::hand::HandMotion;
 use antipode_geometry::Eye;
 
 use crate::detail::Sights;
 use crate::frame::Quality;
-use crate::hand::HandMotion;
 use crate::lens::Lens;
 use crate::tuning::PICTURE_HEIGHT_PX;
 use crate::viewing::Viewing;

@@ -189,7 +189,7 @@ impl Scene {
         } = &self.sim;
         let now = Situation::of(world, actors, player);
         let still = self.shown.viewing.reduced_motion;
-        self.shown.hand.step(now, outbox.fired, still);
+        crate::hand::step(&mut self.shown.hand, now, outbox.fired, still);
         self.autosave();
     }
 }

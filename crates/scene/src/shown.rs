@@ -8,7 +8,6 @@ use hecs::Entity;
 use crate::bot::Bot;
 use crate::car::lights::{seat_figure, show_cars};
 use crate::drops::{self, Drop};
-use crate::fixture;
 use crate::frame::Figure;
 use crate::moment::Who;
 use crate::npc::mind::Mind;
@@ -19,6 +18,7 @@ use crate::scene::Scene;
 use crate::situation::Situation;
 use crate::tuning::FIGURE_SEEN_FROM_M;
 use crate::world::World;
+use crate::{fixture, hand};
 
 /// Ground is looked for from so far above a body's feet, and so far below them, metres.
 const KNEES_M: f64 = 0.5;
@@ -54,7 +54,7 @@ pub(crate) fn figures_seen_by(scene: &Scene, eye: &Eye, sees_player: bool) -> Ve
         };
         if entity == actors.player {
             let held = now.player.inventory.held();
-            scene.shown.hand.use_in(held, &mut figure);
+            hand::use_in(&scene.shown.hand, held, &mut figure);
             seat_figure(now, &mut figure);
         }
         let mut who = Who::Player {

@@ -1,6 +1,7 @@
 //! What can be heard in the world: events of each step, and what surrounds the player. Plain data; nothing here
 //! makes a sound, and nothing of it is saved.
 
+use antipode_frame::hand::STROKE_S;
 use antipode_geometry::{ChartPoint, Eye};
 use antipode_items::Item;
 use antipode_physics::Character;
@@ -92,8 +93,6 @@ pub struct Drive {
     pub slide_m_s: f64,
 }
 
-/// Time between two sounds of a tool that is held down, in seconds.
-pub const STROKE_S: f64 = 0.27;
 /// Slower falls, in m/s, are steps: walking down a slope leaves the ground all the time.
 const LANDING_FROM_M_S: f64 = 2.5;
 /// Share of the speed at which braked tyres slide.

@@ -1,5 +1,6 @@
 //! Figures of play that belong to no other crate, in one place, with their units.
 
+pub use antipode_frame::hand::{FLASH_S, KICK_S};
 pub use antipode_frame::motion::{LANDS_FROM_M_S, RUN_STRIDE_M, RUNS_FROM_M_S, WALK_STRIDE_M};
 use antipode_physics::{BallTuning, CharacterTuning};
 
@@ -52,14 +53,6 @@ pub const VIEW_DISTANCE_CHUNKS: (u32, u32, u32) = (1, 16, 4);
 pub const BODIES_WITHIN_CHUNKS: u16 = 4;
 /// What changed is committed at least this often, in simulated seconds.
 pub const AUTOSAVE_S: f64 = 3.0;
-/// How long the flash of a shot is seen, in seconds.
-pub const FLASH_S: f64 = 0.05;
-/// How long it takes to take another thing in hand, in seconds.
-pub const TAKES_S: f64 = 0.22;
-/// Time in which the kick of a shot falls to a third, in seconds.
-pub const KICK_S: f64 = 0.07;
-/// How far a step moves what is held, as seen from the eye: sideways and up, in metres.
-pub const BOB_M: (f64, f64) = (0.012, 0.010);
 /// Nearest to the head, in metres, from which the camera behind a figure still shows it.
 pub const FIGURE_SEEN_FROM_M: f64 = 2.2;
 /// Slowest fall whose end dips the head, in metres per second: a step down a stair does not.

@@ -27,7 +27,8 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
     let spacing = ui.spacing_mut();
     if regions.compact {
         // Nine buttons under the title need no scrolling at 360 points, nor do ten lower ones.
-        let lower = if may_skip_hints(pass) { 3.0 } else { 0.0 };
+        let is_tenth = may_skip_hints(pass) || pass.model.in_room;
+        let lower = if is_tenth { 3.0 } else { 0.0 };
         spacing.interact_size.y = 28.0 - lower;
         spacing.button_padding.y = 4.0 - lower / 2.0;
         spacing.item_spacing.y = 2.0;
@@ -65,24 +66,8 @@ fn title(ui: &mut Ui, pass: &Pass<'_>) {
 fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen) {
     let running = pass.model.running_world.is_some();
     let texts = pass.model.texts;
-    let leave = if pass.model.in_room {
-        "menu-leave-room"
-    } else {
-        "menu-save-and-quit"
-    };
-    let in_world = [
-        (texts.say("menu-resume"), Intent::Resume),
-        (texts.say("menu-save"), Intent::Save),
-        (texts.say(leave), Intent::SaveAndQuitToMenu),
-    ];
-    let is_there = |intent: &Intent| running && !(pass.model.in_room && *intent == Intent::Save);
-    for (label, intent) in in_world.into_iter().filter(|(_, intent)| is_there(intent)) {
-        let response = entry(ui, &label, false);
-        stops.add(&response);
-        offer(pass, current, &response);
-        if response.clicked() {
-            pass.intents.push(intent);
-        }
+    if running {
+        of_running(ui, pass, stops, current);
     }
     if may_skip_hints(pass) {
         let response = entry(ui, &texts.say("menu-skip-hints"), false);
@@ -120,6 +105,32 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen
     stops.add(&quit);
     if quit.clicked() {
         pass.intents.push(Intent::Quit);
+    }
+}
+
+/// The buttons of a menu over a world or room that is open.
+fn of_running(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen) {
+    let (texts, in_room) = (pass.model.texts, pass.model.in_room);
+    let entries: &[(&str, Intent)] = if in_room {
+        &[
+            ("menu-resume", Intent::Resume),
+            ("menu-begin-anew", Intent::BeginAnew),
+            ("menu-leave-room", Intent::SaveAndQuitToMenu),
+        ]
+    } else {
+        &[
+            ("menu-resume", Intent::Resume),
+            ("menu-save", Intent::Save),
+            ("menu-save-and-quit", Intent::SaveAndQuitToMenu),
+        ]
+    };
+    for (key, intent) in entries {
+        let response = entry(ui, &texts.say(key), false);
+        stops.add(&response);
+        offer(pass, current, &response);
+        if response.clicked() {
+            pass.intents.push(intent.clone());
+        }
     }
 }
 

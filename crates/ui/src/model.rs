@@ -180,6 +180,8 @@ pub enum Intent {
     Save,
     /// Save, close the world or leave the room, come back to the main menu.
     SaveAndQuitToMenu,
+    /// Begins anew in the room behind the menu.
+    BeginAnew,
     /// Make a world and enter it.
     NewGame {
         /// Checked by [`MenuModel::check_name`], without surrounding blanks.

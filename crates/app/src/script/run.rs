@@ -77,8 +77,7 @@ impl Runner {
             Language::System => Texts::default(),
             _ => options::texts(&config.settings),
         };
-        let mut rooms = Rooms::new(&common);
-        rooms.set_texts(&texts);
+        let rooms = Rooms::new(&common);
         Self {
             rooms,
             common,
@@ -314,10 +313,15 @@ impl Runner {
 
     fn shoot_room(&mut self, path: &Path) -> Result<(), Failure> {
         let (id, quality) = (self.rooms.look_id(), self.worlds.quality());
+        let with_hand = !self.display_hidden;
         let (Some(studio), Some(room)) = (self.studio.as_mut(), self.rooms.open_room()) else {
             return Ok(());
         };
-        write_picture(&studio.shoot_room(room, id, quality)?, path)
+        room.fit(&self.config.settings);
+        write_picture(
+            &studio.shoot_room((room, &self.texts), id, quality, with_hand)?,
+            path,
+        )
     }
 
     pub(super) fn open_studio(&mut self) -> Result<(), Failure> {
@@ -368,7 +372,7 @@ impl Host for Runner {
         self.worlds.set_map(options::map(&self.config.settings));
         if id == "language" {
             self.texts = options::texts(&self.config.settings);
-            self.rooms.set_texts(&self.texts);
+            self.rooms.reword();
         }
         if let Some(session) = &mut self.session {
             options::fit(&mut session.scene, &self.config.settings);

@@ -3,9 +3,10 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
 use antipode_scene::Shutter;
-use antipode_scene::frame::{Frame, View};
+use antipode_scene::frame::Frame;
 use antipode_settings::{Config, Keeper, Opened, Value};
 use antipode_ui::Screen;
 
@@ -18,7 +19,7 @@ use super::options::Options;
 use super::overlays::Overlays;
 use super::phase::{Next, Phase, Request};
 use super::play::{CHUNK_BUDGET, Play};
-use super::portrait::portrait_of;
+use super::portrait::{PortraitView, portrait_of, room_portrait_of};
 use super::shots::Shots;
 use super::visit::RoomId;
 use super::waits::Waits;
@@ -157,6 +158,14 @@ impl Game {
         self.play.resume(&mut self.menus);
     }
 
+    /// Begins anew in the open room.
+    pub(super) fn begin_anew(&mut self) {
+        if let Some(visit) = self.play.phase.visit_mut() {
+            visit.begin_anew();
+            self.resume();
+        }
+    }
+
     /// Closes what is open, then goes on.
     pub(super) fn leave(&mut self, next: Next) {
         self.close_overlays();
@@ -216,6 +225,8 @@ impl Game {
             }
             Phase::InRoom(visit) if visit.is_drawn => {
                 let feel = (!self.overlays.are_up()).then(|| Feel::from(settings));
+                let scene = &mut visit.room.scene;
+                scene.set_rights_at_once(settings.reduced_motion);
                 visit.advance(passed, &mut self.play.pace, &mut self.devices, feel);
             }
             Phase::InRoom(_) | Phase::RoomPaused(_) => {}
@@ -279,23 +290,32 @@ impl Game {
     /// What a picture of that width over height is of, if a room is open.
     pub fn room_view(&mut self, aspect: f64) -> Option<RoomView> {
         let (shutter, quality) = (self.shutter(), self.play.worlds.quality());
+        let with_hand = !self.display.hidden;
         let visit = self.play.phase.visit_mut()?;
         visit.aspect = aspect;
-        Some(visit.view(shutter, quality))
+        visit.room.fit(&self.options.config.settings);
+        Some(visit.view(shutter, quality, with_hand))
     }
 
-    /// The open room, with what tells its picture from others.
-    pub fn room(&self) -> Option<(RoomId, &RoomScene)> {
-        let visit = self.play.phase.visit()?;
-        Some((visit.id(), visit.scene()))
+    /// The open room, with what tells its picture from others, and the words for what is read in it.
+    pub fn room(&mut self) -> Option<(RoomId, &RoomScene, &Texts)> {
+        let texts = &self.menus.texts;
+        let visit = self.play.phase.visit_mut()?;
+        visit.speak(texts.language());
+        Some((visit.id(), visit.scene(), texts))
     }
 
     /// The view of the picture of the open world for the menu, if one is to be taken with a frame: the world, and nothing
     /// that the player is told of it. The picture is to come back with the world's number.
-    pub fn portrait(&mut self, frame: &Frame) -> Option<(u64, View)> {
-        let play = &mut self.play;
-        let is_wanted = std::mem::take(&mut play.portrait.is_wanted);
-        is_wanted.then(|| (play.portrait.expect(play.opened), portrait_of(frame)))
+    pub fn portrait(&mut self, frame: &Frame) -> Option<(u64, PortraitView)> {
+        let number = self.play.expect_portrait()?;
+        Some((number, PortraitView::World(portrait_of(frame))))
+    }
+
+    /// The same of the open room.
+    pub fn room_portrait(&mut self, view: &RoomView) -> Option<(u64, PortraitView)> {
+        let number = self.play.expect_portrait()?;
+        Some((number, PortraitView::Room(room_portrait_of(view))))
     }
 
     /// What of the last step the next picture shows, and of the next one's turn.

@@ -101,6 +101,7 @@ impl Game {
         match intent {
             Intent::Resume => self.resume(),
             Intent::Save => self.play.save(),
+            Intent::BeginAnew => self.begin_anew(),
             Intent::SaveAndQuitToMenu => self.leave(Next::Menu),
             Intent::NewGame {
                 name,

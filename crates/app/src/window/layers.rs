@@ -2,6 +2,7 @@
 //! on; what all pass is for the interface.
 
 use antipode_settings::Value;
+use antipode_ui::{ToastKind, first_input_label};
 
 use super::game::Game;
 use super::hints::HintContext;
@@ -58,6 +59,11 @@ impl Game {
                 Some(visit) => visit.room.outlines = visit.room.outlines.next(),
                 None => display.hit_shapes = !display.hit_shapes,
             },
+            Action::PhotoMode | Action::Backpack | Action::FrameFigures
+                if self.play.phase.visit().is_some() =>
+            {
+                self.say_for_worlds(action);
+            }
             Action::FrameFigures => display.figures = !display.figures,
             Action::Fullscreen => {
                 let value = !self.options.config.settings.fullscreen;
@@ -83,6 +89,15 @@ impl Game {
             }
             _ => {}
         }
+    }
+
+    /// Says in a room of what is done in worlds only that it is.
+    fn say_for_worlds(&mut self, action: Action) {
+        let profiles = &self.options.config.profiles;
+        let key = first_input_label(&self.menus.texts, profiles, action);
+        let values = [("key", key.into())];
+        self.menus
+            .toast(ToastKind::State, "room-hint-for-worlds", &values);
     }
 
     /// Escape while the world is not played: one level back.

@@ -178,6 +178,7 @@ impl Menus {
         backdrop: Backdrop,
     ) -> Vec<Intent> {
         self.list.show_pictures(context);
+        self.rooms.show_pictures(context);
         let (texts, list, rooms) = (&self.texts, &self.list, &self.rooms);
         let is_open = self.shell.is_open();
         let (worlds, world_files) = if is_open {

@@ -136,7 +136,11 @@ impl Open {
         let repaint = output.viewport_output.get(&egui::ViewportId::ROOT);
         let wait = repaint.map_or(Duration::MAX, |viewport| viewport.repaint_delay);
         let showing = Showing {
-            thumbnail: frame.as_ref().and_then(|frame| self.game.portrait(frame)),
+            thumbnail: match (&frame, &room) {
+                (Some(frame), _) => self.game.portrait(frame),
+                (None, Some(room)) => self.game.room_portrait(room),
+                (None, None) => None,
+            },
             scene: match (&frame, &room) {
                 (Some(frame), _) => SceneShown::World(frame),
                 (None, Some(room)) => SceneShown::Room(room),
@@ -164,10 +168,10 @@ impl Open {
 
     /// Has the open room drawn, or leaves one that cannot be.
     fn prepare_room(&mut self) {
-        let Some((id, room)) = self.game.room() else {
+        let Some((id, room, texts)) = self.game.room() else {
             return;
         };
-        if let Some(why) = self.stage.prepare_room(id, room) {
+        if let Some(why) = self.stage.prepare_room(id, room, texts) {
             self.game.play.room_refused(&why, &mut self.game.menus);
         }
     }

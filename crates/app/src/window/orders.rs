@@ -4,6 +4,7 @@ use std::path::Path;
 
 use antipode_language::{Texts, Value};
 use antipode_room_scene::RoomScene;
+use antipode_rooms::RoomError;
 use antipode_scene::Scene;
 use antipode_storage::{StorageError, WorldSummary};
 use antipode_ui::LineKind::{self, Answer, Problem};
@@ -17,14 +18,19 @@ use crate::bindings::Input;
 use crate::console::{HELP, help};
 use crate::controls::Controls;
 use crate::failure::Failure;
+use crate::rooms::OpenRoom;
 use crate::script::{
     Host, Order, RoomOrder, command_named, obey, parse_line, probe_text, room_probe_text, steps_in,
 };
 use crate::session::{NewWorld, Worlds};
 use crate::wording;
 
-/// What is said of commands that change rooms, which the game in its window does not do.
-const ONLY_SCRIPTS: &str = "rooms are changed by scripts, as docs/rooms.md tells";
+/// What is said of commands that only scripts have.
+const ONLY_SCRIPTS: &str = "rooms with another gravity are made by scripts, as docs/rooms.md tells";
+/// What is said where a room of the game is to be changed.
+const SHIPPED: &str = "this room comes with the game; duplicate it in the list of rooms, or keep it by room save name=NAME, and change the copy";
+/// What is said where no room is played.
+const NO_ROOM: &str = "no room is open";
 
 impl Game {
     /// Does what a line says, and answers below it.
@@ -97,9 +103,14 @@ impl Game {
         match order {
             RoomOrder::New {
                 gravity: Some(_), ..
-            }
-            | RoomOrder::Save(_) => {
-                return Err(Failure::Usage(ONLY_SCRIPTS.to_owned()));
+            } => return Err(Failure::Usage(ONLY_SCRIPTS.to_owned())),
+            RoomOrder::Save(name) => {
+                let dir = self.play.worlds.rooms();
+                self.visited()?
+                    .save(&dir, name.as_deref())
+                    .map_err(|error| told_of_room(&error))?;
+                self.menus.rooms.refresh();
+                self.reply(Answer, "console-room-saved", &[]);
             }
             RoomOrder::New { name, .. } => {
                 self.leave(Next::Open(Request::NewRoom(name.clone())));
@@ -131,6 +142,26 @@ impl Game {
                 }
             }
         }
+        Ok(())
+    }
+
+    fn visited(&mut self) -> Result<&mut OpenRoom, Failure> {
+        let visit = self.play.phase.visit_mut();
+        let room = visit.map(|visit| &mut visit.room);
+        room.ok_or_else(|| Failure::Usage(NO_ROOM.to_owned()))
+    }
+
+    /// Changes the open room, if it is the player's own.
+    fn edit_room(&mut self, words: &[String]) -> Result<(), Failure> {
+        let dir = self.play.worlds.rooms();
+        let room = self.visited()?;
+        if room.kept.as_ref().is_none_or(|kept| kept.shipped) {
+            return Err(Failure::Usage(SHIPPED.to_owned()));
+        }
+        let words: Vec<_> = words.iter().map(String::as_str).collect();
+        room.edit(&dir, &words)
+            .map_err(|error| told_of_room(&error))?;
+        self.reply(Answer, "console-room-changed", &[]);
         Ok(())
     }
 
@@ -245,12 +276,17 @@ impl Host for Game {
             Order::Shot(file) => self.shoot_as(file),
             Order::Perf(_) => self.reply(Problem, "console-no-perf", &[]),
             Order::Room(order) => return self.order_room(order),
-            Order::Edit(_) => return Err(Failure::Usage(ONLY_SCRIPTS.to_owned())),
+            Order::Edit(words) => return self.edit_room(words),
             // The rest is carried out alike everywhere.
             _ => {}
         }
         Ok(())
     }
+}
+
+/// A command that makes no sense is told in its own words.
+fn told_of_room(error: &RoomError) -> Failure {
+    Failure::Usage(error.to_string())
 }
 
 fn sentence(texts: &Texts, what: &str) -> String {

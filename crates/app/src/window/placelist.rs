@@ -20,7 +20,7 @@ use antipode_ui::{ArchiveRow, ToastKind, WorldFiles, WorldRow, WorldsIntent, leg
 use self::folder::FolderProblem;
 use self::news::News;
 use self::pictures::Pictures;
-pub use self::shelf::{Kept, RoomShelf, Shelf, room_of};
+pub use self::shelf::{Kept, ROOM_PICTURE, RoomShelf, Shelf, room_of};
 use self::work::{Details, Job, Locations, Outcome};
 use super::background::{Progress, Task};
 use crate::session::Worlds;
@@ -205,7 +205,10 @@ impl<S: Shelf> PlaceList<S> {
                 let is_there = |slug: &String| places.iter().any(|place| place.slug() == *slug);
                 self.details.retain(|slug, _| is_there(slug));
                 self.unwritten.retain(|slug, _| is_there(slug));
-                self.pictures.want(&places);
+                let shelf = self.locations.shelf();
+                let wanted = places.iter();
+                let wanted = wanted.map(|place| (place.slug(), shelf.picture(place)));
+                self.pictures.want(wanted);
                 self.known = places;
             }
             Some(Err(failure)) => self.news.push_back(News::Failed(failure)),

@@ -2,6 +2,7 @@
 
 mod passage;
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use antipode_audio::{Heard, PlayState};
@@ -19,7 +20,7 @@ use super::hints::{HintContext, Hints};
 use super::menus::Menus;
 use super::pace::Pace;
 use super::phase::{Next, Phase};
-use super::portrait::Portrait;
+use super::portrait::{Portrait, write_portrait};
 use super::veil::Veil;
 use super::visit::Visit;
 use super::waits::{Part, Waits};
@@ -43,6 +44,8 @@ pub struct Play {
     /// The number of the open world or room among those that were opened.
     pub(super) opened: u64,
     pub(super) portrait: Portrait,
+    /// Where the picture of a room goes that is being drawn, and the number of the room among those that were opened.
+    room_portrait: Option<(u64, PathBuf)>,
     /// The player has asked for a save and is owed an answer.
     pub(super) saving: bool,
     /// Since the open world was last given to be saved, in seconds of the wall clock.
@@ -68,6 +71,7 @@ impl Play {
             veil: Veil::default(),
             opened: 0,
             portrait: Portrait::default(),
+            room_portrait: None,
             saving: false,
             since_save_s: 0.0,
             held_up: None,
@@ -89,6 +93,8 @@ impl Play {
                 Phase::Paused(session)
             }
             Phase::InRoom(visit) => {
+                self.room_portrait = visit.portrait_file().map(|file| (self.opened, file));
+                self.portrait.is_wanted = self.room_portrait.is_some() && visit.is_drawn;
                 menus.open_main();
                 Phase::RoomPaused(visit)
             }
@@ -186,6 +192,12 @@ impl Play {
 
     /// Tells the player what came up in the scene. The display shows a speaker's words unless it is hidden.
     pub fn tell(&mut self, menus: &mut Menus, profiles: &Profiles, display_hidden: bool) {
+        if let Some(visit) = self.phase.visit_mut() {
+            for hint in visit.room.scene.take_hints() {
+                let words = wording::room_hint(&menus.texts, hint);
+                menus.shell.toast(words, ToastKind::State);
+            }
+        }
         let Some(session) = self.phase.session_mut() else {
             return;
         };
@@ -286,17 +298,29 @@ impl Play {
     pub fn is_still(&self) -> bool {
         let session = match &self.phase {
             Phase::Paused(session) => session,
-            Phase::RoomPaused(visit) => return visit.is_drawn,
+            Phase::RoomPaused(visit) => return visit.is_drawn && !self.portrait.is_wanted,
             _ => return false,
         };
         let lifts = matches!(self.veil, Veil::Drawn | Veil::Lifting(_));
         session.scene.pending() == 0 && !self.saving && !self.portrait.is_wanted && !lifts
     }
 
+    /// The number that a picture for the menu is to come back with, if one is to be taken with the next frame.
+    pub fn expect_portrait(&mut self) -> Option<u64> {
+        let is_wanted = std::mem::take(&mut self.portrait.is_wanted);
+        is_wanted.then(|| self.portrait.expect(self.opened))
+    }
+
     /// Keeps a picture of the world with that number if it is still open, or being closed, and writes it in the
-    /// background.
+    /// background. That of a room is written wherever the player has gone since.
     pub fn keep_picture(&mut self, world: u64, picture: RgbaImage) {
         let picture = self.portrait.hand_over(world, picture);
+        let of_room = self.room_portrait.take_if(|(number, _)| *number == world);
+        if let (Some(picture), Some((_, file))) = (&picture, of_room) {
+            let picture = picture.clone();
+            Task::start("picture", move || write_portrait(&picture, &file));
+            return;
+        }
         if let (Some(picture), Some(session)) = (picture, self.phase.session_mut())
             && world == self.opened
         {

@@ -1,8 +1,14 @@
-//! A world's picture for the menu: drawn while the game goes on, even while the world is being closed.
+//! The picture of a world or room for the menu: drawn while the game goes on, even while the world is being closed.
 
+use std::io::Cursor;
+use std::path::Path;
+
+use antipode_rays::View as RoomLook;
 use antipode_scene::frame::{Frame, View};
 use crossbeam_channel::{Receiver, Sender, bounded};
-use image::RgbaImage;
+use image::{ImageFormat, RgbaImage};
+
+use crate::room_picture::RoomView;
 
 /// Width over height of the menu's pictures of worlds.
 const ASPECT: f64 = 16.0 / 9.0;
@@ -16,6 +22,37 @@ pub fn portrait_of(frame: &Frame) -> View {
     };
     view.projection.sx = view.projection.sy / ASPECT;
     view
+}
+
+/// What a room's picture shows, by the game's own rule and with nothing in the hand.
+pub fn room_portrait_of(view: &RoomView) -> RoomView {
+    let mut view = view.clone();
+    view.moment.hand = None;
+    view.options.view = RoomLook::Exact;
+    view
+}
+
+/// What a picture for the menu is of.
+#[derive(Clone, Debug)]
+pub enum PortraitView {
+    /// A world.
+    World(View),
+    /// A room.
+    Room(RoomView),
+}
+
+/// Writes a picture whole or not at all; that it cannot be written is no matter for the player.
+pub fn write_portrait(picture: &RgbaImage, path: &Path) {
+    let mut png = Cursor::new(Vec::new());
+    let written = match picture.write_to(&mut png, ImageFormat::Png) {
+        Ok(()) => {
+            antipode_storage::replace_file(path, png.get_ref()).map_err(|why| why.to_string())
+        }
+        Err(why) => Err(why.to_string()),
+    };
+    if let Err(why) = written {
+        tracing::info!("the menu's picture could not be written: {why}");
+    }
 }
 
 /// What becomes of the picture of the open world.

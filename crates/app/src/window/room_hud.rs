@@ -2,7 +2,7 @@
 
 use antipode_language::{Texts, Value};
 use antipode_rays::View;
-use antipode_room_scene::{Pick, RoomScene};
+use antipode_room_scene::{Pick, RoomScene, Sizes};
 use antipode_rooms::What;
 use antipode_settings::Profiles;
 use antipode_ui::{HudModel, RoomModel, first_input_label};
@@ -30,7 +30,10 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
         }
         _ => words.sentence.clone(),
     };
-    let mut state = state(texts, scene);
+    let mut state = match visit.room.look {
+        View::Plain => Vec::new(),
+        _ => state(texts, scene.sizes()),
+    };
     if is_new {
         state.push(keys(texts, profiles));
     }
@@ -59,6 +62,9 @@ fn keys(texts: &Texts, profiles: &Profiles) -> String {
         ("gun", Action::Use),
         ("lamp", Action::SecondUse),
         ("ball", Action::Drop),
+        ("anew", Action::FlipCar),
+        ("again", Action::Talk),
+        ("edges", Action::HitShapes),
     ]
     .map(|(name, action)| (name, first_input_label(texts, profiles, action).into()));
     texts.say_with("room-keys", &values)
@@ -73,6 +79,9 @@ fn look(texts: &Texts, visit: &Visit) -> Option<String> {
         View::Plain => return Some(texts.say("room-look-plain")),
     };
     let it = visit.difference();
+    if it.exact.felt.is_none() && it.thesis.felt.is_none() {
+        return Some(texts.say(key));
+    }
     let far = |length: Option<f64>| match length {
         Some(length) => {
             let metres = Value::decimals(length, usize::from(length < 10.0));
@@ -119,20 +128,28 @@ fn differ(a: f64, b: f64) -> bool {
     (a - b).abs() > NOTICED * a.max(b)
 }
 
-/// How large one is, where that is not one's own size.
-fn state(texts: &Texts, scene: &RoomScene) -> Vec<String> {
-    let [least, most] = scene.scales();
-    // Who is narrower only has not another size.
-    let scale = if most < 1.0 { most } else { least };
-    if (most >= 1.0 && least <= 1.0) || !differ(scale, 1.0) {
-        return Vec::new();
-    }
-    let (key, times) = if scale < 1.0 {
-        ("room-smaller", 1.0 / scale)
-    } else {
-        ("room-larger", scale)
+/// How large one is, where that is not one's own size. Who is narrower along one direction only has not another size.
+fn state(texts: &Texts, sizes: Sizes) -> Vec<String> {
+    let told = |what: &str, scale: f64| {
+        let (key, times) = if scale < 1.0 {
+            ("room-smaller", 1.0 / scale)
+        } else {
+            ("room-larger", scale)
+        };
+        let times = Value::decimals(times, 1);
+        let key = [key, what].concat();
+        differ(scale, 1.0).then(|| texts.say_with(&key, &[("times", times)]))
     };
-    vec![texts.say_with(key, &[("times", Value::decimals(times, 1))])]
+    let Sizes {
+        up,
+        level: [least, most],
+    } = sizes;
+    let level = if most < 1.0 { most } else { least.max(1.0) };
+    if differ(up, level) {
+        let both = [told("-level", level), told("-up", up)];
+        return both.into_iter().flatten().collect();
+    }
+    told("", level).into_iter().collect()
 }
 
 #[cfg(test)]
@@ -166,5 +183,19 @@ mod tests {
             events: Vec::new(),
         };
         assert_eq!(lengths(&Texts::default(), &pick), None);
+    }
+
+    #[test]
+    fn one_is_told_how_large_one_is_along_the_floor_and_in_height() {
+        let told = |up, level| state(&Texts::default(), Sizes { up, level }).join("; ");
+        assert_eq!(told(1.0, [1.0, 1.0]), "");
+        assert_eq!(told(1.0, [0.1, 1.0]), "", "flat, but of one's own size");
+        let alike = told(0.5, [0.5, 0.5]);
+        assert!(alike.contains("2.0 times smaller") && !alike.contains("floor"));
+        let twice = told(1.0, [2.0, 2.0]);
+        assert!(twice.contains("Along the floor you are 2.0 times larger"));
+        assert!(!twice.contains("height"), "{twice}");
+        let both = told(0.5, [1.0 / 3.0, 1.0 / 3.0]);
+        assert!(both.contains("floor you are 3.0") && both.contains("height you are 2.0"));
     }
 }

@@ -12,6 +12,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
+use antipode_language::Texts;
 use antipode_render::{AdapterChoice, Gpu, Options, PictureReading, Renderer, Shaders};
 use antipode_room_scene::RoomScene;
 use antipode_settings::Settings;
@@ -200,8 +201,10 @@ impl Stage {
     }
 
     /// A room is to be drawn: begins to make what for, unless that is there. Returns why it cannot be drawn, once.
-    pub fn prepare_room(&mut self, id: RoomId, room: &RoomScene) -> Option<Failure> {
-        self.rooms.prepare(&self.gpu, &self.options, id, room)
+    /// What is read in it is in the language of `texts`.
+    pub fn prepare_room(&mut self, id: RoomId, room: &RoomScene, texts: &Texts) -> Option<Failure> {
+        let shown = (room, texts);
+        self.rooms.prepare(&self.gpu, &self.options, id, shown)
     }
 
     /// Width over height.

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use antipode_language::Language;
 use antipode_room_scene::{Difference, RoomScene, RoomSound};
 use antipode_rooms::files::ROOM_FILE;
 use antipode_scene::frame::Quality;
@@ -12,6 +13,7 @@ use glam::DVec2;
 
 use super::devices::Devices;
 use super::pace::Pace;
+use super::placelist::ROOM_PICTURE;
 use crate::pad::Feel;
 use crate::room_picture::RoomView;
 use crate::rooms::OpenRoom;
@@ -32,6 +34,9 @@ pub struct Visit {
     time_s: f64,
     /// Whether a picture of it is there.
     pub(super) is_drawn: bool,
+    /// In which language what is read in it is drawn, once it is known, and how often that was another one.
+    language: Option<Language>,
+    reworded: u64,
     /// Where rooms are.
     dir: PathBuf,
     /// Width over height of its pictures.
@@ -47,6 +52,8 @@ impl Visit {
             number,
             time_s: 0.0,
             is_drawn: false,
+            language: None,
+            reworded: 0,
             aspect: 16.0 / 9.0,
         }
     }
@@ -58,7 +65,13 @@ impl Visit {
 
     /// Tells its picture from others.
     pub fn id(&self) -> RoomId {
-        (self.number, self.scene().revision())
+        (self.number, self.scene().revision() + self.reworded)
+    }
+
+    /// What is read in it is to be in that language.
+    pub fn speak(&mut self, language: Language) {
+        let before = self.language.replace(language);
+        self.reworded += u64::from(before.is_some_and(|before| before != language));
     }
 
     /// What the menu knows it by; empty for a room that is not kept.
@@ -71,6 +84,22 @@ impl Visit {
     pub fn file(&self) -> Option<PathBuf> {
         let kept = self.room.kept.as_ref().filter(|kept| !kept.shipped)?;
         Some(self.dir.join(&kept.slug).join(ROOM_FILE))
+    }
+
+    /// Who walks begins anew in it, and is told again what is strange there.
+    pub fn begin_anew(&mut self) {
+        self.room.scene.begin_anew();
+        self.tell_again();
+    }
+
+    /// One is told again what is strange in it.
+    pub fn tell_again(&mut self) {
+        self.time_s = 0.0;
+    }
+
+    /// The file of the menu's picture of a room of the player's own. No room uses it, so no export has it.
+    pub fn portrait_file(&self) -> Option<PathBuf> {
+        Some(self.file()?.with_file_name(ROOM_PICTURE))
     }
 
     /// Whether one is still told what is strange in it.
@@ -92,16 +121,21 @@ impl Visit {
         for _ in 0..steps {
             let actions = devices.take(feel);
             self.room.step(&actions);
+            if actions.talk || actions.flip_car {
+                self.tell_again();
+            }
             devices.step();
         }
     }
 
-    /// What a picture of this moment is of: a share of the way of the last step, and turned as no step knows yet.
-    pub fn view(&self, shutter: Shutter, quality: Quality) -> RoomView {
+    /// What a picture of this moment is of: a share of the way of the last step, and turned as no step knows yet. `with_hand`:
+    /// whether it shows what is held.
+    pub fn view(&self, shutter: Shutter, quality: Quality, with_hand: bool) -> RoomView {
         let turn = (shutter.turned.right_rad, shutter.turned.up_rad);
+        let moment = self.scene().moment(shutter.share, turn);
         RoomView {
             id: self.id(),
-            moment: self.scene().moment(shutter.share, turn),
+            moment: self.room.shown(moment, with_hand),
             options: self.room.picture_options(quality, 1),
         }
     }

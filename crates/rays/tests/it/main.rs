@@ -10,6 +10,8 @@ mod agreement;
 mod common;
 mod movers;
 mod pictures;
+mod portals;
+mod raster;
 mod shaders;
 mod surfaces;
 mod views;

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use antipode_deformation::{End, Place, Sides, Space, Traveller, Triangle, Triangles, What, trace};
-use antipode_rays::{Loaded, Material, Mover, Options, Outcome, ProbeRay, Prober, RayScene, Seen};
+use antipode_rays::{
+    Loaded, Material, Mover, Options, Outcome, ProbeRay, Prober, RayScene, Seen, Sun,
+};
 use antipode_testing::rooms;
 use fastrand::Rng;
 use glam::{Affine3A, DQuat, DVec3, Mat3A, Quat, Vec3};
@@ -18,6 +20,7 @@ fn mover(mesh: usize, pose: Affine3A, object: u32) -> Mover {
         object,
         materials: 0,
         unseen_by_eye: false,
+        held: false,
     }
 }
 
@@ -228,6 +231,62 @@ fn who_looks_sees_themselves_in_mirrors_only() {
         "in it oneself: {light:?}"
     );
     assert_eq!(seen(false).1, Seen::Object(9));
+}
+
+/// A block is held before the eye of somebody who is a larger block.
+#[test]
+fn what_is_held_is_seen_by_the_eye_alone_and_lit_as_if_nobody_stood_there() {
+    let Some(gpu) = Gpu::shared() else { return };
+    let mut scene = scene_of(&rooms::cuboid(
+        DVec3::new(0.0, -1.0, 0.0),
+        DQuat::IDENTITY,
+        DVec3::new(9.0, 0.1, 9.0),
+        0,
+    ));
+    scene.sun = Some(Sun {
+        direction: DVec3::Y,
+        colour: Vec3::ONE,
+    });
+    scene.sky.ambient_sky = Vec3::ZERO;
+    scene.sky.ambient_ground = Vec3::ZERO;
+    scene.movables = vec![Arc::new(mesh(&block(DVec3::splat(0.5))))];
+    let mut on_adapter = loaded(gpu, &scene);
+    let who = Mover {
+        unseen_by_eye: true,
+        ..mover(0, Affine3A::IDENTITY, 8)
+    };
+    let small = Affine3A::from_scale_rotation_translation(
+        Vec3::splat(0.1),
+        Quat::IDENTITY,
+        Vec3::new(0.0, -0.1, -0.2),
+    );
+    let held = |held: bool| Mover {
+        held,
+        ..mover(0, small, 9)
+    };
+    let mut seen = |movers: &[Mover], eye: DVec3, at: DVec3| {
+        let eye = looking(&scene, eye, at);
+        let both = (&scene, &mut on_adapter);
+        let drawn = draw_with(gpu, both, movers, &eye, Options::default());
+        (middle(&drawn.0)[1], middle(&drawn.1).seen)
+    };
+    let block_m = DVec3::new(0.0, -0.05, -0.2);
+    let (light, what) = seen(&[who, held(true)], DVec3::ZERO, block_m);
+    assert_eq!(what, Seen::Object(9));
+    assert!(light > 0.3, "its upper face is in the sun: {light}");
+    let (light, _) = seen(&[who, held(false)], DVec3::ZERO, block_m);
+    assert!(
+        light < 0.01,
+        "another is in the shadow of who looks: {light}"
+    );
+    let (below, aside) = (DVec3::new(0.0, -0.9, -0.2), DVec3::new(0.5, -0.5, -0.2));
+    let (shaded, _) = seen(&[held(false)], aside, below);
+    let (lit, what) = seen(&[held(true)], aside, below);
+    assert_eq!(what, Seen::Object(0));
+    assert!(
+        shaded < 0.01 && lit > 0.3,
+        "no shadow of it: {shaded} {lit}"
+    );
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Who walks as a figure, the camera behind them, and what their hands leave as things that are drawn.
 
 use antipode_frame::Clip;
-use antipode_room_scene::{RoomScene, Steer, ThingKind};
+use antipode_room_scene::{RoomScene, RoomViewing, Steer, ThingKind};
 use antipode_rooms::{Assets, What};
 use glam::{DVec3, Vec3};
 
@@ -155,4 +155,98 @@ fn what_hands_leave_is_drawn_and_lamps_shine() {
         assert!((radius - thing.radius_m).abs() < 1e-6, "{:?}", thing.kind);
         assert!(mover.object as usize > scene.room().objects.len());
     }
+}
+
+const SHOOT: Steer = Steer {
+    forward: 0.0,
+    shoot: true,
+    ..AHEAD
+};
+
+#[test]
+fn the_gun_is_seen_before_the_eye_and_in_the_hand_of_the_figure() {
+    let mut scene = standing();
+    let seen = scene.now().hand.unwrap();
+    assert_eq!((seen.hand.kick, seen.hand.flashes), (0.0, false));
+    assert_eq!(seen.hand.bob_m, [0.0, 0.0], "who stands holds it still");
+    let ahead = seen.pose.transform_vector3(Vec3::NEG_Z).as_dvec3();
+    assert!(ahead.distance(DVec3::NEG_Z) < 1e-6, "{ahead}");
+    let lamps = scene.lamps_between(1.0).len();
+    scene.step(&SHOOT);
+    let shot = scene.now();
+    let hand = shot.hand.unwrap().hand;
+    assert!(hand.kick > 0.9 && hand.flashes && shot.figure.flashes);
+    assert!(shot.figure.posture.kick > 0.9 && shot.figure.held.is_some());
+    assert_eq!(shot.lamps.len(), lamps + 1, "a shot lightens");
+    (0..60).for_each(|_| scene.step(&Steer::default()));
+    let rests = scene.now();
+    assert_eq!(rests.hand, Some(seen), "it comes to rest");
+    assert_eq!(rests.lamps.len(), lamps);
+    scene.set_third_person(true);
+    let behind = scene.now();
+    assert!(behind.hand.is_none() && behind.figure.held.is_some());
+}
+
+#[test]
+fn the_gun_bobs_with_the_steps_but_for_whom_moving_pictures_make_ill() {
+    let most_m = |reduced_motion: bool| {
+        let mut scene = standing();
+        scene.set_viewing(RoomViewing {
+            reduced_motion,
+            ..RoomViewing::default()
+        });
+        let bobs = (0..120).map(|_| {
+            scene.step(&AHEAD);
+            let [right_m, up_m] = scene.now().hand.unwrap().hand.bob_m;
+            right_m.abs().max(up_m.abs())
+        });
+        bobs.fold(0.0, f32::max)
+    };
+    let seen_m = most_m(false);
+    assert!((0.005..0.02).contains(&seen_m), "{seen_m}");
+    assert_eq!(most_m(true), 0.0);
+}
+
+/// In a box that is larger inside along one axis the gun is as much flatter as everything else is: to the eye it is as ever.
+#[test]
+fn the_gun_keeps_its_felt_size() {
+    let mut scene = empty();
+    edit(&mut scene, "add box name=plate at=0,-0.5,0 size=60,1,60");
+    edit(
+        &mut scene,
+        "add aberration name=long at=0,3,0 half=8,3,8 axis=z felt=64 sides=soft",
+    );
+    scene.teleport(DVec3::new(0.0, 0.0, 0.0)).unwrap();
+    scene.aim(-90.0, 0.0);
+    scene.step(&Steer::default());
+    let pose = scene.now().hand.unwrap().pose;
+    let ahead = pose.transform_vector3(Vec3::NEG_Z).length();
+    let right = pose.transform_vector3(Vec3::X).length();
+    assert!((ahead - 0.25).abs() < 1e-5 && (right - 1.0).abs() < 1e-5);
+}
+
+/// Over a wall at one's back that hides the legs the camera rises, and over a low one it stays.
+#[test]
+fn the_camera_behind_rises_until_it_sees_the_legs() {
+    let lift_m = |height_m: f64| {
+        let mut scene = standing();
+        let wall = format!(
+            "add box name=wall at=0,{},402.5 size=9,{height_m},0.3",
+            0.5 * height_m
+        );
+        edit(&mut scene, &wall);
+        scene.set_third_person(true);
+        let eye = scene.eye().place.point;
+        assert!((eye.z - 405.2).abs() < 1e-6, "behind: {eye}");
+        eye.y - scene.feet().y
+    };
+    let plain = 1.62 + 0.45;
+    assert!((lift_m(0.5) - plain).abs() < 1e-3);
+    // The shins are 0.3 m up and 2.35 m before the wall: (h - 0.3) 2.35 / 5.2 = 1.2.
+    let seen = 0.3 + 1.2 * 5.2 / 2.35;
+    let rises = lift_m(1.5);
+    assert!((rises - seen).abs() < 0.03, "{rises}, not {seen}");
+    // Not even from so high up.
+    let most = lift_m(2.0);
+    assert!((most - plain - 1.5).abs() < 0.02, "{most}");
 }

@@ -1,8 +1,8 @@
 //! Shooting, throwing and lamps.
 
 use antipode_room_scene::tuning::{BULLET_REACH_M, MOST_BALLS, MOST_MARKS, REACH_M};
-use antipode_room_scene::{RoomProbe, RoomScene, Steer, Thing, ThingKind};
-use antipode_rooms::What;
+use antipode_room_scene::{RoomHint, RoomProbe, RoomScene, RoomSound, Steer, Thing, ThingKind};
+use antipode_rooms::{Assets, What};
 use glam::DVec3;
 
 use crate::room;
@@ -171,9 +171,7 @@ fn a_ball_flies_through_a_wall_that_is_taken_away_and_falls_where_the_floor_is()
     after(&mut scene, &THROW, 15.0);
     let lies = of_kind(&scene, ThingKind::Ball)[0].place.point;
     let words = ["change", "floor", "at=0,-2.5,0"];
-    scene
-        .edit(&words, |_| Ok(antipode_rooms::Assets::default()))
-        .unwrap();
+    scene.edit(&words, |_| Ok(Assets::default())).unwrap();
     after(&mut scene, &STAY, 6.0);
     let now = of_kind(&scene, ThingKind::Ball)[0].place.point;
     assert!((lies.y - now.y - 2.0).abs() < 0.01, "{lies} {now}");
@@ -220,4 +218,45 @@ fn who_begins_anew_finds_the_room_as_its_file_says() {
     after(&mut scene, &STAY, 40.0);
     assert!(scene.things().is_empty() && scene.probe().hit.is_none());
     assert_eq!(scene.room(), &before);
+}
+
+/// Who pulls the trigger twice in a tenth of a second shoots twice, the second time when the gun has rested.
+#[test]
+fn each_pull_of_the_trigger_is_a_shot() {
+    let mut scene = room("long-house");
+    scene.take_sounds();
+    for step in 0..40 {
+        scene.step(&Steer {
+            shoot: step == 0 || step == 2,
+            ..Steer::default()
+        });
+    }
+    let heard = scene.take_sounds();
+    let shots = heard.iter().filter(|it| **it == RoomSound::Shot).count();
+    assert_eq!(shots, 2, "{heard:?}");
+}
+
+#[test]
+fn a_lamp_that_cannot_be_put_down_says_why() {
+    let place = Steer {
+        place: true,
+        ..Steer::default()
+    };
+    let mut scene = room("long-house");
+    scene.aim(0.0, 80.0);
+    scene.step(&place);
+    assert_eq!(scene.take_hints(), [RoomHint::NoPlaceForLamp]);
+    scene.step(&place);
+    assert_eq!(scene.take_hints(), [], "once for a press");
+    let is_lamp = |it: &&antipode_rooms::Object| matches!(it.what, What::Light { .. });
+    let own = scene.room().objects.iter().filter(is_lamp).count();
+    for lamp in own..8 {
+        let words = format!("add light name=own{lamp} at={lamp},9,0 power=1");
+        let words: Vec<_> = words.split(' ').collect();
+        scene.edit(&words, |_| Ok(Assets::default())).unwrap();
+    }
+    scene.step(&Steer::default());
+    scene.aim(0.0, -80.0);
+    scene.step(&place);
+    assert_eq!(scene.take_hints(), [RoomHint::TooManyLamps]);
 }

@@ -1,11 +1,11 @@
 //! Somebody walks, jumps, shoots and throws at random through every room of the game.
 
 use antipode_deformation::SceneQuery as _;
-use antipode_deformation::{Place, Triangle, Triangles};
-use antipode_room_scene::tuning::STEP_S;
+use antipode_deformation::{Place, Sides, Space, Triangle, Triangles};
+use antipode_room_scene::tuning::{LOST_BELOW_M, STEP_S};
 use antipode_room_scene::{RoomScene, Steer, ThingKind};
 use antipode_rooms::mesh::{Roundness, meshes};
-use antipode_rooms::{Assets, What, poses, shipped};
+use antipode_rooms::{Assets, What, poses, shipped, space};
 use fastrand::Rng;
 use glam::DVec3;
 
@@ -18,12 +18,35 @@ const DEEPEST_M: f64 = 0.05;
 const STAYS_M: f64 = 0.3;
 const STUCK_S: f64 = 20.0;
 
+/// How far beyond a face a body may be that is not said to have crossed it, metres.
+const AT_FACE_M: f64 = 1e-4;
+/// Who has left the land falls so far and as far aside at most, and nothing flies higher, metres.
+const FALLS_M: (f64, f64, f64) = (LOST_BELOW_M + 2.0, 60.0, 210.0);
+
+/// How far a place is from where its aberrations say that it is, metres: outside of one that it is in, or within one that it is not
+/// in and that has walls, through which nobody gets.
+fn strayed(space: &Space, place: &Place) -> f64 {
+    let outside = |number: usize| {
+        let it = &space.placed()[number].aberration;
+        let local = it.turn.inverse() * (place.point - it.centre);
+        (local.abs() - it.half).max_element()
+    };
+    let beyond = place.stack.iter().map(outside).fold(0.0, f64::max);
+    let has_walls = |number: &usize| space.placed()[*number].aberration.sides == Sides::Walls;
+    let is_in = |number: &usize| place.stack.iter().any(|it| it == *number);
+    let others = (0..space.placed().len()).filter(|number| !is_in(number));
+    let within = others.filter(has_walls).map(|number| -outside(number));
+    within.fold(beyond, f64::max)
+}
+
 /// Solids of a room, to ask what is inside of them.
 struct Inside {
     /// Of each object that is closed.
     objects: Vec<(String, Triangles, (DVec3, DVec3))>,
     /// All that stands in the room lies within.
     hull: (DVec3, DVec3),
+    /// Its aberrations.
+    space: Space,
 }
 
 impl Inside {
@@ -59,7 +82,52 @@ impl Inside {
             (DVec3::INFINITY, DVec3::NEG_INFINITY),
             |(low, high), (_, _, bounds)| (low.min(bounds.0), high.max(bounds.1)),
         );
-        Self { objects, hull }
+        let space = space(room).unwrap();
+        Self {
+            objects,
+            hull,
+            space,
+        }
+    }
+
+    /// Sees to it that no centre of a body is where none may be; how deep the deepest is in a solid, metres.
+    fn check(&self, scene: &RoomScene, at: &str) -> f64 {
+        let things = scene.things().into_iter();
+        let things = things.filter(|it| it.kind != ThingKind::Mark);
+        let things = things.map(|it| ("thing", it.place));
+        let (feet, _) = scene.feet_between(1.0);
+        let bodies = [("feet", feet), ("eye", scene.eye().place)];
+        let mut deepest_m: f64 = 0.0;
+        for (what, place) in things.chain(bodies) {
+            let at = format!("{at}: {what} at {}", place.point);
+            assert!(place.point.is_finite(), "{at}");
+            let strayed_m = strayed(&self.space, &place);
+            assert!(strayed_m < AT_FACE_M, "{at} is {strayed_m} m off its boxes");
+            self.check_hull(what, place.point, &at);
+            // The feet touch what they stand on.
+            let middle = if what == "feet" {
+                scene.middle()
+            } else {
+                place.point
+            };
+            let (depth, solid) = self.deepest(middle);
+            assert!(depth <= DEEPEST_M, "{at} is {depth} m inside of {solid}");
+            deepest_m = deepest_m.max(depth);
+        }
+        deepest_m
+    }
+
+    fn check_hull(&self, what: &str, point: DVec3, at: &str) {
+        let (low, high) = self.hull;
+        let over_floor = point.x > low.x && point.x < high.x && point.z > low.z && point.z < high.z;
+        let is_over = point.y > low.y - AT_FACE_M;
+        assert!(!over_floor || is_over, "{at} is under the floor");
+        let (down, aside, up) = FALLS_M;
+        let below = low - DVec3::new(aside, down, aside);
+        let above = high + DVec3::new(aside, up, aside);
+        let is_within = below.cmple(point).all() && point.cmple(above).all();
+        // A bullet flies 200 m, and is gone.
+        assert!(is_within || what == "thing", "{at} is out of the room");
     }
 
     /// How deep a point is in which solid, metres.
@@ -176,7 +244,6 @@ fn begins(scene: &mut RoomScene, inside: &Inside, turn: usize) {
 fn play(id: &str, seconds: f64) -> Tally {
     let mut scene = room(id);
     let inside = Inside::of(&scene);
-    let (low, high) = inside.hull;
     let mut tally = Tally::default();
     let mut player = Player {
         rng: Rng::with_seed(id.bytes().map(u64::from).sum()),
@@ -195,23 +262,9 @@ fn play(id: &str, seconds: f64) -> Tally {
         let steer = player.wants(step, &mut tally);
         scene.step(&steer);
         let (probe, feet) = (scene.probe(), scene.feet());
-        let middles = scene
-            .things()
-            .into_iter()
-            .filter(|it| it.kind != ThingKind::Mark);
-        let eye: Place = scene.eye().place;
-        let bodies = [("middle", scene.middle()), ("eye", eye.point)];
-        let all = middles.map(|it| ("thing", it.place.point)).chain(bodies);
-        for (what, point) in all {
-            let at = format!("{id}, {:.2} s: {what} at {point}", step as f64 * STEP_S);
-            assert!(point.is_finite(), "{at}");
-            let over_floor =
-                point.x > low.x && point.x < high.x && point.z > low.z && point.z < high.z;
-            assert!(!over_floor || point.y > low.y, "{at} is under the floor");
-            let (depth, solid) = inside.deepest(point);
-            tally.deepest_m = tally.deepest_m.max(depth);
-            assert!(depth <= DEEPEST_M, "{at} is {depth} m inside of {solid}");
-        }
+        let at = format!("{id}, {:.2} s", step as f64 * STEP_S);
+        tally.deepest_m = tally.deepest_m.max(inside.check(&scene, &at));
+        let eye = scene.eye().place;
         tally.most_things = tally.most_things.max(probe.things.len());
         tally.hits += usize::from(probe.hit != hit);
         hit = probe.hit;

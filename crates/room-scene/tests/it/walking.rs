@@ -1,7 +1,8 @@
 //! Walking through rooms: how long it takes, and that one stays where one can be.
 
 use antipode_room_scene::tuning::{RADIUS_M, STEP_S, WALK_SPEED_M_S};
-use antipode_room_scene::{RoomScene, Steer};
+use antipode_room_scene::{RoomHint, RoomScene, Steer};
+use antipode_rooms::Assets;
 use antipode_rooms::shipped;
 use glam::DVec3;
 
@@ -156,11 +157,38 @@ fn who_falls_out_begins_anew() {
     let mut scene = room("long-house");
     let spawn = scene.room().spawn.at;
     scene.teleport(DVec3::new(500.0, 0.0, 0.0)).unwrap();
-    for _ in 0..60 * 40 {
+    let fell = (0..60 * 40).find(|_| {
         scene.step(&Steer::default());
-    }
+        scene.take_hints().contains(&RoomHint::FellOut)
+    });
+    // 41 m below its floor, of which the game knows the lowest corner.
+    assert!(
+        fell.is_some_and(|steps| steps < 60 * 5),
+        "nobody waits long: {fell:?} steps"
+    );
+    (0..30).for_each(|_| scene.step(&Steer::default()));
     assert!(scene.feet().distance(spawn) < 0.1, "{}", scene.feet());
     let refused = scene.teleport(DVec3::new(2000.0, 0.0, 0.0)).unwrap_err();
     assert!(refused.to_string().contains("2000"), "{refused}");
     assert!(scene.teleport(DVec3::splat(f64::NAN)).is_err());
+}
+
+/// The lower face of the box is where the floor is, as in most rooms.
+#[test]
+fn who_is_put_on_the_lower_face_of_a_box_stands_in_it() {
+    let mut scene = crate::empty();
+    for command in [
+        "add box name=plate at=0,-0.5,0 size=60,1,60",
+        "add aberration name=shed at=0,1.25,-6 half=1,1.25,4 axis=z felt=40 sides=walls",
+    ] {
+        let words: Vec<_> = command.split(' ').collect();
+        scene.edit(&words, |_| Ok(Assets::default())).unwrap();
+    }
+    scene.teleport(DVec3::new(0.0, 0.0, -6.0)).unwrap();
+    (0..30).for_each(|_| scene.step(&Steer::default()));
+    let place = scene.eye().place;
+    assert_eq!(place.stack.len(), 1, "{place:?}");
+    let feet = scene.feet();
+    assert!(feet.distance(DVec3::new(0.0, 0.0, -6.0)) < 0.01, "{feet}");
+    assert!((place.point.y - 1.62).abs() < 0.01, "{place:?}");
 }

@@ -12,6 +12,7 @@ mod fbx;
 mod folder;
 mod library;
 mod mesh;
+mod portals;
 mod round_trip;
 mod shipped;
 mod space;

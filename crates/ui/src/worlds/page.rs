@@ -63,7 +63,7 @@ impl Action {
     fn is_for(self, row: &WorldRow) -> bool {
         let spares_the_store = matches!(self, Self::Load | Self::OpenFolder);
         let spares_the_place = matches!(self, Self::Load | Self::Duplicate | Self::Export);
-        (!row.running || spares_the_store) && (!row.shipped || spares_the_place)
+        (!row.running || row.shipped || spares_the_store) && (!row.shipped || spares_the_place)
     }
 }
 
@@ -200,7 +200,7 @@ fn particulars(ui: &mut Ui, pass: &Pass<'_>, kind: Kind, row: &WorldRow) {
         ui.add(weak(row.path.clone()));
     }
     let problem = match &row.problem {
-        _ if row.running => Some(kind.say(pass.model.texts, "running-no-change")),
+        _ if row.running && !row.shipped => Some(kind.say(pass.model.texts, "running-no-change")),
         problem => problem.clone(),
     };
     if let Some(problem) = problem {

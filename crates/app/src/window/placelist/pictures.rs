@@ -9,7 +9,6 @@ use std::time::SystemTime;
 use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 use image::{ImageFormat, ImageReader, Limits};
 
-use super::shelf::Kept;
 use crate::window::background::{Progress, Task};
 
 /// How many worlds are shown with their picture, the newest.
@@ -37,11 +36,20 @@ struct Read {
     image: Option<ColorImage>,
 }
 
+/// Where a picture of a world or room is.
+#[derive(Clone, Debug)]
+pub enum PictureSource {
+    /// In a file, which need not exist.
+    File(PathBuf),
+    /// In the game itself: a PNG file's bytes.
+    Game(&'static [u8]),
+}
+
 /// A picture to be read.
 struct Wanted {
     /// Of which world.
     slug: String,
-    path: PathBuf,
+    source: PictureSource,
     /// What was there when it was read last.
     before: Option<Stamp>,
 }
@@ -65,15 +73,18 @@ impl std::fmt::Debug for Pictures {
 }
 
 impl Pictures {
-    /// Asks for the pictures of these; those that have not changed are not read again.
-    pub fn want(&mut self, places: &[impl Kept]) {
+    /// Asks for the pictures of these, each with its slug; those that have not changed are not read again.
+    pub fn want(&mut self, places: impl Iterator<Item = (String, Option<PictureSource>)>) {
         self.wanted = places
-            .iter()
             .take(MOST)
-            .filter_map(|place| {
-                let (slug, path) = (place.slug(), place.picture()?);
+            .filter_map(|(slug, source)| {
                 let before = self.shown.get(&slug).map(|(stamp, _)| *stamp);
-                Some(Wanted { slug, path, before })
+                let source = source?;
+                Some(Wanted {
+                    slug,
+                    source,
+                    before,
+                })
             })
             .collect();
         let wanted = &self.wanted;
@@ -137,21 +148,37 @@ impl Pictures {
 
 /// Reads a picture; none if it is the one that was there before.
 fn read(wanted: Wanted) -> Option<Read> {
-    let Wanted { slug, path, before } = wanted;
-    let data = fs::metadata(&path).ok()?;
-    let stamp = (data.modified().ok(), data.len());
+    let Wanted {
+        slug,
+        source,
+        before,
+    } = wanted;
+    let (stamp, data) = match &source {
+        PictureSource::File(path) => {
+            let data = fs::metadata(path).ok()?;
+            ((data.modified().ok(), data.len()), Some(data))
+        }
+        PictureSource::Game(bytes) => ((None, bytes.len() as u64), None),
+    };
     if before == Some(stamp) {
         return None;
     }
-    let image = decode(&path, &data);
+    let image = match (&source, data) {
+        (PictureSource::File(path), Some(data)) => of_file(path, &data),
+        (PictureSource::Game(bytes), _) => decode(bytes.to_vec(), "a picture of the game"),
+        (PictureSource::File(_), None) => None,
+    };
     Some(Read { slug, stamp, image })
 }
 
-fn decode(path: &Path, data: &fs::Metadata) -> Option<ColorImage> {
+fn of_file(path: &Path, data: &fs::Metadata) -> Option<ColorImage> {
     if !data.is_file() || data.len() > MOST_BYTES {
         return None;
     }
-    let bytes = fs::read(path).ok()?;
+    decode(fs::read(path).ok()?, &path.display().to_string())
+}
+
+fn decode(bytes: Vec<u8>, called: &str) -> Option<ColorImage> {
     let mut reader = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Png);
     let mut limits = Limits::default();
     limits.max_image_width = Some(MOST_SIDE);
@@ -159,7 +186,7 @@ fn decode(path: &Path, data: &fs::Metadata) -> Option<ColorImage> {
     reader.limits(limits);
     let mut picture = reader
         .decode()
-        .inspect_err(|error| tracing::info!("{} is no picture: {error}", path.display()))
+        .inspect_err(|error| tracing::info!("{called} is no picture: {error}"))
         .ok()?;
     if picture.width() > SHOWN.0 || picture.height() > SHOWN.1 {
         picture = picture.thumbnail(SHOWN.0, SHOWN.1);

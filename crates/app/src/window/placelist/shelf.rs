@@ -7,14 +7,19 @@ use antipode_rooms::{RoomSummary, RoomsDir};
 use antipode_storage::{ArchiveFile, NameError, StorageError, WorldSummary, archives_in};
 use antipode_ui::{WorldRow, legible_name};
 
+use super::pictures::PictureSource;
 use super::words;
 use crate::confined;
 use crate::failure::Failure;
+use crate::room_portraits;
 use crate::session::Worlds;
 use crate::wording;
 
 /// What the slug of a room that comes with the game begins with in the menu; no folder's name has a colon.
 const SHIPPED: &str = "game:";
+
+/// The picture of a room of the player's own in its folder. No room uses such a file, so no export and no copy has it.
+pub const ROOM_PICTURE: &str = "picture.png";
 
 /// What a list knows of one place.
 pub trait Kept: Send + std::fmt::Debug + 'static {
@@ -22,8 +27,6 @@ pub trait Kept: Send + std::fmt::Debug + 'static {
     fn slug(&self) -> String;
     /// Its name as it is written.
     fn name(&self) -> &str;
-    /// The file of its picture, if it has one.
-    fn picture(&self) -> Option<PathBuf>;
     /// What its own records say of it.
     fn row(&self, texts: &Texts) -> WorldRow;
 
@@ -44,6 +47,8 @@ pub trait Shelf: Clone + Send + std::fmt::Debug + 'static {
 
     /// Its directory. Touches no disk.
     fn path(&self) -> &Path;
+    /// Where the picture of one is, if it can have one. Touches no disk.
+    fn picture(&self, place: &Self::Kept) -> Option<PictureSource>;
     /// All that is there.
     fn list(&self) -> Result<Vec<Self::Kept>, Failure>;
     /// What is known of one.
@@ -80,10 +85,6 @@ impl Kept for WorldSummary {
         self.name()
     }
 
-    fn picture(&self) -> Option<PathBuf> {
-        self.thumbnail.clone()
-    }
-
     fn row(&self, texts: &Texts) -> WorldRow {
         words::world_row(texts, self)
     }
@@ -96,6 +97,10 @@ impl Shelf for Worlds {
 
     fn path(&self) -> &Path {
         self.saves().path()
+    }
+
+    fn picture(&self, world: &WorldSummary) -> Option<PictureSource> {
+        world.thumbnail.clone().map(PictureSource::File)
     }
 
     fn list(&self) -> Result<Vec<WorldSummary>, Failure> {
@@ -152,10 +157,6 @@ impl Kept for RoomSummary {
         &self.name
     }
 
-    fn picture(&self) -> Option<PathBuf> {
-        None
-    }
-
     fn row(&self, texts: &Texts) -> WorldRow {
         words::room_row(texts, self)
     }
@@ -170,6 +171,11 @@ impl RoomShelf {
     pub fn new(worlds: &Worlds) -> Self {
         Self(worlds.rooms())
     }
+
+    /// The file of the picture of a room of the player's own.
+    fn picture_file(&self, slug: &str) -> PathBuf {
+        self.0.path().join(slug).join(ROOM_PICTURE)
+    }
 }
 
 impl Shelf for RoomShelf {
@@ -179,6 +185,14 @@ impl Shelf for RoomShelf {
 
     fn path(&self) -> &Path {
         self.0.path()
+    }
+
+    fn picture(&self, room: &RoomSummary) -> Option<PictureSource> {
+        if room.shipped {
+            room_portraits::of(&room.slug).map(PictureSource::Game)
+        } else {
+            Some(PictureSource::File(self.picture_file(&room.slug)))
+        }
     }
 
     fn list(&self) -> Result<Vec<RoomSummary>, Failure> {
@@ -202,7 +216,19 @@ impl Shelf for RoomShelf {
     }
 
     fn duplicate(&self, slug: &str) -> Result<String, Failure> {
-        Ok(self.0.double(&self.find(slug)?)?)
+        let room = self.find(slug)?;
+        let made = self.0.double(&room)?;
+        let copied = match self.picture(&room) {
+            Some(PictureSource::Game(bytes)) => Some(bytes.to_vec()),
+            Some(PictureSource::File(file)) => std::fs::read(file).ok(),
+            None => None,
+        };
+        if let Some(bytes) = copied
+            && let Err(why) = antipode_storage::replace_file(&self.picture_file(&made), &bytes)
+        {
+            tracing::info!("the copy of the room has no picture: {why}");
+        }
+        Ok(made)
     }
 
     fn export(&self, slug: &str, file: &Path) -> Result<(), Failure> {

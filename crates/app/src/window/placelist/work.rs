@@ -33,6 +33,11 @@ impl<S: Shelf> Locations<S> {
         }
     }
 
+    /// The shelf.
+    pub fn shelf(&self) -> &S {
+        &self.shelf
+    }
+
     /// Where exports go unless the player says otherwise.
     pub fn exports(&self) -> &Path {
         &self.exports
@@ -195,11 +200,6 @@ impl Job {
 
 #[cfg(test)]
 impl<S: Shelf> Locations<S> {
-    /// The shelf.
-    pub fn shelf(&self) -> &S {
-        &self.shelf
-    }
-
     /// The same shelf with another place for exports and home.
     pub fn exporting_to(mut self, exports: &Path) -> Self {
         self.exports = exports.to_path_buf();

@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use antipode_language::Texts;
 use antipode_rooms::RoomsDir;
 use antipode_settings::Settings;
 use antipode_ui::{Screen, ToastKind, legible_name};
@@ -46,7 +45,15 @@ impl Play {
                 Phase::Closing(closing, next)
             }
             Phase::Closing(task, _) => Phase::Closing(task, next),
-            Phase::Menu | Phase::InRoom(_) | Phase::RoomPaused(_) => self.go_on(next, menus),
+            Phase::Menu => self.go_on(next, menus),
+            Phase::InRoom(_) | Phase::RoomPaused(_) => {
+                let phase = self.go_on(next, menus);
+                if matches!(phase, Phase::Menu) {
+                    // The next room is chosen there.
+                    menus.shell.open(Screen::Rooms);
+                }
+                phase
+            }
             Phase::Over => Phase::Over,
         };
     }
@@ -130,10 +137,7 @@ impl Play {
             _ => "busy-opening-room",
         };
         menus.busy("busy-opening", None, menus.texts.say(about));
-        let texts = menus.texts.clone();
-        Phase::Opening(Task::start("open", move || {
-            opened(&worlds, request, &texts)
-        }))
+        Phase::Opening(Task::start("open", move || opened(&worlds, request)))
     }
 
     fn opening(
@@ -273,7 +277,7 @@ fn free_room_name(rooms: &RoomsDir) -> Result<String, Failure> {
 }
 
 /// Opens what was asked for. Waits for the disk.
-fn opened(worlds: &Worlds, request: Request, texts: &Texts) -> Result<Opened, Failure> {
+fn opened(worlds: &Worlds, request: Request) -> Result<Opened, Failure> {
     let rooms = worlds.rooms();
     let room = match request {
         Request::New(wanted) => return Ok(Opened::World(Box::new(worlds.create(&wanted)?))),
@@ -282,8 +286,8 @@ fn opened(worlds: &Worlds, request: Request, texts: &Texts) -> Result<Opened, Fa
             let name = name.map_or_else(|| free_room_name(&rooms), Ok)?;
             OpenRoom::make(&rooms, Some(&name), None)?
         }
-        Request::Room(slug) => OpenRoom::enter(&rooms, room_of(&rooms, &slug)?, texts)?,
-        Request::RoomNamed(name) => OpenRoom::enter(&rooms, rooms.find(&name)?, texts)?,
+        Request::Room(slug) => OpenRoom::enter(&rooms, room_of(&rooms, &slug)?)?,
+        Request::RoomNamed(name) => OpenRoom::enter(&rooms, rooms.find(&name)?)?,
     };
     Ok(Opened::Room(Box::new(room)))
 }

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use antipode_language::Texts;
 use antipode_rays::Picture;
 use antipode_render::{Gpu, Options};
 use antipode_room_scene::RoomScene;
@@ -50,7 +51,7 @@ impl Rooms {
         gpu: &Gpu,
         options: &Options,
         id: RoomId,
-        room: &RoomScene,
+        (room, texts): (&RoomScene, &Texts),
     ) -> Option<Failure> {
         let trouble = self.take_over();
         let is_known = |known: RoomId| known == id;
@@ -63,14 +64,15 @@ impl Rooms {
             .as_ref()
             .is_some_and(|(known, _)| is_known(*known));
         if trouble.is_none() && !is_shown && !is_coming && self.coming.is_none() {
-            let (gpu, options, room) = (gpu.clone(), *options, room.clone());
+            let (gpu, options) = (gpu.clone(), *options);
+            let (room, texts) = (room.clone(), texts.clone());
             let painter = self.painter.clone();
             let make = move || {
                 let painter = match painter {
                     Some(painter) => painter,
                     None => Arc::new(RoomPainter::new(&gpu, &options)?),
                 };
-                let drawable = painter.drawable(&gpu, &room)?;
+                let drawable = painter.drawable(&gpu, &room, &texts)?;
                 Ok((painter, drawable))
             };
             self.coming = Some((id, Task::start("room", make)));
@@ -139,6 +141,34 @@ impl Rooms {
         if let Some(picture) = self.pictures.best() {
             painter.show(gpu, encoder, picture, target);
         }
+        Ok(true)
+    }
+
+    /// Draws another view of the room, at once, into a target of that size. Returns whether there is anything to draw.
+    ///
+    /// # Errors
+    /// When what moves is not as the room has it.
+    pub fn portray(
+        &mut self,
+        gpu: &Gpu,
+        view: &RoomView,
+        (target, size): (&wgpu::TextureView, (u32, u32)),
+    ) -> Result<bool, Failure> {
+        let (Some(painter), Some((id, drawable))) = (&self.painter, &mut self.shown) else {
+            return Ok(false);
+        };
+        if id.0 != view.id.0 {
+            return Ok(false);
+        }
+        drawable.set(gpu, &view.moment)?;
+        // The window's own picture is of another moment.
+        self.pictures.view = None;
+        let picture = Picture::new(&gpu.device, (plain(size.0), plain(size.1)));
+        let mut encoder = gpu.encoder();
+        let whole = (&*drawable, &picture);
+        painter.trace(gpu, &mut encoder, whole, view, 0..picture.size.1);
+        painter.show(gpu, &mut encoder, &picture, target);
+        gpu.queue.submit([encoder.finish()]);
         Ok(true)
     }
 

@@ -8,6 +8,7 @@ use super::pictures::THUMBNAIL;
 use crate::failure::Failure;
 use crate::mirror::Mirror;
 use crate::room_picture::RoomView;
+use crate::window::portrait::PortraitView;
 use crate::window::waits::{Part, Waits};
 
 /// Colour behind the menu when no world is open, linear light.
@@ -27,7 +28,7 @@ pub struct Showing<'a> {
     /// Whether what is shown is read back, too.
     pub keeps: bool,
     /// The view of the menu's picture that is to be taken with it, and what the picture is to come back with.
-    pub thumbnail: Option<(u64, View)>,
+    pub thumbnail: Option<(u64, PortraitView)>,
 }
 
 /// What is behind the interface.
@@ -70,8 +71,17 @@ impl Stage {
         let sheets = Sheets {
             target: &target,
             copy: kept.as_ref().map(Offscreen::view),
-            thumbnail: thumbnail.as_ref().map(|(_, view, sheet)| (view, sheet)),
+            thumbnail: thumbnail.as_ref().and_then(|(_, view, sheet)| match view {
+                PortraitView::World(view) => Some((view, sheet)),
+                PortraitView::Room(_) => None,
+            }),
         };
+        let is_of_room = thumbnail
+            .as_ref()
+            .is_some_and(|(_, view, sheet)| match view {
+                PortraitView::World(_) => false,
+                PortraitView::Room(view) => self.portray_room(view, sheet),
+            });
         let (painted, shown) = self.paint(showing.scene, showing.interface, &sheets);
         waits.spent_on(Part::Record);
         if let Some(painted) = painted {
@@ -80,7 +90,7 @@ impl Stage {
         if let Some(kept) = kept {
             self.screenshots.push_back(kept.begin_read(&self.gpu));
         }
-        if let Some((world, _, sheet)) = thumbnail.filter(|_| shown.for_menu) {
+        if let Some((world, _, sheet)) = thumbnail.filter(|_| shown.for_menu || is_of_room) {
             self.thumbnail = Some((world, sheet.begin_read(&self.gpu)));
         }
         self.window.pre_present_notify();
@@ -121,6 +131,17 @@ impl Stage {
         self.overlay
             .paint(&self.gpu, &mut encoder, &targets, size, interface);
         (Some(encoder.finish()), shown)
+    }
+
+    /// Draws the menu's picture of a room. Returns whether there is one.
+    fn portray_room(&mut self, view: &RoomView, sheet: &Offscreen) -> bool {
+        let drawn = self
+            .rooms
+            .portray(&self.gpu, view, (sheet.view(), THUMBNAIL));
+        drawn.unwrap_or_else(|why| {
+            tracing::error!("the menu's picture of the room could not be drawn: {why}");
+            false
+        })
     }
 
     fn paint_room(

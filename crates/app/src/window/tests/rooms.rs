@@ -2,9 +2,11 @@
 
 use antipode_rays::View;
 use antipode_room_scene::{RoomScene, ThingKind};
-use antipode_settings::MouseButton;
+use antipode_settings::{MouseButton, Value};
 use antipode_ui::WorldsIntent;
+use image::RgbaImage;
 
+use super::super::portrait::PortraitView;
 use super::*;
 use crate::script::{obey, parse_line};
 
@@ -241,4 +243,199 @@ fn keys_shoot_throw_turn_the_view_and_change_the_way_to_look() {
         turned.moment.eye.front.distance(before.moment.eye.front) > 0.1,
         "a turn is seen in the next picture"
     );
+}
+
+#[test]
+fn what_is_held_is_seen_but_with_the_display_hidden_or_by_another_rule() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    enter(&mut game, "game:four-tunnels");
+    let mut now = Instant::now();
+    pass(&mut game, &mut now, 20);
+    let has_hand = |game: &mut Game| game.room_view(1.5).unwrap().moment.hand.is_some();
+    assert!(has_hand(&mut game));
+    for key in ["F1", "KeyH", "Tab"] {
+        input(&mut game, Input::Key(key), true);
+        input(&mut game, Input::Key(key), false);
+        pass(&mut game, &mut now, 2);
+        assert!(!has_hand(&mut game), "{key}");
+        for _ in 0..if key == "KeyH" { 3 } else { 1 } {
+            input(&mut game, Input::Key(key), true);
+            input(&mut game, Input::Key(key), false);
+            pass(&mut game, &mut now, 2);
+        }
+        assert!(has_hand(&mut game), "{key}");
+    }
+}
+
+#[test]
+fn rooms_are_seen_at_the_angle_that_the_player_has_chosen() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    enter(&mut game, "game:long-house");
+    for degrees in [60.0, 90.0] {
+        game.set_option("field-of-view", Value::Number(degrees));
+        let fov_y_rad = game.room_view(1.5).unwrap().moment.eye.fov_y_rad;
+        assert!((fov_y_rad.to_degrees() - degrees).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn one_begins_anew_by_a_key_and_by_the_menu_and_is_told_again_what_is_strange() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    enter(&mut game, "game:long-house");
+    let began = scene(&game).feet();
+    let mut now = Instant::now();
+    let is_new = |game: &Game| game.play.phase.visit().unwrap().is_new();
+    let walk = |game: &mut Game, now: &mut Instant| {
+        input(game, Input::Key("KeyW"), true);
+        pass(game, now, 500);
+        input(game, Input::Key("KeyW"), false);
+        assert!(scene(game).feet().distance(began) > 5.0 && !is_new(game));
+    };
+    walk(&mut game, &mut now);
+    input(&mut game, Input::Key("KeyT"), true);
+    pass(&mut game, &mut now, 2);
+    assert!(is_new(&game) && scene(&game).feet().distance(began) > 5.0);
+    input(&mut game, Input::Key("KeyF"), true);
+    pass(&mut game, &mut now, 2);
+    assert!(scene(&game).feet().distance(began) < 0.1);
+    walk(&mut game, &mut now);
+    input(&mut game, Input::Key("Escape"), true);
+    game.follow(Intent::BeginAnew);
+    assert!(game.is_playing() && is_new(&game));
+    assert_eq!(scene(&game).feet(), began);
+}
+
+#[test]
+fn what_does_nothing_in_a_room_says_why() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    enter(&mut game, "game:long-house");
+    let mut now = Instant::now();
+    pass(&mut game, &mut now, 5);
+    for key in ["KeyE", "KeyP", "F4"] {
+        input(&mut game, Input::Key(key), true);
+        let said = words(&mut game);
+        assert!(said.contains("is for worlds"), "{said}");
+    }
+    game.motion(0.0, -2000.0);
+    input(&mut game, Input::Mouse(MouseButton::Right), true);
+    pass(&mut game, &mut now, 3);
+    let said = words(&mut game);
+    assert!(said.contains("within eight metres"), "{said}");
+    let visit = game.play.phase.visit_mut().unwrap();
+    visit
+        .room
+        .scene
+        .teleport(glam::DVec3::new(0.0, -200.0, 0.0))
+        .unwrap();
+    pass(&mut game, &mut now, 3);
+    let said = words(&mut game);
+    assert!(said.contains("fell out of the room"), "{said}");
+}
+
+/// A copy of a room of the game, and its slug.
+fn copied(game: &mut Game, id: &str) -> String {
+    let idle = |game: &Game| game.menus.are_lists_idle();
+    tick_until(game, idle);
+    let slug = format!("game:{id}");
+    game.follow(Intent::Rooms(WorldsIntent::Duplicate { slug }));
+    tick_until(game, idle);
+    let rows = game.menus.rooms.rows(&game.menus.texts, None);
+    let own = rows.into_iter().find(|row| !row.shipped);
+    own.unwrap().slug
+}
+
+#[test]
+fn what_is_read_in_a_room_and_in_its_copy_follows_the_language() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    let slug = copied(&mut game, "long-house");
+    for slug in ["game:long-house", &slug] {
+        game.set_option("language", Value::Choice("en"));
+        enter(&mut game, slug);
+        let (before, _, _) = game.room().unwrap();
+        assert!(
+            words(&mut game).contains("From outside this house"),
+            "{slug}"
+        );
+        game.set_option("language", Value::Choice("de"));
+        let (after, _, _) = game.room().unwrap();
+        assert!(
+            before.0 == after.0 && before != after,
+            "signs are drawn anew"
+        );
+        let said = words(&mut game);
+        assert!(said.contains("Von außen ist"), "{slug}: {said}");
+        let rows = game.menus.rooms.rows(&game.menus.texts, None);
+        let row = rows.iter().find(|row| row.slug == *slug).unwrap();
+        assert!(row.sentence.starts_with("Von außen"), "{}", row.sentence);
+    }
+}
+
+#[test]
+fn pausing_in_a_room_of_ones_own_gives_the_list_a_picture_of_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    let slug = copied(&mut game, "long-house");
+    let rooms = game.play.worlds.rooms();
+    let file = rooms.path().join(&slug).join("picture.png");
+    let games = fs::read(&file).unwrap();
+    let pause = |game: &mut Game, slug: &str| {
+        enter(game, slug);
+        input(game, Input::Key("Escape"), true);
+        let view = game.room_view(1.5).unwrap();
+        game.room_portrait(&view)
+    };
+    assert!(
+        pause(&mut game, "game:long-house").is_none(),
+        "those of the game have theirs"
+    );
+    let Some((number, PortraitView::Room(view))) = pause(&mut game, &slug) else {
+        panic!("there is to be one")
+    };
+    assert!(view.moment.hand.is_none());
+    game.leave(super::super::phase::Next::Menu);
+    game.play.keep_picture(number, RgbaImage::new(320, 180));
+    tick_until(&mut game, |_| fs::read(&file).unwrap() != games);
+    // Nobody who gets the room gets the picture.
+    let found = rooms.list().unwrap().into_iter().find(|it| it.slug == slug);
+    let opened = rooms.open(&found.unwrap()).unwrap();
+    assert_eq!(opened.files, ["room.ron"]);
+}
+
+#[test]
+fn a_room_of_ones_own_is_changed_and_kept_from_the_console_and_one_of_the_game_is_not() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = in_menu(&dir);
+    let slug = copied(&mut game, "long-house");
+    let order = |game: &mut Game, line: &str| {
+        let order = parse_line(line).unwrap().unwrap();
+        obey(game, &order).map_err(|why| why.to_string())
+    };
+    let has_wall = |game: &Game| scene(game).room().find("wall").is_some();
+    enter(&mut game, "game:long-house");
+    let add = "add box name=wall at=0,1.5,9 size=6,3,0.2";
+    let refused = order(&mut game, add).unwrap_err();
+    assert!(
+        refused.contains("comes with the game") && !has_wall(&game),
+        "{refused}"
+    );
+    enter(&mut game, &slug);
+    order(&mut game, add).unwrap();
+    assert!(has_wall(&game));
+    order(&mut game, "undo").unwrap();
+    assert!(!has_wall(&game));
+    order(&mut game, "redo").unwrap();
+    assert!(
+        order(&mut game, "add box name=wall").is_err(),
+        "the name is taken"
+    );
+    order(&mut game, "room save").unwrap();
+    game.leave(super::super::phase::Next::Menu);
+    assert!(matches!(game.menus.shell.screen(), Screen::Rooms));
+    enter(&mut game, &slug);
+    assert!(has_wall(&game), "it was kept");
 }

@@ -1,0 +1,84 @@
+//! Trees over the boxes that can be entered from one place, where those are many: a path asks a few of them, and not all.
+//!
+//! A tree lies in a list of whole numbers as shaders/rays/trace.wgsl reads it: its nodes one after another, each before those
+//! below it, so that a path goes through them without a stack. A node that is missed is followed by the one after all below it.
+
+use antipode_deformation::Placed;
+use glam::{DMat3, DVec3, Vec3};
+
+use crate::tree::NOTHING;
+
+/// As few boxes as this are asked one after another.
+const FEW: usize = 8;
+/// Words of a node: its least corner, the word after all below it, its greatest corner, and its box or [`NOTHING`].
+const NODE_WORDS: usize = 8;
+/// How far a node reaches beyond its boxes, as a share of its numbers: more than 32 bits round off.
+const ROUNDING: f64 = 1e-5;
+
+/// Appends the tree of the boxes of those numbers to `words`, and returns where it lies there: an empty range where there are few.
+pub fn append(words: &mut Vec<u32>, placed: &[Placed], numbers: &[u8]) -> [u32; 2] {
+    let first = words.len();
+    if numbers.len() > FEW {
+        let mut boxes: Vec<_> = numbers.iter().map(|it| bounds(placed, *it)).collect();
+        node(words, &mut boxes);
+    }
+    [first as u32, words.len() as u32]
+}
+
+/// A box's number and its bounds along the scene's axes.
+#[derive(Clone, Copy)]
+struct Bounds {
+    number: u8,
+    low: DVec3,
+    high: DVec3,
+}
+
+/// Of a turned box with half sizes h along its axes R, the half sizes along the scene's are |R| h.
+fn bounds(placed: &[Placed], number: u8) -> Bounds {
+    let it = &placed[usize::from(number)];
+    let axes = DMat3::from_cols(
+        it.axes.x_axis.abs(),
+        it.axes.y_axis.abs(),
+        it.axes.z_axis.abs(),
+    );
+    let reach = axes * it.aberration.half;
+    Bounds {
+        number,
+        low: it.aberration.centre - reach,
+        high: it.aberration.centre + reach,
+    }
+}
+
+/// Appends a node and all below it: halves of the boxes, parted across the longest side of their middles.
+fn node(words: &mut Vec<u32>, boxes: &mut [Bounds]) {
+    let low = (boxes.iter().map(|it| it.low)).fold(DVec3::INFINITY, DVec3::min);
+    let high = (boxes.iter().map(|it| it.high)).fold(DVec3::NEG_INFINITY, DVec3::max);
+    let slack = ROUNDING * (1.0 + low.abs().max(high.abs()).max_element());
+    let at = words.len();
+    words.resize(at + NODE_WORDS, NOTHING);
+    write(&mut words[at..], (low - slack).as_vec3());
+    write(&mut words[at + 4..], (high + slack).as_vec3());
+    match boxes {
+        [one] => words[at + 7] = u32::from(one.number),
+        more => {
+            let middle = |it: &Bounds| it.low + it.high;
+            let least = more.iter().map(middle).fold(DVec3::INFINITY, DVec3::min);
+            let most = more
+                .iter()
+                .map(middle)
+                .fold(DVec3::NEG_INFINITY, DVec3::max);
+            let axis = (most - least).max_position();
+            more.sort_by(|a, b| middle(a)[axis].total_cmp(&middle(b)[axis]));
+            let (left, right) = more.split_at_mut(more.len() / 2);
+            node(words, left);
+            node(words, right);
+        }
+    }
+    words[at + 3] = words.len() as u32;
+}
+
+fn write(words: &mut [u32], corner: Vec3) {
+    for (word, number) in words.iter_mut().zip(corner.to_array()) {
+        *word = number.to_bits();
+    }
+}
