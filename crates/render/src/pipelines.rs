@@ -2,12 +2,12 @@
 
 #[cfg(test)]
 mod tests;
+mod way;
 
 use antipode_geometry::MapShader;
 use wgpu::{
-    BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction,
-    Device, PipelineLayout, RenderPipeline, ShaderModule, VertexAttribute, VertexBufferLayout,
-    VertexStepMode,
+    BindGroupLayout, CompareFunction, Device, PipelineLayout, RenderPipeline, ShaderModule,
+    VertexAttribute, VertexBufferLayout, VertexStepMode,
 };
 
 use crate::celestial::{CelestialPipelines, Star};
@@ -26,6 +26,9 @@ use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::tonemap::layout as light_layout;
 use crate::uniforms::{ChunkInstance, MarkerInstance, OutlineInstance};
+
+pub(crate) use way::{BENT, GLASS, SOLID, Way};
+use way::{OPEN, SHINE, VEIL};
 
 /// Everything the scene is drawn with.
 #[derive(Debug)]
@@ -130,77 +133,6 @@ impl Pipelines {
         }
     }
 }
-
-/// How something meets what is drawn already.
-#[derive(Clone, Copy)]
-pub(crate) struct Way {
-    compare: CompareFunction,
-    writes_depth: bool,
-    blend: Option<BlendState>,
-    culled: bool,
-    /// Whether joints bend it.
-    bends: bool,
-    /// Whether it shows light that was drawn before.
-    opens: bool,
-}
-
-/// What hides what lies behind it.
-pub(crate) const SOLID: Way = Way {
-    compare: CompareFunction::Greater,
-    writes_depth: true,
-    blend: None,
-    culled: true,
-    bends: false,
-    opens: false,
-};
-
-/// The opening of a door.
-const OPEN: Way = Way {
-    culled: false,
-    opens: true,
-    ..SOLID
-};
-
-/// The same of what joints bend.
-pub(crate) const BENT: Way = Way {
-    bends: true,
-    ..SOLID
-};
-
-/// Colours come multiplied by their opacity.
-pub(crate) const GLASS: Way = Way {
-    compare: CompareFunction::GreaterEqual,
-    writes_depth: false,
-    blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-    culled: true,
-    bends: false,
-    opens: false,
-};
-
-/// Added where nothing nearer stands.
-const SHINE: Way = Way {
-    compare: CompareFunction::GreaterEqual,
-    writes_depth: false,
-    blend: Some(BlendState {
-        color: ADDED,
-        alpha: ADDED,
-    }),
-    culled: false,
-    bends: false,
-    opens: false,
-};
-
-/// Laid over what is infinitely far.
-const VEIL: Way = Way {
-    culled: false,
-    ..GLASS
-};
-
-const ADDED: BlendComponent = BlendComponent {
-    src_factor: BlendFactor::One,
-    dst_factor: BlendFactor::One,
-    operation: BlendOperation::Add,
-};
 
 /// What all pipelines of the scene pass have in common.
 #[derive(Clone)]
