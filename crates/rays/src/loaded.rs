@@ -214,13 +214,7 @@ fn spaces(
 fn portals(device: &Device, queue: &Queue, scene: &RayScene) -> Result<Buffer, RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let packed = packed_portals(&scene.aberrations);
-    filled(
-        device,
-        queue,
-        "portals",
-        std::slice::from_ref(&*packed),
-        usage,
-    )
+    filled(device, queue, "portals", &packed, usage)
 }
 
 fn resting(room: &Baked, movers_at: usize, materials: usize) -> Resting {
