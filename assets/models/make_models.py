@@ -35,6 +35,7 @@ ICONS = {
     "diamond_pickaxe": (things.diamond_pickaxe, (0.0, 0.13, 0.0), 0.78, 68.0, 18.0),
     "lamp": (things.lamp, (0.0, 0.232, 0.0), 0.53, 62.0, 16.0),
     "flag": (things.flag, (0.2, 1.22, 0.0), 1.06, 66.0, 12.0),
+    "door": (things.door, (0.0, 1.16, 0.0), 2.75, 38.0, 12.0),
 }
 ICON_PX = 128
 

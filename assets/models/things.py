@@ -198,6 +198,26 @@ def flag():
     return model
 
 
+def door():
+    """A frame to walk and drive through: 1.9 m wide and 2.2 m high inside, its foot on the ground, its front along x.
+
+    What is inside is left open; the renderer shows there what lies behind the other one of the pair."""
+    model = Model()
+    teal, side, top = "1f7f8c", 1.04, 2.29
+    # The feet go into the ground, for slopes.
+    both(box((0.0, 1.0, side), (0.10, 1.38, 0.09), teal, 0.02), model)
+    both(box((0.0, 0.10, side), (0.15, 0.14, 0.13), DARK, 0.03), model)
+    both(box((0.0, 2.06, side), (0.13, 0.05, 0.115), CREAM, 0.015), model)
+    box((0.0, top, 0.0), (0.10, 0.09, side + 0.09), teal, 0.02).into(model)
+    box((0.0, top + 0.11, 0.0), (0.13, 0.03, side + 0.15), DARK, 0.015).into(model)
+    # A lit edge all round the opening, on either face: nobody takes one for a gate that leads on.
+    for x in (-0.103, 0.103):
+        both(box((x, 1.02, 0.965), (0.012, 0.98, 0.012), "78e2ff", 0.0, "glow"), model)
+        box((x, 2.215, 0.0), (0.012, 0.012, 0.95), "78e2ff", 0.0, "glow").into(model)
+        ball((x, top, 0.0), (0.02, 0.045, 0.045), ORANGE, 1.0, 5, 10).into(model)
+    return model
+
+
 def bullet():
     """A bolt 0.16 m long that flies along x: its middle is the origin."""
     model = Model()

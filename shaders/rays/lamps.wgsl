@@ -122,6 +122,9 @@ fn is_sunward(path: Path, number: u32) -> bool {
 
 // How many ways to a lamp there may be from a place, without portals.
 fn lamp_tries(from_path: ptr<function, Path>, lamp: u32) -> u32 {
+    if IS_FLAT {
+        return 1u;
+    }
     let stack = (*from_path).stack;
     let depth = (*from_path).depth;
     let lamp_stack = frame.lamps[lamp].stack;
@@ -152,7 +155,7 @@ fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
     let outer_depth = min(own_depth, lamp_depth);
     let to_felt = inverse_of(squeeze_of(outer, outer_depth, away, false));
     let straight = to_felt * away;
-    if is_same && attempt == 0u {
+    if IS_FLAT || (is_same && attempt == 0u) {
         let length = length(straight);
         return Aim(straight / max(length, 1.0e-20), length, 1.0);
     }

@@ -1,4 +1,5 @@
-// The picture: light, what is seen at each pixel, and how far off. Follows frame.wgsl, shading.wgsl and lamps.wgsl.
+// The picture: light, what is seen at each pixel, and how far off. Follows frame.wgsl, shading.wgsl and lamps.wgsl, and takes from
+// first_by_rays.wgsl or first_by_raster.wgsl what light of the eye meets.
 
 // Light below this share is not looked for.
 const FAINT: f32 = 0.004;
@@ -122,65 +123,91 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     return Surface(colour, n, flat, material);
 }
 
-// Light of the sun and of lamps that falls on a surface, and what of it shines. What the eye looks through throws no shadow on
-// what is held before it.
+// A way by which light may come: from the sun, which is 0, or a lamp, and how strongly it shines there if nothing is between.
+struct Beam {
+    light: u32,
+    attempt: u32,   // the next of the ways from this light
+    through: u32,   // a portal, or NO_PORTAL
+    aim: Aim,
+    strength: vec3<f32>,
+    share: f32,
+    is_there: bool,
+}
+
+// The next way by which enough light may come to a surface.
+fn next_beam(at: ptr<function, Path>, surface: Surface, from_light: u32, from_attempt: u32) -> Beam {
+    var beam = Beam(from_light, from_attempt, NO_PORTAL, Aim(frame.sun, frame.reach_m, 1.0), frame.sun_colour, 0.0, false);
+    loop {
+        if beam.is_there || beam.light > frame.lamp_count {
+            break;
+        }
+        let is_sun = beam.light == 0u;
+        let lamp = select(beam.light - 1u, 0u, is_sun);
+        let without = select(lamp_tries(at, lamp), frame.sun_count, is_sun);
+        var tries = without;
+        if HAS_PORTALS && without + u32(!is_sun) > 0u {
+            tries += ways.portal_count;
+        }
+        if beam.attempt >= tries {
+            beam.light += 1u;
+            beam.attempt = 0u;
+            continue;
+        }
+        let is_through = HAS_PORTALS && beam.attempt >= without;
+        beam.through = select(NO_PORTAL, beam.attempt - without, is_through);
+        if is_through && is_sun {
+            beam.aim = sun_through_portal(at, beam.through);
+        } else if is_through {
+            beam.aim = lamp_through_portal(at, lamp, beam.through);
+        } else if !is_sun {
+            beam.aim = lamp_aim(at, lamp, beam.attempt);
+        }
+        if !is_sun {
+            beam.strength = frame.lamps[lamp].colour * lamp_through(max(beam.aim.length, 0.0), frame.lamps[lamp].reach_m);
+        }
+        let cosine = dot(surface.n, beam.aim.w);
+        beam.share = select(lamp_diffuse(cosine), max(cosine, 0.0), is_sun);
+        beam.is_there = !(beam.aim.length < 0.0 || cosine <= 0.0 || greatest(beam.strength) * beam.share < FAINT * 0.1);
+        beam.attempt += 1u;
+    }
+    return beam;
+}
+
+// Whether nothing is in the way of a beam.
+fn beam_arrives(at: ptr<function, Path>, beam: Beam, on_held: bool) -> bool {
+    let is_sun = beam.light == 0u;
+    let lamp = select(beam.light - 1u, 0u, is_sun);
+    let radius = select(frame.lamps[lamp].radius_m, 0.0, is_sun);
+    var longest = beam.aim.length;
+    if !is_sun {
+        // The lamp is as large as it is in the scene, whatever it feels like.
+        let k = squeeze_of(frame.lamps[lamp].stack, frame.lamps[lamp].depth, beam.aim.w, false);
+        longest = max(longest - radius / length(k * beam.aim.w), 0.0);
+    }
+    let ended = trace(path_from((*at).x, beam.aim.w, (*at).stack, (*at).depth, false, beam.aim.scale), longest, true, on_held, 0.0);
+    if is_sun {
+        return ended.end == END_SPENT && (!HAS_PORTALS || is_sunward(ended.path, beam.through));
+    }
+    // Where it met other boxes it has gone elsewhere.
+    let left = frame.lamps[lamp].place - ended.path.x;
+    return ended.end == END_SPENT && length(left) <= radius + 0.002 * (1.0 + beam.aim.length);
+}
+
+// Light of the sun and of lamps that falls on a surface, and what of it shines. Software adapters go through the body of a loop
+// for lanes that have left it, too: so that they trace no more often than the lane with the most beams, all of a beam but the
+// tracing is found out in a loop of its own, before and at the end of the one that traces. What the eye looks through throws no
+// shadow on what is held before it.
 fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>, on_held: bool) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     let gloss = materials[surface.material].gloss;
-    for (var light = 0u; light <= frame.lamp_count; light++) {
-        let is_sun = light == 0u;
-        var tries = frame.sun_count;
-        if !is_sun {
-            tries = lamp_tries(at, light - 1u);
+    var beam = next_beam(at, surface, 0u, 0u);
+    loop {
+        if beam.is_there && beam_arrives(at, beam, on_held) {
+            sum += beam.strength * (beam.share + gloss * shine(surface.n, beam.aim.w, to_eye));
         }
-        let without = tries;
-        if HAS_PORTALS && tries + u32(!is_sun) > 0u {
-            tries += ways.portal_count;
-        }
-        for (var attempt = 0u; attempt < tries; attempt++) {
-            var aim = Aim(frame.sun, frame.reach_m, 1.0);
-            var through = NO_PORTAL;
-            if HAS_PORTALS && attempt >= without {
-                through = attempt - without;
-                if is_sun {
-                    aim = sun_through_portal(at, through);
-                }
-            }
-            var radius = 0.0;
-            var strength = frame.sun_colour;
-            if !is_sun {
-                if HAS_PORTALS && through != NO_PORTAL {
-                    aim = lamp_through_portal(at, light - 1u, through);
-                } else {
-                    aim = lamp_aim(at, light - 1u, attempt);
-                }
-                radius = frame.lamps[light - 1u].radius_m;
-                strength = frame.lamps[light - 1u].colour * lamp_through(max(aim.length, 0.0), frame.lamps[light - 1u].reach_m);
-            }
-            let cosine = dot(surface.n, aim.w);
-            var share = select(lamp_diffuse(cosine), max(cosine, 0.0), is_sun);
-            if aim.length < 0.0 || cosine <= 0.0 || greatest(strength) * share < FAINT * 0.1 {
-                continue;
-            }
-            var longest = aim.length;
-            if !is_sun {
-                // The lamp is as large as it is in the scene, whatever it feels like.
-                let k = squeeze_of(frame.lamps[light - 1u].stack, frame.lamps[light - 1u].depth, aim.w, false);
-                longest = max(longest - radius / length(k * aim.w), 0.0);
-            }
-            let ended = trace(path_from((*at).x, aim.w, (*at).stack, (*at).depth, false, aim.scale), longest, true, on_held, 0.0);
-            if ended.end != END_SPENT || (HAS_PORTALS && is_sun && !is_sunward(ended.path, through)) {
-                continue;
-            }
-            if !is_sun {
-                // Where it met other boxes it has gone elsewhere.
-                let left = frame.lamps[light - 1u].place - ended.path.x;
-                if length(left) > radius + 0.002 * (1.0 + aim.length) {
-                    continue;
-                }
-            }
-            share += gloss * shine(surface.n, aim.w, to_eye);
-            sum += strength * share;
+        beam = next_beam(at, surface, beam.light, beam.attempt);
+        if !beam.is_there {
+            break;
         }
     }
     return sum;
@@ -216,14 +243,15 @@ struct Seen {
     length: f32,
 }
 
-fn see(direction: vec3<f32>) -> Seen {
+// What is seen in a direction; `pixel` is where a raster has it.
+fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
     var seen = Seen(vec3<f32>(0.0), 0u, frame.reach_m);
     var left = vec3<f32>(1.0);
     var far = 0.0;
     var in_glass = false;
     var path = path_from(frame.eye, direction, frame.stack, frame.depth, true, frame.scale);
     for (var bounce = 0u; bounce <= frame.bounces; bounce++) {
-        var ended = trace(path, frame.reach_m - far, false, bounce == 0u, frame.pixel_rad);
+        var ended = next_seen(path, frame.reach_m - far, bounce, pixel);
         path = ended.path;
         let before = far;
         far += ended.length;
@@ -306,7 +334,8 @@ fn draw(@builtin(global_invocation_id) invocation: vec3<u32>) {
         let angle = 0.4636 + 1.5707963 * f32(sample);
         let offset = select(vec2<f32>(0.0), 0.3953 * vec2<f32>(cos(angle), sin(angle)), frame.samples > 1u);
         let place = 2.0 * (vec2<f32>(id) + 0.5 + offset) / vec2<f32>(vec2<u32>(frame.width, frame.height)) - 1.0;
-        let seen = see(normalize(frame.front + place.x * frame.right.xyz - place.y * frame.up.xyz));
+        let pixel = id + vec2<u32>(0u, sample * frame.height);
+        let seen = see(normalize(frame.front + place.x * frame.right.xyz - place.y * frame.up.xyz), pixel);
         light += seen.light;
         if sample == 0u {
             first = seen;

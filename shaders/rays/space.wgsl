@@ -41,6 +41,9 @@ struct Aberration {
 // Whether there are boxes of those sides: what is not there takes no time.
 override HAS_SNELL: bool = true;
 override HAS_LEGACY: bool = true;
+// Whether nothing is felt to be stretched, and whether it matters which faces light passes.
+override IS_FLAT: bool = false;
+override HAS_FACES: bool = true;
 
 struct Spaces {
     boxes: array<Aberration, 256>,
@@ -136,6 +139,9 @@ fn is_felt(number: u32, w: vec3<f32>) -> bool {
 // The product of the K of all boxes of a stack, the innermost to the left.
 fn squeeze_of(stack: vec4<u32>, depth: u32, w: vec3<f32>, is_light: bool) -> mat3x3<f32> {
     var k = mat3x3<f32>(vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(0.0, 0.0, 1.0));
+    if IS_FLAT {
+        return k;
+    }
     for (var at = 0u; at < depth; at++) {
         let number = stack_get(stack, at);
         if !is_felt(number, w) {

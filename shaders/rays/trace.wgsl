@@ -63,6 +63,9 @@ fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
     let depth = (*path).depth;
     let together = 2.0 * ROUNDING * (1.0 + greatest(abs(x))) * inverseSqrt(max(dot(v, v), 1.0e-30));
     var next = Next(longest, NOTHING, 0u, false);
+    if !HAS_FACES {
+        return next;
+    }
     for (var at = 0u; at < depth; at++) {
         let number = stack_get(stack, at);
         let out = crossing_out(local_vector(number, x - space.boxes[number].centre), local_vector(number, v), half_of(number));

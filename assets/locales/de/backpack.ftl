@@ -18,6 +18,7 @@ item-gun-about = Schießt eine Kugel auf das, was das Fadenkreuz verdeckt.
 item-bullet-about = Damit schießt die Pistole.
 item-lamp-about = Erhellt das Land ringsum. Lässt sich hinstellen und wieder aufheben.
 item-flag-about = Markiert einen Ort. Stecke sie in den Boden, klicke sie an, um sie zu benennen, nimm sie wieder mit: Karte und Kompass zeigen den Weg zu ihr.
+item-door-about = Eine von zweien. Stell beide auf: Was in die eine hineingeht, kommt aus der anderen heraus. Mit der rechten Taste nimmst du sie wieder auf.
 item-pickaxe-wood-about = Gräbt und baut, langsam.
 item-pickaxe-iron-about = Gräbt und baut dreimal so schnell wie Holz.
 item-pickaxe-diamond-about = Gräbt und baut fünfmal so schnell wie Holz.

@@ -32,6 +32,7 @@ item-gun = Pistole
 item-bullet = Kugel
 item-lamp = Lampe
 item-flag = Fahne
+item-door = Tür
 flag-unnamed = Fahne { $number }
 flag-name-title = Wie heißt diese Fahne?
 flag-name = Name der Fahne

@@ -18,6 +18,7 @@ item-gun-about = Shoots a bullet at what the crosshair covers.
 item-bullet-about = What the gun shoots.
 item-lamp-about = Lights up the land around it. Can be put down and picked up again.
 item-flag-about = Marks a place. Plant it, click on it to name it, take it up again: map and compass show the way to it.
+item-door-about = One of a pair. Put up two: what goes into one comes out of the other. Take one up again with the right button.
 item-pickaxe-wood-about = Digs and builds, slowly.
 item-pickaxe-iron-about = Digs and builds three times as fast as wood.
 item-pickaxe-diamond-about = Digs and builds five times as fast as wood.

@@ -37,6 +37,7 @@ item-gun = Gun
 item-bullet = Bullet
 item-lamp = Lamp
 item-flag = Flag
+item-door = Door
 flag-unnamed = Flag { $number }
 flag-name-title = What is this flag called?
 flag-name = Name of the flag

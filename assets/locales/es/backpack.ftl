@@ -18,6 +18,7 @@ item-gun-about = Dispara una bala a lo que cubre la mira.
 item-bullet-about = Lo que dispara la pistola.
 item-lamp-about = Ilumina los alrededores. Se puede colocar y volver a recoger.
 item-flag-about = Marca un lugar. Clávala, haz clic en ella para darle un nombre y recógela cuando quieras: el mapa y la brújula muestran el camino.
+item-door-about = Una de un par. Coloca las dos: lo que entra por una sale por la otra. Recógela con el botón derecho.
 item-pickaxe-wood-about = Cava y construye, despacio.
 item-pickaxe-iron-about = Cava y construye tres veces más rápido que la madera.
 item-pickaxe-diamond-about = Cava y construye cinco veces más rápido que la madera.

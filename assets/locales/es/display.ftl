@@ -32,6 +32,7 @@ item-gun = Pistola
 item-bullet = Bala
 item-lamp = Lámpara
 item-flag = Bandera
+item-door = Puerta
 flag-unnamed = Bandera { $number }
 flag-name-title = ¿Cómo se llama esta bandera?
 flag-name = Nombre de la bandera

@@ -18,6 +18,7 @@ item-gun-about = Strzela nabojem w to, co zasłania celownik.
 item-bullet-about = Tym strzela pistolet.
 item-lamp-about = Oświetla okolicę. Można ją postawić i znów podnieść.
 item-flag-about = Oznacza miejsce. Wbij ją, kliknij ją, żeby nadać jej nazwę, i zabierz, kiedy chcesz: mapa i kompas pokazują do niej drogę.
+item-door-about = Jedne z pary. Postaw oboje: co wchodzi w jedne, wychodzi z drugich. Zabierz je prawym przyciskiem.
 item-pickaxe-wood-about = Kopie i buduje, powoli.
 item-pickaxe-iron-about = Kopie i buduje trzy razy szybciej niż drewniany.
 item-pickaxe-diamond-about = Kopie i buduje pięć razy szybciej niż drewniany.

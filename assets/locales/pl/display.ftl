@@ -36,6 +36,7 @@ item-gun = Pistolet
 item-bullet = Nabój
 item-lamp = Lampa
 item-flag = Flaga
+item-door = Drzwi
 flag-unnamed = Flaga { $number }
 flag-name-title = Jak nazywa się ta flaga?
 flag-name = Nazwa flagi

@@ -18,6 +18,7 @@ item-gun-about = 向准星所指之处射出一颗子弹。
 item-bullet-about = 枪用的子弹。
 item-lamp-about = 照亮周围。可以放下，也可以再拿起。
 item-flag-about = 标记一个地方。插在地上，点一下就能取名，也可以再收起：地图和罗盘会指出去那里的路。
+item-door-about = 成对的门之一。放好两扇：从一扇进去，就从另一扇出来。用右键收起。
 item-pickaxe-wood-about = 挖掘和建造，很慢。
 item-pickaxe-iron-about = 挖掘和建造，速度是木镐的三倍。
 item-pickaxe-diamond-about = 挖掘和建造，速度是木镐的五倍。

@@ -32,6 +32,7 @@ item-gun = 枪
 item-bullet = 子弹
 item-lamp = 灯
 item-flag = 旗子
+item-door = 门
 flag-unnamed = 旗子 { $number }
 flag-name-title = 这面旗子叫什么名字？
 flag-name = 旗子的名字

@@ -66,7 +66,7 @@ impl Navigator {
             ..scene.bearings()
         };
         model.compass = settings.compass.then(|| CompassModel {
-            flags: flags(texts, &scene.flag_ways(), bearings.heading_rad),
+            flags: ways_shown(texts, scene, bearings.heading_rad),
             ..compass(&bearings)
         });
         model.map = settings.minimap.then(|| self.map(scene, &bearings, order));
@@ -92,6 +92,7 @@ impl Navigator {
                 LandmarkKind::Hostile => MarkKind::Hostile,
                 LandmarkKind::Car => MarkKind::Car,
                 LandmarkKind::Flag => MarkKind::Flag,
+                LandmarkKind::Door => MarkKind::Door,
             },
             at: mark.at.as_vec2().to_array(),
         });
@@ -116,13 +117,23 @@ pub fn flag_name(texts: &Texts, id: ActorId, name: &str) -> String {
     }
 }
 
-fn flags(texts: &Texts, ways: &[FlagWay], heading_rad: f64) -> Vec<FlagView> {
-    let view = |way: &FlagWay| FlagView {
-        name: flag_name(texts, way.id, &way.name),
+/// The ways to flags and doors.
+fn ways_shown(texts: &Texts, scene: &Scene, heading_rad: f64) -> Vec<FlagView> {
+    let view = |way: &FlagWay, name: String, is_door: bool| FlagView {
+        name,
         distance_m: way.distance_m,
         bearing_rad: (way.heading_rad - heading_rad).rem_euclid(TAU),
+        is_door,
     };
-    ways.iter().map(view).collect()
+    let flags = scene.flag_ways();
+    let flags = flags
+        .iter()
+        .map(|way| view(way, flag_name(texts, way.id, &way.name), false));
+    let doors = scene.door_ways();
+    let doors = doors
+        .iter()
+        .map(|way| view(way, texts.say("item-door"), true));
+    flags.chain(doors).collect()
 }
 
 fn compass(bearings: &Bearings) -> CompassModel {

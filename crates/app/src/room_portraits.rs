@@ -14,6 +14,12 @@ const ALL: &[(&str, &[u8])] = portraits![
     "nested-boxes",
     "four-tunnels",
     "thesis-room",
+    "two-portals",
+    "closet-flat",
+    "six-portals",
+    "growing-hall",
+    "door-to-itself",
+    "bottomless-shaft",
 ];
 
 /// The picture of a room of the game.

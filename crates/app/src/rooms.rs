@@ -151,6 +151,7 @@ impl OpenRoom {
             samples,
             view: self.look,
             outlines: self.outlines,
+            raster: true,
         }
     }
 }

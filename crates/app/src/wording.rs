@@ -187,6 +187,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::NoBullets => texts.say("hint-no-bullets"),
         Hint::NoPlaceFor(item) => texts.say(&format!("hint-no-place-for-{}", item.id())),
         Hint::NoneThere(item) => texts.say(&format!("hint-none-there-{}", item.id())),
+        Hint::MovedOldest(item) => texts.say(&format!("hint-moved-{}", item.id())),
         Hint::TooMany(item) => texts.say(&format!("hint-too-many-{}", item.id())),
         Hint::NoRoom => texts.say("hint-no-room"),
         Hint::TooManyDrops => texts.say("hint-too-many-drops"),

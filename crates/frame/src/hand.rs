@@ -94,14 +94,14 @@ impl HandMotion {
         posture.kick = self.kick as f32;
     }
 
-    /// What is seen of it in first person after so many cycles of the gait; without a bob where the player wants it `still`.
-    /// None of an empty hand.
-    pub fn seen(&self, cycles: f64, still: bool) -> Option<Hand> {
+    /// What is seen in first person of what is held now, after so many cycles of the gait; without a bob where the player wants
+    /// it `still`.
+    pub fn seen(&self, held: Item, cycles: f64, still: bool) -> Hand {
         let phase = TAU * cycles;
         let (aside_m, up_m) = BOB_M;
         let bob = if still { 0.0 } else { self.bob };
-        Some(Hand {
-            model: self.held?.into(),
+        Hand {
+            model: held.into(),
             lowered: self.lowered(),
             // Once to each side in a cycle, and down with each foot.
             bob_m: [
@@ -111,7 +111,7 @@ impl HandMotion {
             swing: self.swing(),
             kick: self.kick as f32,
             flashes: self.flashes(),
-        })
+        }
     }
 
     /// Whether a shot flashes.
@@ -235,11 +235,11 @@ mod tests {
             hand.pass(Some(Item::Gun), false, bob_at(4.5), STEP_S);
         }
         hand.fire();
-        let mut last = hand.seen(0.3, false);
+        let mut last = hand.seen(Item::Gun, 0.3, false);
         let mut moved = 0;
         for _ in 0..240 {
             hand.pass(Some(Item::Gun), false, 0.0, STEP_S);
-            let seen = hand.seen(0.3, false);
+            let seen = hand.seen(Item::Gun, 0.3, false);
             moved += usize::from(seen != last);
             last = seen;
         }

@@ -10,6 +10,7 @@ mod hit_shapes;
 mod land;
 mod model;
 pub mod motion;
+mod opening;
 mod posture;
 mod quality;
 mod view;
@@ -22,6 +23,7 @@ use glam::{DQuat, DVec3};
 pub use hit_shapes::{HitForm, HitShape};
 pub use land::{ChunkChange, Land, LandCursor, LandNews};
 pub use model::{ModelId, ModelShape};
+pub use opening::Opening;
 pub use posture::{Clip, Posture};
 pub use quality::{ParseQualityError, Quality};
 pub use view::{Hand, View};
@@ -57,6 +59,8 @@ pub struct Frame {
     /// What the rear mirror of the car that is driven shows, seen from its bonnet; left and right not yet swapped, and of a
     /// picture as wide as high.
     pub mirror: Option<View>,
+    /// Doors, and what is seen through each.
+    pub openings: Vec<Opening>,
 }
 
 impl Frame {
@@ -66,6 +70,7 @@ impl Frame {
             content: Arc::new(content),
             view,
             mirror: None,
+            openings: Vec::new(),
         }
     }
 
@@ -101,6 +106,7 @@ impl Frame {
             content: Arc::clone(&self.content),
             view,
             mirror: None,
+            openings: Vec::new(),
         }
     }
 

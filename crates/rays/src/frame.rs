@@ -6,8 +6,8 @@ use antipode_deformation::PictureCorners;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3, Vec4};
 
+use crate::options::Options;
 use crate::packed::stack;
-use crate::rays::Options;
 use crate::scene::{Eye, Lamp, MAX_LAMPS, RayScene};
 
 /// Cosine of the angle of the sun's radius.

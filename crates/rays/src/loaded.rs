@@ -1,5 +1,6 @@
 //! A scene in the adapter's memory.
 
+use antipode_deformation::Space;
 use bytemuck::{Pod, bytes_of, cast_slice};
 use glam::Vec3;
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
@@ -9,11 +10,12 @@ use crate::error::RaysError;
 use crate::mesh::TRIANGLE_TEXELS;
 use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
 use crate::packed_portals::packed_portals;
+use crate::raster::{Chunk, Moved, tidy};
 use crate::scene::{Mover, RayScene};
 use crate::shaders::SHALLOW_ROOM;
 use crate::texels::{ROW, Texels};
 use crate::textures;
-use crate::top::{INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, build, pack};
+use crate::top::{INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, bounds, build, pack};
 use crate::tree::NODE_TEXELS;
 
 /// A scene in the adapter's memory. What stays, materials, pictures and aberrations are as they were loaded; movers may be
@@ -34,6 +36,13 @@ pub struct Loaded {
     pub(crate) attributes: Buffer,
     pub(crate) textures: TextureView,
     pub(crate) host_ways: PackedWays,
+    /// What stays, for a raster.
+    pub(crate) chunks: Vec<Chunk>,
+    /// What moves, for a raster.
+    pub(crate) moved: Vec<Moved>,
+    /// Aberrations, and which of them a raster sees through.
+    aberrations: Space,
+    pub(crate) tidy: Vec<bool>,
     movables: Vec<Movable>,
     placed: Vec<Placed>,
     resting: Resting,
@@ -85,6 +94,10 @@ impl Loaded {
             textures: textures::upload(device, queue, &scene.textures)?,
             host_ways: ways,
             resting: resting(&parts[0], movers_at, materials.len()),
+            chunks: Chunk::all(&parts[0].triangles),
+            moved: Vec::new(),
+            tidy: tidy(&scene.aberrations),
+            aberrations: scene.aberrations.clone(),
             movables,
             placed,
             movers_at,
@@ -127,8 +140,28 @@ impl Loaded {
         self.host_ways.root = root;
         self.depths.1 = depth;
         queue.write_buffer(&self.ways, 0, bytes_of(&self.host_ways));
+        self.moved = self.moved(movers);
         self.shown = Some(movers.to_vec());
         Ok(())
+    }
+
+    /// Movers, for a raster.
+    fn moved(&self, movers: &[Mover]) -> Vec<Moved> {
+        let moved = movers.iter().enumerate().filter_map(|(number, mover)| {
+            let movable = self.movables.get(mover.mesh)?;
+            let (low, high) = bounds(&mover.pose, self.placed.get(mover.mesh)?.bounds?);
+            let first = movable.bases.1;
+            Some(Moved {
+                triangles: first..first + movable.sizes().1 as u32,
+                pose: mover.pose,
+                low,
+                high,
+                instance: self.resting.instances + number as u32,
+                is_held: mover.held,
+                is_unseen: mover.unseen_by_eye,
+            })
+        });
+        moved.collect()
     }
 
     /// Gives a mesh that may move, by its number among these, another shape: the places of its corners, metres of the mesh,
@@ -169,6 +202,11 @@ impl Loaded {
             deep: self.depths.0 + self.depths.1 + 2 > SHALLOW_ROOM,
             ..self.kinds[rule as usize]
         }
+    }
+
+    /// The aberrations, as they were given.
+    pub(crate) fn aberrations(&self) -> &Space {
+        &self.aberrations
     }
 
     /// The aberrations by a rule.

@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
 use crate::crowd;
-use crate::rays::Outlines;
+use crate::options::Outlines;
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
 use crate::tree::NOTHING;
 
@@ -132,13 +132,17 @@ impl Rule {
 }
 
 /// What shaders are told of beforehand, so that what is not there takes no time: whether there are boxes of *snell* and of
-/// *legacy*, and portals, and whether the hierarchies are deep.
+/// *legacy*, and portals, whether the hierarchies are deep, and whether boxes change anything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kinds {
     pub snell: bool,
     pub legacy: bool,
     pub portals: bool,
     pub deep: bool,
+    /// Whether nothing is felt to be stretched.
+    pub flat: bool,
+    /// Whether it does not matter besides which faces light passes.
+    pub faceless: bool,
 }
 
 impl Kinds {
@@ -148,35 +152,62 @@ impl Kinds {
         legacy: true,
         portals: true,
         deep: true,
+        flat: false,
+        faceless: false,
     };
+    /// How many there are.
+    pub const COUNT: usize = 64;
 
     /// Of a space by a rule.
     pub fn of(space: &Space, rule: Rule) -> Self {
+        let flat = space.portals().is_empty() && (rule == Rule::Plain || space.placed().is_empty());
         let mut kinds = Self {
             portals: !space.portals().is_empty(),
+            flat,
+            faceless: flat,
             ..Self::default()
         };
         for placed in space.placed() {
-            let sides = rule.of(placed).aberration.sides;
+            let it = rule.of(placed).aberration;
+            let sides = it.sides;
+            kinds.faceless &= !(0..3).any(|axis| it.is_wall(axis));
             kinds.snell |= sides == Sides::Snell;
             kinds.legacy |= matches!(sides, Sides::Legacy(_));
         }
         kinds
     }
 
-    /// A number below 16.
+    /// The same where outlines are drawn, which are seen in faces.
+    pub fn with_outlines(self, are_drawn: bool) -> Self {
+        Self {
+            faceless: self.faceless && !are_drawn,
+            ..self
+        }
+    }
+
+    /// A number below [`Self::COUNT`].
     pub fn number(self) -> usize {
-        let all = [self.snell, self.legacy, self.deep, self.portals];
+        let Self {
+            snell,
+            legacy,
+            portals,
+            deep,
+            flat,
+            faceless,
+        } = self;
+        let all = [snell, legacy, portals, deep, flat, faceless];
         let bits = all.into_iter().enumerate();
         bits.map(|(bit, it)| usize::from(it) << bit).sum()
     }
 
     /// What the shaders' constants are set to.
-    pub fn constants(self) -> [(&'static str, f64); 3] {
+    pub fn constants(self) -> [(&'static str, f64); 5] {
         [
             ("HAS_SNELL", f64::from(u8::from(self.snell))),
             ("HAS_LEGACY", f64::from(u8::from(self.legacy))),
             ("HAS_PORTALS", f64::from(u8::from(self.portals))),
+            ("IS_FLAT", f64::from(u8::from(self.flat))),
+            ("HAS_FACES", f64::from(u8::from(!self.faceless))),
         ]
     }
 }

@@ -1,10 +1,13 @@
 //! Where a picture is drawn, and reading it back.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use bytemuck::cast_slice;
 use half::f16;
 use wgpu::{Device, Queue, Texture, TextureFormat, TextureUsages, TextureView};
 
 use crate::error::RaysError;
+use crate::raster::Visible;
 
 /// Light, linear and unclamped.
 pub const LIGHT_FORMAT: TextureFormat = TextureFormat::Rgba16Float;
@@ -22,6 +25,8 @@ pub struct Picture {
     pub seen: TextureView,
     light_texture: Texture,
     seen_texture: Texture,
+    /// What a raster sees, once one is asked.
+    visible: Mutex<Option<Arc<Visible>>>,
 }
 
 /// What a pixel shows.
@@ -76,7 +81,21 @@ impl Picture {
             seen: view(&seen_texture),
             light_texture,
             seen_texture,
+            visible: Mutex::default(),
         }
+    }
+
+    /// Where a raster writes what it sees, with room for so many samples and levels.
+    pub(crate) fn visible(&self, device: &Device, samples: u32, levels: usize) -> Arc<Visible> {
+        let most = device.limits().max_texture_dimension_2d;
+        let size = (self.size.0, (self.size.1 * samples).min(most));
+        let mut held = self.visible.lock().unwrap_or_else(PoisonError::into_inner);
+        let fits = |it: &&Arc<Visible>| it.size == size && it.levels >= levels;
+        if let Some(known) = held.as_ref().filter(fits) {
+            return known.clone();
+        }
+        held.insert(Arc::new(Visible::new(device, size, levels)))
+            .clone()
     }
 
     /// Waits for all that was submitted and reads the light, row by row from the top; red, green and blue.

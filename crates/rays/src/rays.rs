@@ -11,84 +11,27 @@ use wgpu::{
 use crate::error::RaysError;
 use crate::frame::{Frame, Part, corners, frame};
 use crate::loaded::Loaded;
+use crate::options::{Options, View};
 use crate::packed::{Kinds, Rule};
 use crate::picture::{LIGHT_FORMAT, Picture, SEEN_FORMAT};
+use crate::raster::{Raster, Way, way};
+use crate::rastered::sight;
 use crate::scene::{Eye, RayScene};
 use crate::shaders::{PICTURE, compile};
 
 /// Pixels of a group along each side.
-const GROUP: u32 = 8;
-
-/// How much is made of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Mirrors and panes that light passes in a row, up to 4; with 0 mirrors show only the sky and panes are opaque.
-    pub bounces: u32,
-    /// Samples a pixel, 1 to 4.
-    pub samples: u32,
-    /// By which rule one looks.
-    pub view: View,
-    /// Of which aberrations the outlines are drawn.
-    pub outlines: Outlines,
-}
-
-/// Of which aberrations the outlines are drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Outlines {
-    /// Of none.
-    Hidden,
-    /// Of those that have one.
-    #[default]
-    Chosen,
-    /// Of all.
-    All,
-}
-
-impl Outlines {
-    /// What comes next where a key goes round them.
-    pub fn next(self) -> Self {
-        match self {
-            Self::Chosen => Self::All,
-            Self::All => Self::Hidden,
-            Self::Hidden => Self::Chosen,
-        }
-    }
-}
-
-/// By which rule a picture shows aberrations. Who walks goes by the exact one always.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum View {
-    /// As light goes.
-    #[default]
-    Exact,
-    /// By the rule of J. L. Redondo Tello's thesis for all of them, with its faults.
-    Thesis,
-    /// The left half by the thesis's rule, the right half exact, and a line between.
-    Split,
-    /// In coordinates of the scene: aberrations are not felt, and only their walls are seen.
-    Plain,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            bounces: 0,
-            samples: 1,
-            view: View::Exact,
-            outlines: Outlines::default(),
-        }
-    }
-}
+pub const GROUP: u32 = 8;
 
 /// What draws pictures of scenes.
 #[derive(Debug)]
 pub struct Rays {
     /// By the number of what is told beforehand; compiled when they are asked for.
-    pipelines: [OnceLock<ComputePipeline>; 16],
-    scene_layout: BindGroupLayout,
-    picture_layout: BindGroupLayout,
+    pipelines: [OnceLock<ComputePipeline>; Kinds::COUNT],
+    pub(crate) raster: Raster,
+    pub(crate) scene_layout: BindGroupLayout,
+    pub(crate) picture_layout: BindGroupLayout,
     /// One for each part of a picture.
-    frames: [Buffer; 2],
+    pub(crate) frames: [Buffer; 2],
     sampler: wgpu::Sampler,
 }
 
@@ -102,7 +45,8 @@ impl Rays {
             let scene_layout = scene_layout(device);
             let picture_layout = picture_layout(device);
             let rays = Self {
-                pipelines: Default::default(),
+                pipelines: std::array::from_fn(|_| OnceLock::new()),
+                raster: Raster::new(device),
                 scene_layout,
                 picture_layout,
                 frames: [(); 2].map(|()| {
@@ -170,6 +114,12 @@ impl Rays {
     pub fn prepare(&self, device: &Device, loaded: &Loaded) {
         for rule in Rule::ALL {
             self.pipeline(device, loaded.kinds(rule));
+            self.pipeline(device, loaded.kinds(rule).with_outlines(true));
+        }
+        for rule in [Rule::Exact, Rule::Plain] {
+            for sees_all in [false, true] {
+                self.rastered(device, loaded.kinds(rule), sees_all);
+            }
         }
     }
 
@@ -201,6 +151,14 @@ impl Rays {
             bounces: options.bounces.min(4),
             ..options
         };
+        let sight = sight(scene, loaded, eye, options);
+        let way = way(&sight);
+        if options.raster && way != Way::Rays {
+            let gpu = (device, queue);
+            let what = (scene, loaded, way);
+            self.draw_rastered(gpu, encoder, what, (eye, picture), options, rows);
+            return;
+        }
         let width = picture.size.0;
         let lines = rows.end.saturating_sub(rows.start).div_ceil(GROUP);
         let ways = (loaded.host_ways)
@@ -213,7 +171,8 @@ impl Rays {
             timestamp_writes: None,
         });
         for ((rule, columns), buffer) in parts.into_iter().zip(&self.frames) {
-            pass.set_pipeline(self.pipeline(device, loaded.kinds(rule)));
+            let kinds = loaded.kinds(rule).with_outlines(sight.outlines);
+            pass.set_pipeline(self.pipeline(device, kinds));
             let groups = (columns.end - columns.start).div_ceil(GROUP);
             let part = Part {
                 columns,
@@ -230,7 +189,7 @@ impl Rays {
         }
     }
 
-    fn picture_group(
+    pub(crate) fn picture_group(
         &self,
         device: &Device,
         loaded: &Loaded,
@@ -289,6 +248,18 @@ pub fn pipeline(
     layouts: &[&BindGroupLayout],
     kinds: Kinds,
 ) -> ComputePipeline {
+    pipeline_with(device, (label, files, entry), layouts, kinds, &[])
+}
+
+/// The same with more constants.
+pub fn pipeline_with(
+    device: &Device,
+    (label, files, entry): (&str, &[&str], &str),
+    layouts: &[&BindGroupLayout],
+    kinds: Kinds,
+    more: &[(&str, f64)],
+) -> ComputePipeline {
+    let constants = [&kinds.constants()[..], more].concat();
     let module = compile(device, label, files, kinds.deep);
     let groups: Vec<_> = layouts.iter().map(|layout| Some(*layout)).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -302,7 +273,7 @@ pub fn pipeline(
         module: &module,
         entry_point: Some(entry),
         compilation_options: wgpu::PipelineCompilationOptions {
-            constants: &kinds.constants(),
+            constants: &constants,
             ..Default::default()
         },
         cache: None,

@@ -13,10 +13,11 @@ const SCENE: &str = include_str!("../../../shaders/rays/scene.wgsl");
 const TRACE: &str = include_str!("../../../shaders/rays/trace.wgsl");
 const SHADING: &str = include_str!("../../../shaders/rays/shading.wgsl");
 const FRAME: &str = include_str!("../../../shaders/rays/frame.wgsl");
+const LIGHT: &str = include_str!("../../../shaders/rays/picture.wgsl");
 const LAMPS: &str = include_str!("../../../shaders/rays/lamps.wgsl");
 
 /// The files of the pass that draws a picture, in their order.
-pub const PICTURE: [&str; 9] = [
+pub const PICTURE: [&str; 10] = [
     DEEP,
     SPACE,
     PORTAL,
@@ -25,8 +26,26 @@ pub const PICTURE: [&str; 9] = [
     FRAME,
     SHADING,
     LAMPS,
-    include_str!("../../../shaders/rays/picture.wgsl"),
+    LIGHT,
+    include_str!("../../../shaders/rays/first_by_rays.wgsl"),
 ];
+
+/// The files of the same pass behind a raster.
+pub const RASTERED: [&str; 10] = [
+    DEEP,
+    SPACE,
+    PORTAL,
+    SCENE,
+    TRACE,
+    FRAME,
+    SHADING,
+    LAMPS,
+    LIGHT,
+    include_str!("../../../shaders/rays/first_by_raster.wgsl"),
+];
+
+/// The raster.
+pub const RASTER: &str = include_str!("../../../shaders/rays/raster.wgsl");
 
 /// The files of the pass that traces a list of rays.
 pub const PROBE: [&str; 6] = [

@@ -121,7 +121,7 @@ fn checked<'a>(
 }
 
 /// The box of a posed box in the scene, a little too large rather than too small.
-fn bounds(pose: &Affine3A, (low, high): (Vec3, Vec3)) -> (Vec3, Vec3) {
+pub fn bounds(pose: &Affine3A, (low, high): (Vec3, Vec3)) -> (Vec3, Vec3) {
     let matrix = pose.matrix3;
     let middle = pose.transform_point3(0.5 * (low + high));
     let reach = Mat3A::from_cols(

@@ -30,6 +30,7 @@ mod land_mesh;
 mod marker;
 mod models;
 mod offscreen;
+mod openings;
 mod outlines;
 mod page_allocator;
 mod pages;

@@ -18,10 +18,13 @@ use crate::figure_pipelines::FigurePipelines;
 use crate::heavens::Heavens;
 use crate::outlines;
 use crate::pipeline_cache::Key;
-use crate::shaders::{CELESTIAL, MARKER, OUTLINES, SKY, Shader, Shaders, TERRAIN, accepted};
+use crate::shaders::{
+    CELESTIAL, MARKER, OPENING, OUTLINES, SKY, Shader, Shaders, TERRAIN, accepted,
+};
 use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
+use crate::tonemap::layout as light_layout;
 use crate::uniforms::{ChunkInstance, MarkerInstance, OutlineInstance};
 
 /// Everything the scene is drawn with.
@@ -47,6 +50,10 @@ pub struct Pipelines {
     pub outlines: RenderPipeline,
     /// The same where something hides them.
     pub outlines_hidden: RenderPipeline,
+    /// Openings of doors, with what was drawn of the other side.
+    pub opening: RenderPipeline,
+    /// The same with haze.
+    pub opening_haze: RenderPipeline,
     /// Land into a shadow map.
     pub caster: RenderPipeline,
     /// Nothing into a part of one, whatever was there.
@@ -96,6 +103,7 @@ impl Pipelines {
             )
         };
         let [outlines, outlines_hidden] = maker.outlines();
+        let [opening, opening_haze] = maker.openings();
         Self {
             terrain: TerrainPipelines::made_by(maker, &land, &land_buffers),
             figures: FigurePipelines::made_by(maker),
@@ -115,6 +123,8 @@ impl Pipelines {
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
             outlines,
             outlines_hidden,
+            opening,
+            opening_haze,
             caster: maker.caster(&land, "vertex_caster", &land_buffers),
             hole: maker.caster(&land, "vertex_hole", &[]),
         }
@@ -130,6 +140,8 @@ pub(crate) struct Way {
     culled: bool,
     /// Whether joints bend it.
     bends: bool,
+    /// Whether it shows light that was drawn before.
+    opens: bool,
 }
 
 /// What hides what lies behind it.
@@ -139,6 +151,14 @@ pub(crate) const SOLID: Way = Way {
     blend: None,
     culled: true,
     bends: false,
+    opens: false,
+};
+
+/// The opening of a door.
+const OPEN: Way = Way {
+    culled: false,
+    opens: true,
+    ..SOLID
 };
 
 /// The same of what joints bend.
@@ -154,6 +174,7 @@ pub(crate) const GLASS: Way = Way {
     blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
     culled: true,
     bends: false,
+    opens: false,
 };
 
 /// Added where nothing nearer stands.
@@ -166,6 +187,7 @@ const SHINE: Way = Way {
     }),
     culled: false,
     bends: false,
+    opens: false,
 };
 
 /// Laid over what is infinitely far.
@@ -187,6 +209,7 @@ pub(crate) struct Maker<'a> {
     shaders: Shaders,
     layout: PipelineLayout,
     bent_layout: PipelineLayout,
+    open_layout: PipelineLayout,
     caster_layout: PipelineLayout,
     figure_caster_layout: PipelineLayout,
     /// The map that it compiles for.
@@ -222,6 +245,10 @@ impl<'a> Maker<'a> {
             device,
             shaders,
             layout: layout("scene", &[Some(scene_layout), chart]),
+            open_layout: layout(
+                "open",
+                &[Some(scene_layout), chart, Some(&light_layout(device))],
+            ),
             bent_layout: layout("bent", &[Some(scene_layout), chart, joints]),
             caster_layout: layout("shadow caster", &[None, chart, None, caster]),
             figure_caster_layout: layout("figure shadow caster", &[None, chart, joints, caster]),
@@ -255,6 +282,19 @@ impl<'a> Maker<'a> {
 
     pub(crate) fn compile(&self, shader: Shader) -> ShaderModule {
         self.shaders.compile(self.device, shader, Some(self.map))
+    }
+
+    /// Openings with what lies beyond, and with haze.
+    fn openings(&self) -> [RenderPipeline; 2] {
+        let module = self.compile(OPENING);
+        let offset = wgpu::vertex_attr_array![0 => Float32x3];
+        let buffers = [layout(
+            offset[0].format.size(),
+            VertexStepMode::Vertex,
+            &offset,
+        )];
+        ["fragment", "fragment_haze"]
+            .map(|fragment| self.make(&module, ["vertex", fragment], &buffers, OPEN))
     }
 
     /// Lines before what is nearer, and those behind it.
@@ -365,10 +405,10 @@ impl<'a> Maker<'a> {
         self.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some(fragment),
-                layout: Some(if way.bends {
-                    &self.bent_layout
-                } else {
-                    &self.layout
+                layout: Some(match (way.bends, way.opens) {
+                    (true, _) => &self.bent_layout,
+                    (false, true) => &self.open_layout,
+                    (false, false) => &self.layout,
                 }),
                 vertex: wgpu::VertexState {
                     module,

@@ -22,6 +22,7 @@ use crate::tile::Tile;
 use crate::timing::Timing;
 use crate::tonemap::{MirrorPlace, Tonemap};
 
+mod beyond;
 mod options;
 mod readiness;
 #[cfg(test)]
@@ -30,7 +31,7 @@ mod view_state;
 
 use options::check;
 pub use options::{DrawStats, Options, Picture};
-use view_state::{LandSource, Scenery, Shared, ViewState};
+use view_state::{LandSource, Part, Scenery, Shared, ViewState};
 
 /// Another view of what a frame shows, drawn with it.
 ///
@@ -75,6 +76,8 @@ pub struct Renderer {
     picture: ViewState,
     /// The others, in the order in which the last frame that had so many named them.
     further: Vec<ViewState>,
+    /// What is seen through the openings of the last frame.
+    openings: Vec<ViewState>,
     /// Width and height of the pictures, pixels, and whether they are drawn at full resolution.
     asked: (u32, u32, bool),
     /// The number of the world that the targets hold a picture of.
@@ -145,6 +148,7 @@ impl Renderer {
             map: None,
             picture,
             further: Vec::new(),
+            openings: Vec::new(),
             asked: (1, 1, false),
             pictured: None,
             tonemap,
@@ -222,6 +226,7 @@ impl Renderer {
     pub fn draw_singly(&mut self) {
         self.picture.draw_singly();
         self.further.clear();
+        self.openings.clear();
         self.shadows.draw_singly();
     }
 
@@ -256,7 +261,7 @@ impl Renderer {
             .timing
             .as_mut()
             .and_then(|timing| timing.collect(&self.device));
-        let is_shared = !further.is_empty();
+        let is_shared = !further.is_empty() || !frame.openings.is_empty();
         let map = self.map_of(frame);
         if !self.is_ready(map) {
             let last = DrawStats {
@@ -318,10 +323,21 @@ impl Renderer {
         };
         let (shadows, stamped) = self.shadows.draw(encoder, pipelines, casters, timing);
         stats.shadows = shadows;
+        self.draw_beyond(frame, encoder, &mut stats);
+        let Some(pipelines) = self.pipelines.get(map) else {
+            return stats;
+        };
+        let timing = self.timing.as_ref();
         let stamp = timing.filter(|_| !stamped).map(Timing::begin);
         let scenery = self.scenery(pipelines);
+        let beyond = beyond::of(&self.openings);
+        let part = Part {
+            tile: self.tile,
+            beyond: &beyond,
+            ..Part::default()
+        };
         self.picture
-            .draw(frame, scenery, encoder, self.tile, stamp, &mut stats);
+            .draw(frame, scenery, encoder, part, stamp, &mut stats);
         stats
     }
 
@@ -343,7 +359,8 @@ impl Renderer {
                 heavens: &self.heavens,
                 shadows: &self.shadows,
             };
-            for view in std::iter::once(&mut self.picture).chain(&mut self.further) {
+            let others = self.further.iter_mut().chain(&mut self.openings);
+            for view in std::iter::once(&mut self.picture).chain(others) {
                 view.rebind(&self.device, shared);
             }
         }
@@ -379,7 +396,7 @@ impl Renderer {
             state.take_land(device, queue, &frame, land, &mut plan, drawn);
             let mut stats = self.planned(&plan);
             let scenery = self.scenery(pipelines);
-            state.draw(&frame, scenery, encoder, None, None, &mut stats);
+            state.draw(&frame, scenery, encoder, Part::default(), None, &mut stats);
             match it.target {
                 ViewTarget::Texture(target) => {
                     self.tonemap.draw(encoder, &state.light, target, None);

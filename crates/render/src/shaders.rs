@@ -21,6 +21,11 @@ pub const MARKER: Shader = Shader {
     name: "marker",
     own: include_str!("../../../shaders/marker.wgsl"),
 };
+/// Openings of doors.
+pub const OPENING: Shader = Shader {
+    name: "opening",
+    own: include_str!("../../../shaders/opening.wgsl"),
+};
 /// Outlines of hit shapes.
 pub const OUTLINES: Shader = Shader {
     name: "outlines",
@@ -143,7 +148,9 @@ pub mod tests {
     #[test]
     fn every_shader_is_valid() {
         for map in MAPS {
-            for shader in [TERRAIN, FIGURE, MARKER, OUTLINES, SKY, CELESTIAL, TONEMAP] {
+            for shader in [
+                TERRAIN, FIGURE, MARKER, OPENING, OUTLINES, SKY, CELESTIAL, TONEMAP,
+            ] {
                 let module = parse(shader, map);
                 let checked =
                     Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);

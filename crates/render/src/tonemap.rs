@@ -138,7 +138,8 @@ fn begin<'e>(
     })
 }
 
-fn layout(device: &Device) -> BindGroupLayout {
+/// What light is read by.
+pub(crate) fn layout(device: &Device) -> BindGroupLayout {
     let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
         binding,
         visibility: ShaderStages::FRAGMENT,

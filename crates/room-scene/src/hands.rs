@@ -40,6 +40,17 @@ pub struct Hands {
     gun_rests_s: f64,
 }
 
+impl Hands {
+    /// Who begins anew with a button down has not pressed it again.
+    pub fn begun_anew(self) -> Self {
+        Self {
+            shoots: self.shoots,
+            places: self.places,
+            ..Self::default()
+        }
+    }
+}
+
 impl RoomScene {
     /// Does what hands are asked for in a step.
     pub(crate) fn use_hands(&mut self, steer: &Steer) {

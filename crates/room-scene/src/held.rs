@@ -52,18 +52,21 @@ impl RoomScene {
         } else {
             bob_at(body.velocity.reject_from_normalized(self.up()).length())
         };
-        self.hand_before = self.hand_now();
+        self.hand_before = Some(self.hand_now());
         self.hand.pass(Some(Item::Gun), false, bob, STEP_S);
     }
 
-    fn hand_now(&self) -> Option<Hand> {
+    fn hand_now(&self) -> Hand {
         let still = self.viewing.reduced_motion;
-        self.hand.seen(self.motion.cycles(), still)
+        self.hand.seen(Item::Gun, self.motion.cycles(), still)
     }
 
     /// What is held before that eye, at a share of the way of the last step; nothing where one looks from behind.
     pub(crate) fn held_between(&self, eye: &Eye, share: f64) -> Option<InHand> {
-        let now = self.hand_now().filter(|_| !self.third_person)?;
+        if self.third_person {
+            return None;
+        }
+        let now = self.hand_now();
         let hand = self
             .hand_before
             .map_or(now, |before| now.between(&before, share as f32));

@@ -7,7 +7,6 @@ use antipode_frame::hand::HandMotion;
 use antipode_rooms::direction;
 use glam::{DVec2, DVec3};
 
-use crate::hands::Hands;
 use crate::hints::RoomHint;
 use crate::righting::Righting;
 use crate::scene::RoomScene;
@@ -202,7 +201,7 @@ impl RoomScene {
         let spawn = self.room().spawn;
         self.look = Look::of_degrees(spawn.look);
         self.things = Things::default();
-        self.hands = Hands::default();
+        self.hands = self.hands.begun_anew();
         self.hand = HandMotion::default();
         self.hand_before = None;
         self.stand_at(spawn.at);

@@ -186,6 +186,11 @@ impl Scene {
         fixture::map_of(&self.sim.actors, Item::Lamp, |_, it| it.clone())
     }
 
+    /// The ways to the doors, to the older one first; none of them has a name.
+    pub fn door_ways(&self) -> Vec<FlagWay> {
+        bearings::door_ways(&self.sim.world, &self.sim.actors)
+    }
+
     /// The ways to all flags, in the order in which they were planted.
     pub fn flag_ways(&self) -> Vec<FlagWay> {
         bearings::flag_ways(&self.sim.world, &self.sim.actors)

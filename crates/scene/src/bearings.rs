@@ -60,6 +60,8 @@ pub enum LandmarkKind {
     Car,
     /// A flag that was planted.
     Flag,
+    /// A door.
+    Door,
 }
 
 /// Something on the map.
@@ -140,7 +142,7 @@ fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
     at.y.atan2(at.x)
 }
 
-/// The way to a flag.
+/// The way to a flag or a door.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlagWay {
     /// Which one.
@@ -155,9 +157,18 @@ pub struct FlagWay {
 
 /// The ways to all flags, in the order in which they were planted.
 pub(crate) fn flag_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
+    ways_to(world, actors, Item::Flag)
+}
+
+/// The ways to the doors, to the older one first.
+pub(crate) fn door_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
+    ways_to(world, actors, Item::Door)
+}
+
+fn ways_to(world: &World, actors: &Actors, item: Item) -> Vec<FlagWay> {
     let eye = map_eye(actors.feet());
     let locator = Locator::new(&*world.strategy, &eye);
-    fixture::map_of(actors, Item::Flag, |id, flag| {
+    fixture::map_of(actors, item, |id, flag| {
         let at = locator.at(flag.foot.point);
         FlagWay {
             id,
@@ -168,7 +179,7 @@ pub(crate) fn flag_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
     })
 }
 
-/// Lamps and everyone alive but the player, within a distance along the ground; and cars and flags, of which those
+/// Lamps and everyone alive but the player, within a distance along the ground; and cars, flags and doors, of which those
 /// farther off are marked at the edge in their direction.
 pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Landmark> {
     let eye = map_eye(actors.feet());
@@ -190,10 +201,16 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
     let flags = fixture::map_of(actors, Item::Flag, |_, it| {
         (LandmarkKind::Flag, it.foot.point)
     });
-    let marked = cars.chain(flags).map(|(kind, point)| Landmark {
-        kind,
-        at: locator.at(point).clamp_length_max(EDGE * reach_m),
+    let doors = fixture::map_of(actors, Item::Door, |_, it| {
+        (LandmarkKind::Door, it.foot.point)
     });
+    let marked = cars
+        .chain(flags)
+        .chain(doors)
+        .map(|(kind, point)| Landmark {
+            kind,
+            at: locator.at(point).clamp_length_max(EDGE * reach_m),
+        });
     lamps
         .into_iter()
         .chain(bots)

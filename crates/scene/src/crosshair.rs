@@ -17,7 +17,7 @@ use crate::car::tuning::IN_VIEW;
 use crate::fixture::{self, Fixture};
 use crate::npc::mind::Mind;
 use crate::npc::{apart_m, sees};
-use crate::pick::{Meets, Pick, over, pick, pick_among};
+use crate::pick::{Meets, Pick, over, pick_among};
 use crate::player::{Health, Position};
 use crate::projectile::{Standing, ways, within};
 use crate::situation::Situation;
@@ -53,14 +53,7 @@ impl<'a> Crosshair<'a> {
     /// The first ground within `reach_m` metres beyond the head.
     pub fn ground(&self, reach_m: f64) -> Pick {
         let ray = self.ray();
-        let physics = &self.now.world.physics;
-        pick(
-            &*self.params.strategy,
-            physics,
-            &ray.eye,
-            ray.past_head_m,
-            reach_m,
-        )
+        self.first(&ray, reach_m, &|_, _| None)
     }
 
     /// The first of the ground and of others.
@@ -165,7 +158,7 @@ impl<'a> Crosshair<'a> {
     }
 
     fn ray(&self) -> AimRay {
-        let eye = self.now.camera_through(&self.params).eye;
+        let eye = self.now.camera_beside(&self.params).eye;
         AimRay {
             past_head_m: self.now.past_head_m(&self.params, &eye),
             eye,
@@ -173,8 +166,16 @@ impl<'a> Crosshair<'a> {
     }
 
     fn first(&self, ray: &AimRay, reach_m: f64, meets: Meets<'_>) -> Pick {
-        let (strategy, physics) = (&*self.params.strategy, &self.now.world.physics);
-        pick_among(strategy, physics, meets, &ray.eye, ray.past_head_m, reach_m)
+        let (strategy, world) = (&*self.params.strategy, self.now.world);
+        pick_among(
+            strategy,
+            &world.physics,
+            world.doors.as_ref(),
+            meets,
+            &ray.eye,
+            ray.past_head_m,
+            reach_m,
+        )
     }
 
     fn fixture_met(&self, it: &Fixture, a: ChartPoint, b: ChartPoint) -> Option<f64> {

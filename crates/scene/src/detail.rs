@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Eye, Map, Strategy};
-use antipode_streaming::Detail;
+use antipode_streaming::{Detail, Wish};
 use glam::{DMat3, DVec3};
 
 use crate::frame::Quality;
@@ -140,6 +140,72 @@ impl Detail for Sight {
 
     fn tolerance_px(&self) -> f64 {
         self.sharpness.tolerance_px
+    }
+}
+
+/// Sizes in the picture, and in what is seen through a pair of doors: land about a leaf is made for who stands before it.
+#[derive(Debug)]
+pub(crate) struct Sights {
+    own: Sight,
+    leaves: Vec<Sight>,
+}
+
+impl Sights {
+    /// The sizes seen from `eye`, and from the feet of leaves.
+    pub(crate) fn new(
+        strategy: &Arc<dyn Strategy>,
+        eye: &Eye,
+        feet: &[ChartPoint],
+        sharpness: Sharpness,
+    ) -> Self {
+        let leaf = |foot: &ChartPoint| {
+            let eye = Eye {
+                point: *foot,
+                ..*eye
+            };
+            Sight::new(strategy, &eye, sharpness)
+        };
+        Self {
+            own: Sight::new(strategy, eye, sharpness),
+            leaves: feet.iter().map(leaf).collect(),
+        }
+    }
+
+    /// Do the sizes still hold from here, and with these leaves?
+    pub(crate) fn holds(
+        &self,
+        strategy: &dyn Map,
+        eye: &Eye,
+        feet: &[ChartPoint],
+        sharpness: Sharpness,
+    ) -> bool {
+        let stood = self.leaves.iter().map(|leaf| leaf.eye.point);
+        stood.eq(feet.iter().copied()) && self.own.holds(strategy, eye, sharpness)
+    }
+
+    /// What is greatest of what the own eye sees and what those do in whose land the chunk lies.
+    fn greatest(&self, coord: ChunkCoord, of: impl Fn(&Sight) -> f64) -> f64 {
+        let reach_m = f64::from(CHUNK_CELLS) * (f64::from(Wish::APART_CHUNKS) + 1.5);
+        let is_near = |leaf: &&Sight| {
+            let foot = leaf.eye_in(coord);
+            foot.is_some_and(|foot| (foot - coord.centre()).abs().max_element() <= reach_m)
+        };
+        let leaves = self.leaves.iter().filter(is_near);
+        leaves.map(&of).fold(of(&self.own), f64::max)
+    }
+}
+
+impl Detail for Sights {
+    fn pixels_per_metre(&self, coord: ChunkCoord) -> f64 {
+        self.greatest(coord, |sight| sight.pixels_per_metre(coord))
+    }
+
+    fn span_px(&self, coord: ChunkCoord) -> f64 {
+        self.greatest(coord, |sight| sight.span_px(coord))
+    }
+
+    fn tolerance_px(&self) -> f64 {
+        self.own.tolerance_px()
     }
 }
 

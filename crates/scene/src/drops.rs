@@ -147,6 +147,7 @@ impl Drop {
             velocity: self.velocity,
         };
         let tuning: &BallTuning = &DROP;
+        let before = self.point;
         let touch = world
             .physics
             .chart(self.point.chart)
@@ -158,7 +159,8 @@ impl Drop {
         if self.rests {
             self.velocity = DVec3::ZERO;
         }
-        if let Some(crossing) = world.strategy.cross(self.point) {
+        let door = world.through_door(before, self.point);
+        if let Some(crossing) = door.or_else(|| world.strategy.cross(self.point)) {
             self.point = crossing.point;
             self.velocity = crossing.turn_vector(self.velocity);
         }

@@ -23,7 +23,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{FIXTURE_REACH_M, REACH_M, STEP_S};
 use crate::world::World;
-use crate::{flag, lamp};
+use crate::{door, flag, lamp};
 
 /// Those within this of the player are looked after, in metres: further off nobody changes the ground.
 const NEAR_M: f64 = 40.0;
@@ -139,6 +139,11 @@ pub(crate) trait Behaviour {
     fn touch(&self, _id: ActorId, _outbox: &mut Outbox) -> bool {
         false
     }
+
+    /// Whether one more than the world can have moves the oldest, where others are refused.
+    fn replaces_oldest(&self) -> bool {
+        false
+    }
 }
 
 /// What does nothing but stand.
@@ -151,6 +156,7 @@ fn behaviour(item: Item) -> &'static dyn Behaviour {
     match item {
         Item::Lamp => &lamp::Clings,
         Item::Flag => &flag::Named,
+        Item::Door => &door::Paired,
         _ => &Plain,
     }
 }
@@ -204,7 +210,7 @@ pub(crate) fn use_in_hand(
             return;
         };
         let place = place_under(world, &crosshair, item, stands);
-        let it = place.and_then(|place| put_at(world, &now.head(), item, place));
+        let it = place.and_then(|(place, eye)| put_at(world, &eye, item, place));
         put_down(actors, &mut player.inventory, outbox, item, it);
     } else if actions.secondary && !player.secondary_before {
         match covered() {
@@ -214,17 +220,19 @@ pub(crate) fn use_in_hand(
     }
 }
 
-/// Where one would be put down: its foot, if there is ground for it in reach.
+/// Where one would be put down, if there is ground for it in reach: its foot, and the eye that sees it there, through a door
+/// where one is in the way.
 fn place_under(
     world: &World,
     crosshair: &Crosshair<'_>,
     item: Item,
     stands: &Stands,
-) -> Option<ChartPoint> {
+) -> Option<(ChartPoint, Eye)> {
     let spot = crosshair.ground_or_figure(FIXTURE_REACH_M);
     let normal = || world.ground.normal(spot.point).as_dvec3();
     let foot = || behaviour(item).foot_on(stands, spot.point, normal());
-    spot.hit.then(foot).flatten()
+    let foot = spot.hit.then(foot).flatten()?;
+    Some((foot, spot.eye))
 }
 
 /// Shows where the one in hand would be put down.
@@ -234,7 +242,7 @@ pub(crate) fn marker(now: Situation<'_>) -> Option<Marker> {
     }
     let item = now.player.inventory.held()?;
     let stands = item.stands()?;
-    let place = place_under(now.world, &Crosshair::aimed(now), item, stands)?;
+    let (place, _) = place_under(now.world, &Crosshair::aimed(now), item, stands)?;
     Some(Marker {
         point: place.moved(DVec3::Y * stands.middle_m),
         radius_m: stands.marker_m,
@@ -255,11 +263,11 @@ fn has_room(actors: &Actors, it: &Fixture) -> bool {
 }
 
 /// One that is put at a place. On somebody's shoulders it falls in the next step.
-fn put_at(world: &World, head: &Eye, item: Item, place: ChartPoint) -> Option<Fixture> {
-    let crossing = world.strategy.carry(head.point, place.chart);
+fn put_at(world: &World, eye: &Eye, item: Item, place: ChartPoint) -> Option<Fixture> {
+    let crossing = world.strategy.carry(eye.point, place.chart);
     let turn_rad = crossing.map_or(0.0, |crossing| crossing.turn_rad);
     let turned_deg = item.stands()?.turned_deg;
-    let yaw_rad = turned_deg.map(|own_deg| head.yaw - turn_rad + own_deg.to_radians());
+    let yaw_rad = turned_deg.map(|own_deg| eye.yaw - turn_rad + own_deg.to_radians());
     let mut it = Fixture::standing(world, item, place, yaw_rad)?;
     let below = place.moved(DVec3::NEG_Y * STANDS_OVER_M);
     it.foot.unchecked = !world.ground.is_solid(below);
@@ -278,13 +286,29 @@ fn put_down(
         return;
     };
     if !has_room(actors, &it) {
-        outbox.hints.push(Hint::TooMany(item));
+        if behaviour(item).replaces_oldest() {
+            move_oldest(actors, outbox, it);
+        } else {
+            outbox.hints.push(Hint::TooMany(item));
+        }
         return;
     }
     if inventory.spend(item) {
         actors.enter_fixture(it);
         outbox.sounds.push(SoundEvent::PutDown(item));
     }
+}
+
+/// Has the oldest of its kind stand there, as the newest; none is spent.
+fn move_oldest(actors: &mut Actors, outbox: &mut Outbox, it: Fixture) {
+    let item = it.item;
+    let all = map_of(actors, item, |id, _| id);
+    if let Some(oldest) = all.into_iter().min() {
+        remove(actors, item, oldest);
+    }
+    actors.enter_fixture(it);
+    outbox.hints.push(Hint::MovedOldest(item));
+    outbox.sounds.push(SoundEvent::PutDown(item));
 }
 
 fn pick_up(

@@ -52,9 +52,21 @@ pub(crate) fn use_in_hand(
 /// A bullet goes from the muzzle to what the crosshair covers.
 fn fire(world: &World, actors: &mut Actors, player: &Player) {
     let now = Situation::of(world, actors, player);
-    let (params, head) = (now.aiming(), now.head());
-    let target = Crosshair::aimed(now).ground_or_figure(AIM_REACH_M).point;
-    let muzzle = muzzle_of(world, &head);
+    let (params, mut head) = (now.aiming(), now.head());
+    let aimed = Crosshair::aimed(now).ground_or_figure(AIM_REACH_M);
+    let mut target = aimed.point;
+    let mut muzzle = muzzle_of(world, &head);
+    if let Some((doors, leaf)) = world.doors.as_ref().zip(aimed.through) {
+        if let Some((_, by)) = world.door_between(head.point, muzzle) {
+            // The barrel is through already.
+            let out = doors.pass(&*world.strategy, by, muzzle);
+            muzzle = out.map_or(muzzle, |out| out.point);
+            head = doors.eye(&*params.strategy, leaf, &head);
+        } else {
+            // It is aimed at where the target would be without the door.
+            target = doors.pictured(&*params.strategy, 1 - leaf, &head, target);
+        }
+    }
     let by = actors.player;
     if params.straight_shots {
         let eye = Eye {
@@ -105,6 +117,7 @@ pub(crate) fn step_bullets(
         cars: &actors.car_motions(),
         vehicles: &actors.cars.physics,
         in_far_ground: &in_far_ground,
+        doors: world.doors.as_ref(),
     };
     let hits = projectile::step(&mut actors.ecs, &air);
     damage::take_strikes(actors, player, outbox, hits.strikes);

@@ -47,14 +47,14 @@ pub(crate) fn shot_light(hand: &HandMotion, muzzle: impl Fn() -> ChartPoint) -> 
 /// What the player sees in the own hand.
 pub(crate) fn seen(now: Situation<'_>, hand: &HandMotion, still: bool) -> Option<Hand> {
     let player = now.player;
-    player.inventory.held()?;
+    let held = player.inventory.held()?;
     let from_head = player.gaze.camera == CameraMode::First;
     if !from_head || player.is_dead() || player.flying || now.actors.cars.is_driving() {
         return None;
     }
     let appearance = now.actors.ecs.get::<&Appearance>(now.actors.player);
     let cycles = appearance.map_or(0.0, |appearance| appearance.motion.cycles());
-    hand.seen(cycles, still)
+    Some(hand.seen(held, cycles, still))
 }
 
 #[cfg(test)]

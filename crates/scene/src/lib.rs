@@ -26,6 +26,7 @@ mod damage;
 pub mod day;
 mod detail;
 mod dip;
+mod door;
 pub mod drops;
 pub mod fixture;
 pub mod flag;

@@ -12,14 +12,15 @@ use crate::camera::{CameraMode, CameraPose};
 use crate::car::mirror::rear_view;
 use crate::day;
 use crate::frame::{
-    BeamLight, Content, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, View,
+    BeamLight, Content, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, Opening, View,
 };
 use crate::lens::Lens;
 use crate::light::lights;
 use crate::photo::Viewpoint;
+use crate::pick::over;
 use crate::scene::Scene;
 use crate::shown::figures_seen_by;
-use crate::tuning::NEAR_M;
+use crate::tuning::{DOOR_FOG_M, NEAR_M};
 use crate::world::World;
 use crate::{fixture, hand};
 
@@ -203,8 +204,29 @@ impl Scene {
         Frame {
             content: Arc::new(content),
             mirror: own_car.map(|car| rear_view(&view, &car)),
+            openings: self.openings(&view),
             view,
         }
+    }
+
+    /// The doors in a picture. Where only the land about a far door is loaded, the fog is complete before that ends.
+    fn openings(&self, view: &View) -> Vec<Opening> {
+        let Some(doors) = &self.sim.world.doors else {
+            return Vec::new();
+        };
+        let mut all = Opening::all(view, doors).to_vec();
+        if !view.strategy.is_closed() {
+            let strategy = &*view.strategy;
+            for (opening, far) in all.iter_mut().zip(doors.leaves.iter().rev()) {
+                let apart_m = over(strategy, view.eye.point, far.foot)
+                    .pos
+                    .distance(view.eye.point.pos);
+                let own_m = view.fog_distance_m - apart_m as f32;
+                let fog_m = own_m.max(DOOR_FOG_M).min(view.fog_distance_m);
+                opening.view.fog_distance_m = fog_m;
+            }
+        }
+        all
     }
 
     /// What a picture of the last step is taken with.

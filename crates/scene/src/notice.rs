@@ -75,6 +75,9 @@ pub enum Hint {
     /// The world has as many such things as it can have.
     #[error("There are too many of these in this world: {}. Take one up first.", .0.id())]
     TooMany(Item),
+    /// The world had as many such things as it can have, so the oldest stands here now.
+    #[error("The older {} stands here now.", .0.id())]
+    MovedOldest(Item),
     /// Nothing fits into the hotbar and the backpack any more.
     #[error("You cannot carry any more.")]
     NoRoom,

@@ -3,7 +3,7 @@
 //! A geodesic is no straight line of the chart (at 13 m they differ by 6 to 12 degrees in a hyperbolic
 //! world), so the ray marches along it, un-ports each point and tests the short chart segments between.
 
-use antipode_geometry::{Atlas, ChartPoint, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Doorway, Eye, Strategy};
 use antipode_physics::PhysicsWorld;
 use glam::DVec3;
 
@@ -24,6 +24,10 @@ pub struct Pick {
     pub point: ChartPoint,
     /// Its distance along the geodesic in metres of the space.
     pub distance_m: f64,
+    /// The eye that sees the point: behind a door another than the one that looks.
+    pub eye: Eye,
+    /// The door that the geodesic has gone into, if it has.
+    pub through: Option<usize>,
     /// Whether something was hit; otherwise the point hangs in the air at the end of the reach.
     pub hit: bool,
 }
@@ -37,16 +41,17 @@ pub fn pick(
     from_m: f64,
     reach_m: f64,
 ) -> Pick {
-    pick_among(strategy, physics, &|_, _| None, eye, from_m, reach_m)
+    pick_among(strategy, physics, None, &|_, _| None, eye, from_m, reach_m)
 }
 
 /// Tells where a chart segment first meets something, as a share of its length. Both ends are in one chart.
 pub type Meets<'a> = &'a dyn Fn(ChartPoint, ChartPoint) -> Option<f64>;
 
-/// As [`pick`], with more in the way than the ground.
+/// As [`pick`], with more in the way than the ground, and through the first door that is in the way.
 pub fn pick_among(
     strategy: &dyn Strategy,
     physics: &PhysicsWorld,
+    doors: Option<&Doorway>,
     meets: Meets<'_>,
     eye: &Eye,
     from_m: f64,
@@ -56,30 +61,46 @@ pub fn pick_among(
     let end_m = (from_m + reach_m)
         .min(strategy.sight_limit_m(eye))
         .max(from_m);
+    let (mut eye, mut through) = (*eye, None);
     let mut near = Reached {
         distance_m: from_m,
-        point: strategy.along(eye, ahead, from_m),
+        point: strategy.along(&eye, ahead, from_m),
     };
     while near.distance_m < end_m {
-        let far = next(strategy, eye, near, end_m);
-        if !is_pictured(strategy, eye, far.point, from_m + reach_m) {
+        let mut far = next(strategy, &eye, near, end_m);
+        if !is_pictured(strategy, &eye, far.point, from_m + reach_m) {
             break;
+        }
+        let door = doors.filter(|_| through.is_none());
+        let door = door.and_then(|pair| Some((pair, pair.met(strategy, near.point, far.point)?)));
+        if let Some((_, by)) = door {
+            far.distance_m = near.distance_m + by.share * (far.distance_m - near.distance_m);
+            far.point = strategy.along(&eye, ahead, far.distance_m);
         }
         let ground = segment_hit(strategy, physics, near.point, far.point);
         let other = meets(near.point, over(strategy, near.point, far.point));
         if let Some(share) = [ground, other].into_iter().flatten().reduce(f64::min) {
             let distance_m = near.distance_m + share * (far.distance_m - near.distance_m);
             return Pick {
-                point: strategy.along(eye, ahead, distance_m),
+                point: strategy.along(&eye, ahead, distance_m),
                 distance_m,
+                eye,
+                through,
                 hit: true,
             };
         }
         near = far;
+        if let Some((pair, by)) = door {
+            eye = pair.eye(strategy, by.leaf, &eye);
+            through = Some(by.leaf);
+            near.point = strategy.along(&eye, ahead, near.distance_m);
+        }
     }
     Pick {
         point: near.point,
         distance_m: near.distance_m,
+        eye,
+        through,
         hit: false,
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use antipode_frame::hand::HandMotion;
 use antipode_geometry::Eye;
 
-use crate::detail::Sight;
+use crate::detail::Sights;
 use crate::frame::Quality;
 use crate::lens::Lens;
 use crate::tuning::PICTURE_HEIGHT_PX;
@@ -22,7 +22,7 @@ pub(crate) struct Presentation {
     /// Lines of a picture.
     pub picture_height_px: u32,
     /// The sizes in the picture that the chunk workers go by; none if everything is to be full.
-    pub sight: Option<Arc<Sight>>,
+    pub sight: Option<Arc<Sights>>,
     /// A camera that is elsewhere than the player: land is made around it.
     pub watched: Option<Eye>,
 }

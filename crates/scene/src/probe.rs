@@ -53,6 +53,9 @@ pub struct Probe {
     pub lamps: Vec<LampProbe>,
     /// Flags that were planted.
     pub flags: Vec<FlagProbe>,
+    /// The doors, the older one first; left out where there is none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub doors: Vec<DoorProbe>,
     /// What else was put down; left out where nothing was.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fixtures: Vec<FixtureProbe>,
@@ -191,6 +194,17 @@ pub struct FixtureProbe {
     /// Foot, metres.
     pub pos: [f64; 3],
     /// Heading, degrees.
+    pub yaw: f64,
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
+}
+
+/// A door in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DoorProbe {
+    /// Foot, metres.
+    pub pos: [f64; 3],
+    /// The way that its front looks, degrees.
     pub yaw: f64,
     /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
     pub hemisphere: String,

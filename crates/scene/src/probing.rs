@@ -13,9 +13,11 @@ use crate::drops::Drop;
 use crate::fixture::{self, Fixture};
 use crate::frame::Quality;
 use crate::persist::fixture_kind;
+use crate::player::wrap_angle;
 use crate::probe::{
-    BotProbe, CameraProbe, CarProbe, ChunkProbe, DropProbe, FixtureProbe, FlagProbe, LampProbe,
-    MarkerProbe, PlayerProbe, Probe, ProjectileProbe, SlotProbe, TerrainProbe, WheelProbe,
+    BotProbe, CameraProbe, CarProbe, ChunkProbe, DoorProbe, DropProbe, FixtureProbe, FlagProbe,
+    LampProbe, MarkerProbe, PlayerProbe, Probe, ProjectileProbe, SlotProbe, TerrainProbe,
+    WheelProbe,
 };
 use crate::projectile::Projectile;
 use crate::situation::Situation;
@@ -86,6 +88,7 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
         projectiles: actors.map(|id, it| projectile_probe(now, id, it)),
         lamps: fixture::map_of(actors, Item::Lamp, |_, it| lamp_probe(now, it)),
         flags: fixture::map_of(actors, Item::Flag, |_, it| flag_probe(now, it)),
+        doors: fixture::map_of(actors, Item::Door, |_, it| door_probe(now, it)),
         fixtures: fixture_probes(now),
         drops: actors.map(|_, it| drop_probe(now, it)),
         chunks: ChunkProbe {
@@ -189,10 +192,18 @@ fn flag_probe(now: Situation<'_>, flag: &Fixture) -> FlagProbe {
     }
 }
 
-/// What was put down besides lamps and flags.
+fn door_probe(now: Situation<'_>, door: &Fixture) -> DoorProbe {
+    DoorProbe {
+        pos: door.foot.point.pos.to_array(),
+        yaw: wrap_angle(door.yaw_rad).to_degrees(),
+        hemisphere: chart(now, door.foot.point),
+    }
+}
+
+/// What was put down besides lamps, flags and doors.
 fn fixture_probes(now: Situation<'_>) -> Vec<FixtureProbe> {
     let all = fixture::map(now.actors, |_, it| {
-        let is_told = fixture_kind(it.item) == RecordKind::Fixture;
+        let is_told = fixture_kind(it.item) == RecordKind::Fixture && it.item != Item::Door;
         is_told.then(|| FixtureProbe {
             item: it.item.id(),
             pos: it.foot.point.pos.to_array(),

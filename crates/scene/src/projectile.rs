@@ -2,7 +2,7 @@
 //! strike. A bullet disappears some time after it has met something. A falling one meets ground sooner or later, even
 //! where none is loaded, and one that follows a geodesic disappears after a certain distance.
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Eye, Map};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Doorway, Eye, Map};
 use antipode_physics::{
     Ball, BallTuning, PhysicsWorld, Touch, VehicleMotion, VehiclePhysics, meets_capsule,
 };
@@ -96,6 +96,8 @@ pub(crate) struct Air<'a> {
     pub vehicles: &'a VehiclePhysics,
     /// Whether a point is in ground that is not there to be touched: too far off to be loaded, or below all ground.
     pub in_far_ground: &'a dyn Fn(ChartPoint) -> bool,
+    /// The pair of doors, if there is one.
+    pub doors: Option<&'a Doorway>,
 }
 
 /// What bullets did in a step.
@@ -162,8 +164,9 @@ pub(crate) fn step(ecs: &mut hecs::World, air: &Air<'_>) -> Hits {
 impl Projectile {
     /// Moves it by one step; returns whether it is still in the world.
     fn fly(&mut self, air: &Air<'_>, hits: &mut Hits) -> bool {
+        let dt_s = self.go_through(air);
         let before = self.point;
-        let (mut ball, goal) = self.start(air, before.pos);
+        let (mut ball, goal) = self.start(air, before.pos, dt_s);
         let gravity_m_s2 = if goal.is_some() {
             0.0
         } else {
@@ -176,7 +179,7 @@ impl Projectile {
         let touch = air
             .physics
             .chart(before.chart)
-            .throw_ball(&mut ball, &tuning, STEP_S);
+            .throw_ball(&mut ball, &tuning, dt_s);
         let is_still = ball.velocity.length() < BULLET_LIES_BELOW_M_S;
         self.lies_s = if is_still { self.lies_s + STEP_S } else { 0.0 };
         let corner = touch.map_or(ball.centre, |touch| touch.centre);
@@ -191,6 +194,52 @@ impl Projectile {
             && limits.is_none_or(|limits| self.point.pos.y >= limits.bedrock_m)
             && !(air.in_far_ground)(self.point)
             && !self.has_gone_far()
+    }
+
+    /// Goes through a door if this step leads into one before it meets anything else; returns what is left of the step, seconds.
+    fn go_through(&mut self, air: &Air<'_>) -> f64 {
+        let (before, path) = (self.point, self.path);
+        let (ball, goal) = self.start(air, before.pos, STEP_S);
+        self.path = path;
+        let end = goal.unwrap_or_else(|| {
+            let fallen = ball.fallen(BULLET.gravity_m_s2, STEP_S);
+            ChartPoint::new(before.chart, fallen.centre)
+        });
+        let met = air.doors.and_then(|doors| {
+            let by = doors.met(air.strategy, before, end)?;
+            Some((doors, by))
+        });
+        let Some((doors, by)) = met else {
+            return STEP_S;
+        };
+        let end = over(air.strategy, before, end).pos;
+        let sill = before.pos.lerp(end, by.share);
+        let ways = ways(air.strategy, before, sill);
+        let way = sill - before.pos;
+        let ground = air.physics.chart(before.chart);
+        let is_stopped = self.meets(air, &ways).is_some()
+            || meets_car(air, &ways).is_some()
+            || ground.cast_ray(before.pos, way, way.length()).is_some();
+        let out = doors.pass(air.strategy, by, ChartPoint::new(before.chart, sill));
+        let Some(out) = out.filter(|_| !is_stopped) else {
+            return STEP_S;
+        };
+        let gone_s = by.share * STEP_S;
+        if let Path::Geodesic {
+            eye,
+            gone_m,
+            speed_m_s,
+            ..
+        } = &mut self.path
+        {
+            *eye = doors.eye(air.pictured, by.leaf, eye);
+            *gone_m += *speed_m_s * gone_s;
+        } else {
+            self.velocity.y -= BULLET.gravity_m_s2 * gone_s;
+        }
+        self.point = out.point;
+        self.velocity = out.turn_vector(self.velocity);
+        STEP_S - gone_s
     }
 
     /// Strikes who or what is first in its way from a place over a corner to where the ball has come, and falls there.
@@ -242,7 +291,7 @@ impl Projectile {
     }
 
     /// The ball to throw in this step, and where the geodesic leads if it follows one.
-    fn start(&mut self, air: &Air<'_>, centre: DVec3) -> (Ball, Option<ChartPoint>) {
+    fn start(&mut self, air: &Air<'_>, centre: DVec3, dt_s: f64) -> (Ball, Option<ChartPoint>) {
         let Path::Geodesic {
             eye,
             way,
@@ -253,10 +302,10 @@ impl Projectile {
             let velocity = self.velocity;
             return (Ball { centre, velocity }, None);
         };
-        *gone_m += *speed_m_s * STEP_S;
+        *gone_m += *speed_m_s * dt_s;
         let goal = air.pictured.along(eye, *way, *gone_m);
         let step = over(air.strategy, self.point, goal).pos - self.point.pos;
-        self.velocity = step / STEP_S;
+        self.velocity = step / dt_s.max(1e-6);
         (
             Ball {
                 centre,

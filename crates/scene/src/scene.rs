@@ -9,6 +9,7 @@ use antipode_terrain::Field;
 
 use crate::actions::Actions;
 use crate::actors::Actors;
+use crate::door;
 use crate::keeping::Keeping;
 use crate::lens::Lens;
 use crate::notice::Notice;
@@ -156,6 +157,7 @@ impl Scene {
         let (taken, course) = restore::things(world, actors, lens, records, notices);
         self.kept.handed = taken;
         restore::seat(world, actors, player, driving);
+        world.doors = door::pair(actors);
         let course = course.unwrap_or(CourseRecord {
             time_of_day_s: world.time_of_day_s,
             simulated_s: played_s,

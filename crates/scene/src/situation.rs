@@ -64,8 +64,24 @@ impl<'a> Situation<'a> {
         player::eye(&position, &look, params.dial, height_m)
     }
 
-    /// The camera, looking through that.
+    /// The camera, looking through that: on the other side of a door that is between it and whom it follows.
     pub fn camera_through(&self, params: &ViewParams) -> CameraPose {
+        let mut pose = self.camera_beside(params);
+        let followed = match self.actors.driven_car() {
+            Some(car) => car.middle(),
+            None => self.head_through(params).point,
+        };
+        let door = self.world.door_between(followed, pose.eye.point);
+        if let Some((doors, by)) = door {
+            let space = &*params.strategy;
+            pose.about = doors.pictured(space, by.leaf, &pose.eye, pose.about);
+            pose.eye = doors.eye(space, by.leaf, &pose.eye);
+        }
+        pose
+    }
+
+    /// The camera as if there were no doors: what lies beyond the head lies so from there, too.
+    pub fn camera_beside(&self, params: &ViewParams) -> CameraPose {
         if let Some(camera) = car_camera::driver_camera(*self, params) {
             return camera;
         }

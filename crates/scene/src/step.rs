@@ -16,7 +16,7 @@ use crate::situation::{Situation, is_ground_ready};
 use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, STEP_S};
 use crate::world::World;
-use crate::{body, circumnavigation, damage, drops, fixture, gun, npc, tool};
+use crate::{body, circumnavigation, damage, door, drops, fixture, gun, npc, tool};
 use antipode_frame::motion::Doing;
 
 /// All that a step changes: a world, its actors, the player and what is to be told of them.
@@ -39,6 +39,7 @@ impl Simulation {
             outbox,
         } = self;
         outbox.fired = false;
+        world.doors = door::pair(actors);
         let head = Situation::of(world, actors, player).head();
         world.centre_on(head.point, actors.feet());
         player.gaze.take_aim(actions.aimed);
@@ -169,6 +170,7 @@ fn walk(
         sink: actions.sink,
     };
     let strategy = &*world.strategy;
+    let before = position.0;
     body.0.feet = position.0.pos;
     world.physics.chart(position.0.chart).move_character(
         &mut body.0,
@@ -184,6 +186,7 @@ fn walk(
             body.0.velocity.y = 0.0;
         }
     }
+    player.body_unchecked |= door::pass(world, before, position, look, body);
     player::cross(strategy, position, look, body);
     let damage = fall_damage(body.0.hardest_m_s(), actors.tuning.gravity_m_s2);
     player.gaze.dip.land(body.0.impact_m_s);

@@ -4,13 +4,14 @@ use std::time::Duration;
 
 use std::sync::Arc;
 
+use antipode_geometry::ChartPoint;
 use antipode_streaming::{Detail, Reach, StreamingError, Until, Update, Wish};
 use glam::DVec3;
 use thiserror::Error;
 
 use crate::actors::Actors;
 use crate::bot;
-use crate::detail::{Sharpness, Sight};
+use crate::detail::{Sharpness, Sights};
 use crate::ground::chunks_near;
 use crate::notice::Notice;
 use crate::persist;
@@ -26,6 +27,8 @@ use crate::{body, ground_changed};
 /// Ground within this distance of the player stands before a world counts as playable, in metres, as far as it is to be
 /// loaded at all: a hole so near would be seen.
 const PLAYABLE_AROUND_M: f64 = 96.0;
+/// Ground about doors is made solid in cells with this margin, metres.
+const DOOR_MARGIN_M: f64 = 6.0;
 /// Times that a script waits for the ground around a body that was lifted to other ground.
 const MOST_LIFTS: usize = 4;
 
@@ -54,6 +57,7 @@ impl Scene {
             centre: eye.point,
             front: eye.front(),
             view_distance: world.setup.view_distance,
+            apart: door_feet(world),
             bodies: reaches(world, &self.sim.actors),
             bodies_distance: BODIES_WITHIN_CHUNKS.into(),
             detail: sight.map(|sight| sight as Arc<dyn Detail>),
@@ -80,8 +84,10 @@ impl Scene {
         let head = watched.unwrap_or_else(|| self.now().head_through(&self.picturing()));
         let strategy = self.lens().strategy();
         let sight = self.shown.sight.as_ref();
-        if !sight.is_some_and(|sight| sight.holds(&**strategy, &head, sharpness)) {
-            self.shown.sight = Some(Arc::new(Sight::new(strategy, &head, sharpness)));
+        let doors = door_feet(&self.sim.world);
+        if !sight.is_some_and(|sight| sight.holds(&**strategy, &head, &doors, sharpness)) {
+            let sight = Sights::new(strategy, &head, &doors, sharpness);
+            self.shown.sight = Some(Arc::new(sight));
         }
     }
 
@@ -303,5 +309,15 @@ fn reaches(world: &World, actors: &Actors) -> Vec<Reach> {
         crate::npc::ASKS_M,
     ));
     let within = |reach: &Reach| world.within_bodies(reach);
-    reaches.iter().filter_map(within).collect()
+    let mut reaches: Vec<Reach> = reaches.iter().filter_map(within).collect();
+    // Who goes through a door is to find ground, however far it leads.
+    let doors = door_feet(world).into_iter().map(|foot| (foot, DVec3::ZERO));
+    reaches.extend(reach::of_others(&*world.strategy, doors, DOOR_MARGIN_M));
+    reaches
+}
+
+/// Where the pair of doors stands.
+fn door_feet(world: &World) -> Vec<ChartPoint> {
+    let leaves = world.doors.iter().flat_map(|doors| &doors.leaves);
+    leaves.map(|leaf| leaf.foot).collect()
 }

@@ -35,6 +35,9 @@ pub const THIRD_PERSON_RISES_M: f64 = 1.5;
 pub const CAMERA_RADIUS_M: f64 = 0.25;
 /// Nearest distance drawn, in metres.
 pub const NEAR_M: f64 = 0.02;
+/// The fog behind a door is complete at this distance from an eye close to it, metres, where no more land is loaded there than
+/// [`antipode_streaming::Wish::APART_CHUNKS`].
+pub const DOOR_FOG_M: f32 = 60.0;
 /// Vertical field of view, in radians.
 pub const FOV_Y_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
 /// Open worlds hold a player within this of their middle, in metres: far beyond it positions in `f64` would

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Strategy};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Doorway, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, Reach, Streamer};
 use antipode_terrain::{Field, RIM_REACH_M, Samples};
@@ -29,6 +29,8 @@ pub(crate) struct World {
     pub holds_land: bool,
     pub physics: PhysicsWorld,
     pub ground: Ground,
+    /// The pair of doors that stood when the step began.
+    pub doors: Option<Doorway>,
     /// The chunk of the player's head when the step began: bodies move about it.
     bodies_about: ChunkCoord,
     /// The chunks about it, in an open world those that bodies move in.
@@ -58,6 +60,7 @@ impl World {
             strategy,
             streamer,
             holds_land: false,
+            doors: None,
             physics: PhysicsWorld::new(),
             time_of_day_s: DAY_START_S,
             simulated_s: 0.0,

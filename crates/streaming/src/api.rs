@@ -87,6 +87,8 @@ pub struct Wish {
     /// Chunks to load in every direction, 1 to 64; a closed world is wholly resident and
     /// ignores it.
     pub view_distance: u32,
+    /// Places that are looked at from elsewhere: land within [`Wish::APART_CHUNKS`] of each is loaded, however far off it is.
+    pub apart: Vec<ChartPoint>,
     /// Where ground must be solid. Chunks farther off than both `view_distance` and `bodies_distance` are not made for
     /// it.
     pub bodies: Vec<Reach>,
@@ -99,12 +101,16 @@ pub struct Wish {
 }
 
 impl Wish {
+    /// Chunks in every direction that are loaded about a place that is looked at from elsewhere.
+    pub const APART_CHUNKS: u16 = 2;
+
     /// Everything in range in full resolution, and solid in the first two charts.
     pub fn new(centre: ChartPoint, front: DVec3, view_distance: u32) -> Self {
         Self {
             centre,
             front,
             view_distance,
+            apart: Vec::new(),
             bodies_distance: 0,
             bodies: [ChartId::FIRST, ChartId::SECOND].map(Reach::whole).to_vec(),
             detail: None,

@@ -6,6 +6,8 @@ use antipode_geometry::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Chu
 use antipode_terrain::RIM_REACH_M;
 use glam::{I64Vec3, IVec3};
 
+use crate::api::Wish;
+
 /// Chunks beyond the wished distance that are kept, so that walking to and fro over a border does
 /// not load and unload.
 const KEPT_BEYOND: u16 = 1;
@@ -23,6 +25,8 @@ pub(crate) enum Range {
         cube: ChunkCube,
         distance: u16,
         view: u16,
+        /// What else is viewed, up to [`Wish::APART_CHUNKS`] about each.
+        apart: Vec<ChunkCube>,
     },
     /// The whole of a closed world.
     Whole(Closed),
@@ -84,7 +88,21 @@ impl Range {
             cube: ChunkCube::about(strategy, centre, distance + KEPT_BEYOND, RIM_REACH_M),
             distance,
             view,
+            apart: Vec::new(),
         }
+    }
+
+    /// The same, and what lies about places that are looked at from elsewhere.
+    pub(crate) fn with(mut self, strategy: &dyn Atlas, places: &[ChartPoint]) -> Self {
+        if let Self::Around { apart, .. } = &mut self {
+            let cube = |place: &ChartPoint| {
+                let centre = ChunkCoord::containing(*place);
+                let reach = Wish::APART_CHUNKS + KEPT_BEYOND;
+                ChunkCube::about(strategy, centre, reach, RIM_REACH_M)
+            };
+            apart.extend(places.iter().map(cube));
+        }
+        self
     }
 
     /// How far a chunk is from the middle, in chunks along the axes of its chart; none where there is no middle.
@@ -107,7 +125,9 @@ impl Range {
 
     fn viewed(&self, coord: ChunkCoord, beyond: u16) -> bool {
         match self {
-            Self::Around { cube, view, .. } => cube.has(coord, view + beyond),
+            Self::Around {
+                cube, view, apart, ..
+            } => cube.has(coord, view + beyond) || has_apart(apart, coord, beyond),
             Self::Nothing | Self::Whole(_) => self.contains(coord),
         }
     }
@@ -125,7 +145,12 @@ impl Range {
     fn within(&self, coord: ChunkCoord, beyond: u16) -> bool {
         match self {
             Self::Nothing => false,
-            Self::Around { cube, distance, .. } => cube.has(coord, distance + beyond),
+            Self::Around {
+                cube,
+                distance,
+                apart,
+                ..
+            } => cube.has(coord, distance + beyond) || has_apart(apart, coord, beyond),
             Self::Whole(closed) => closed.has(coord),
         }
     }
@@ -144,7 +169,23 @@ impl Range {
     fn list(&self, beyond: u16) -> Vec<ChunkCoord> {
         match self {
             Self::Nothing => Vec::new(),
-            Self::Around { cube, distance, .. } => cube.chunks(distance + beyond),
+            Self::Around {
+                cube,
+                distance,
+                apart,
+                ..
+            } => {
+                let mut all = cube.chunks(distance + beyond);
+                let others = apart
+                    .iter()
+                    .flat_map(|it| it.chunks(Wish::APART_CHUNKS + beyond));
+                all.extend(others.filter(|&coord| !cube.has(coord, distance + beyond)));
+                if apart.len() > 1 {
+                    all.sort_unstable();
+                    all.dedup();
+                }
+                all
+            }
             Self::Whole(Closed { charts, layers }) => {
                 let all = charts.iter().flat_map(|(chart, domain)| {
                     let side = domain.side_chunks(RIM_REACH_M);
@@ -155,6 +196,12 @@ impl Range {
             }
         }
     }
+}
+
+fn has_apart(apart: &[ChunkCube], coord: ChunkCoord, beyond: u16) -> bool {
+    apart
+        .iter()
+        .any(|it| it.has(coord, Wish::APART_CHUNKS + beyond))
 }
 
 /// The chunks of the cube from `low` to `high` steps around a chunk, of its own chart; at the end
@@ -196,6 +243,23 @@ mod tests {
         assert!(range.keeps_view(chunk(3, 0, 0)) && !range.keeps_view(chunk(4, 0, 0)));
         let wide = Range::wished(&*space, ChartPoint::a(DVec3::ZERO), 8, 4);
         assert!(wide.views(chunk(8, 0, 0)) && !wide.contains(chunk(9, 0, 0)));
+    }
+
+    #[test]
+    fn land_about_places_that_are_looked_at_from_elsewhere_is_viewed_once() {
+        let space = strategy(Geometry::Euclidean, f64::INFINITY);
+        let far = ChartPoint::a(DVec3::new(3200.0, 1.0, 1.0));
+        let near = ChartPoint::a(DVec3::new(33.0, 1.0, 1.0));
+        let range = Range::wished(&*space, ChartPoint::a(DVec3::ONE), 2, 4);
+        let both = range.clone().with(&*space, &[near, far]);
+        assert!(both.views(chunk(102, 0, 0)) && !both.views(chunk(103, 0, 0)));
+        assert!(both.keeps(chunk(103, 0, 0)) && !range.keeps(chunk(100, 0, 0)));
+        assert!(both.views(chunk(3, 0, 0)) && !range.views(chunk(3, 0, 0)));
+        let mut all = both.all();
+        assert_eq!(all.len(), range.all().len() + 125);
+        all.sort_unstable();
+        all.dedup();
+        assert_eq!(all.len(), range.all().len() + 125);
     }
 
     #[test]

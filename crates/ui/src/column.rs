@@ -66,30 +66,8 @@ fn title(ui: &mut Ui, pass: &Pass<'_>) {
 fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen) {
     let running = pass.model.running_world.is_some();
     let texts = pass.model.texts;
-    let leave = if pass.model.in_room {
-        "menu-leave-room"
-    } else {
-        "menu-save-and-quit"
-    };
-    let in_world = [
-        (texts.say("menu-resume"), Intent::Resume),
-        (texts.say("menu-save"), Intent::Save),
-        (texts.say("menu-begin-anew"), Intent::BeginAnew),
-        (texts.say(leave), Intent::SaveAndQuitToMenu),
-    ];
-    let is_for = |intent: &Intent| match intent {
-        Intent::Save => !pass.model.in_room,
-        Intent::BeginAnew => pass.model.in_room,
-        _ => true,
-    };
-    let is_there = |intent: &Intent| running && is_for(intent);
-    for (label, intent) in in_world.into_iter().filter(|(_, intent)| is_there(intent)) {
-        let response = entry(ui, &label, false);
-        stops.add(&response);
-        offer(pass, current, &response);
-        if response.clicked() {
-            pass.intents.push(intent);
-        }
+    if running {
+        of_running(ui, pass, stops, current);
     }
     if may_skip_hints(pass) {
         let response = entry(ui, &texts.say("menu-skip-hints"), false);
@@ -127,6 +105,32 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen
     stops.add(&quit);
     if quit.clicked() {
         pass.intents.push(Intent::Quit);
+    }
+}
+
+/// The buttons of a menu over a world or room that is open.
+fn of_running(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen) {
+    let (texts, in_room) = (pass.model.texts, pass.model.in_room);
+    let entries: &[(&str, Intent)] = if in_room {
+        &[
+            ("menu-resume", Intent::Resume),
+            ("menu-begin-anew", Intent::BeginAnew),
+            ("menu-leave-room", Intent::SaveAndQuitToMenu),
+        ]
+    } else {
+        &[
+            ("menu-resume", Intent::Resume),
+            ("menu-save", Intent::Save),
+            ("menu-save-and-quit", Intent::SaveAndQuitToMenu),
+        ]
+    };
+    for (key, intent) in entries {
+        let response = entry(ui, &texts.say(key), false);
+        stops.add(&response);
+        offer(pass, current, &response);
+        if response.clicked() {
+            pass.intents.push(intent.clone());
+        }
     }
 }
 

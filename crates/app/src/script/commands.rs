@@ -22,7 +22,7 @@ pub enum Argument {
     Value,
     /// An item by its id.
     Item,
-    /// What can be put into the world: `bot`, `hostile`, `car`, `lamp` or `flag`.
+    /// What can be put into the world: `bot`, `hostile`, `car`, `lamp`, `flag` or `door`.
     Spawned,
     /// `A` or `B`.
     ChartId,
@@ -108,7 +108,7 @@ pub static COMMANDS: [CommandInfo; 33] = {
         command("teleport", "X Y Z [A|B]", &[Free, Free, Free, ChartId]),
         command(
             "spawn",
-            "bot|hostile|car|lamp|flag X Y Z [A|B]",
+            "bot|hostile|car|lamp|flag|door X Y Z [A|B]",
             &[Spawned, Free, Free, Free, ChartId],
         ),
         command("name-flag", "NAME", &[Free]),

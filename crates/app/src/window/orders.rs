@@ -108,7 +108,7 @@ impl Game {
                 let dir = self.play.worlds.rooms();
                 self.visited()?
                     .save(&dir, name.as_deref())
-                    .map_err(told_of_room)?;
+                    .map_err(|error| told_of_room(&error))?;
                 self.menus.rooms.refresh();
                 self.reply(Answer, "console-room-saved", &[]);
             }
@@ -159,7 +159,8 @@ impl Game {
             return Err(Failure::Usage(SHIPPED.to_owned()));
         }
         let words: Vec<_> = words.iter().map(String::as_str).collect();
-        room.edit(&dir, &words).map_err(told_of_room)?;
+        room.edit(&dir, &words)
+            .map_err(|error| told_of_room(&error))?;
         self.reply(Answer, "console-room-changed", &[]);
         Ok(())
     }
@@ -284,7 +285,7 @@ impl Host for Game {
 }
 
 /// A command that makes no sense is told in its own words.
-fn told_of_room(error: RoomError) -> Failure {
+fn told_of_room(error: &RoomError) -> Failure {
     Failure::Usage(error.to_string())
 }
 

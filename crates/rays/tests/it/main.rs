@@ -11,6 +11,7 @@ mod common;
 mod movers;
 mod pictures;
 mod portals;
+mod raster;
 mod shaders;
 mod surfaces;
 mod views;

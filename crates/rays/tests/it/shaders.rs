@@ -1,11 +1,11 @@
 //! The texts are valid, and keep within what every adapter has.
 
-use antipode_rays::{PICTURE, PROBE};
+use antipode_rays::{PICTURE, PROBE, RASTER, RASTERED};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 #[test]
 fn every_text_is_valid_wgsl() {
-    for files in [&PICTURE[..], &PROBE[..]] {
+    for files in [&PICTURE[..], &PROBE[..], &RASTERED[..], &[RASTER][..]] {
         let source = files.join("\n");
         let module = naga::front::wgsl::parse_str(&source)
             .map_err(|e| e.emit_to_string(&source))

@@ -103,6 +103,7 @@ impl Renderer {
         self.tonemap = tonemap;
         self.shadows.set_quality(options.shadows);
         self.further.clear();
+        self.openings.clear();
         self.fit();
     }
 

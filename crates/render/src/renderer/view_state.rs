@@ -19,6 +19,7 @@ use crate::figure_draws::FigureDraws;
 use crate::figures::Figures;
 use crate::heavens::Heavens;
 use crate::marker::MarkerBalls;
+use crate::openings::{Beyond, OpeningDraws};
 use crate::outlines::Outlines;
 use crate::pages::Pages;
 use crate::pipelines::{Pipelines, scene_layout};
@@ -48,6 +49,9 @@ pub(super) struct ViewState {
     pub figures: FigureDraws,
     marker: MarkerBalls,
     outlines: Outlines,
+    openings: OpeningDraws,
+    /// Whether the last frame drew it, of what is seen through an opening.
+    pub is_drawn: bool,
 }
 
 /// What all views are drawn from.
@@ -57,6 +61,17 @@ pub(super) struct Scenery<'a> {
     pub pages: &'a Pages,
     pub models: &'a Statics,
     pub celestial: &'a Celestial,
+}
+
+/// What of a view is drawn, and what its openings show.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Part<'a> {
+    /// A part of a larger picture.
+    pub tile: Option<Tile>,
+    /// The rectangle that is looked at: x, y, width and height in pixels; all of it without one.
+    pub seen: Option<[u32; 4]>,
+    /// What lies beyond each opening, in the frame's order.
+    pub beyond: &'a [Beyond<'a>],
 }
 
 /// What all views read besides what is their own.
@@ -98,6 +113,8 @@ impl ViewState {
             figures: FigureDraws::new(device),
             marker: MarkerBalls::new(device),
             outlines: Outlines::new(device),
+            openings: OpeningDraws::new(device),
+            is_drawn: false,
         }
     }
 
@@ -141,6 +158,7 @@ impl ViewState {
         map: Option<Falls>,
     ) -> [f64; 2] {
         self.marker.prepare(queue, frame, &mut self.charts);
+        self.openings.prepare(queue, frame, &mut self.charts);
         self.outlines
             .prepare(device, queue, frame, &mut self.charts);
         let (seen, heights) = figures.seen(frame, plan, map);
@@ -177,7 +195,7 @@ impl ViewState {
         frame: &Frame,
         scenery: Scenery<'_>,
         encoder: &mut CommandEncoder,
-        tile: Option<Tile>,
+        part: Part<'_>,
         stamp: Option<RenderPassTimestampWrites<'_>>,
         stats: &mut DrawStats,
     ) {
@@ -186,8 +204,11 @@ impl ViewState {
         } = scenery;
         let charts = &self.charts;
         let mut pass = self.begin(encoder, frame.content.sky.horizon, stamp);
-        if let Some(tile) = tile {
+        if let Some(tile) = part.tile {
             tile.lay(&mut pass);
+        }
+        if let Some([x, y, width, height]) = part.seen {
+            pass.set_scissor_rect(x, y, width, height);
         }
         pass.set_bind_group(0, &self.bindings, &[]);
         self.charts.bind(&mut pass, 0);
@@ -196,6 +217,8 @@ impl ViewState {
         let terrain = |number| pipelines.terrain.numbered(number);
         let land = &self.land;
         stats.add(land.draw(&mut pass, &self.list, charts, scenery.pages, terrain));
+        let openings = &self.openings;
+        stats.add(openings.draw(&mut pass, charts, pipelines, part.beyond));
         draw_sky(frame, scenery, &mut pass, stats);
         stats.add(
             self.figures

@@ -14,6 +14,7 @@ mod figures;
 mod lamps;
 mod levels;
 mod lost;
+mod openings;
 mod outlines;
 mod overhead;
 mod pictures;

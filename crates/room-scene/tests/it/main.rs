@@ -8,10 +8,12 @@
 
 mod difference;
 mod edits;
+mod eyes;
 mod figure;
 mod hands;
 mod picture;
 mod portals;
+mod raster;
 mod soak;
 mod sounds;
 mod walking;

@@ -35,6 +35,7 @@ pub(crate) fn step(
         return;
     }
     let driven = driving.as_ref().map(|driving| driving.car);
+    let before: Vec<_> = cars.iter().map(|(_, car)| car.point()).collect();
     let vehicles = cars.iter_mut().map(|(id, car)| {
         car.put_free(world, physics);
         let input = car.input(world, actions, driven == Some(*id));
@@ -42,9 +43,9 @@ pub(crate) fn step(
     });
     let mut vehicles: Vec<_> = vehicles.collect();
     physics.step(&world.physics, &mut vehicles, STEP_S);
-    for (id, car) in cars {
+    for ((id, car), before) in cars.into_iter().zip(before) {
         car.keep_between_limits(world, physics);
-        let crossing = car.cross(world, physics);
+        let crossing = car.cross(world, physics, before);
         if let (Some(crossing), Some(driving)) = (crossing, driving.as_mut())
             && driving.car == id
         {
@@ -113,9 +114,15 @@ impl Car {
         }
     }
 
-    /// Carries it over an edge of its chart whole: place, stance, velocity and spin.
-    fn cross(&mut self, world: &World, physics: &mut VehiclePhysics) -> Option<Crossing> {
-        let crossing = world.strategy.cross(self.point())?;
+    /// Carries it through a door or over an edge of its chart whole: place, stance, velocity and spin.
+    fn cross(
+        &mut self,
+        world: &World,
+        physics: &mut VehiclePhysics,
+        before: ChartPoint,
+    ) -> Option<Crossing> {
+        let door = world.through_door(before, self.point());
+        let crossing = door.or_else(|| world.strategy.cross(self.point()))?;
         physics.carry(&mut self.vehicle, &crossing);
         Some(crossing)
     }

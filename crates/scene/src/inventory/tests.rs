@@ -9,11 +9,11 @@ fn stack(item: Item, count: u32) -> Stack {
 }
 
 #[test]
-fn a_new_player_has_everything_in_the_first_seven_slots() {
+fn a_new_player_has_everything_in_the_first_eight_slots() {
     let bag = Inventory::default();
     assert_eq!(bag.held(), Some(Item::PickaxeWood));
     let counts: Vec<_> = bag.slots().iter().flatten().map(|s| s.count).collect();
-    assert_eq!(counts, [1, 1, 1, 1, 64, 10, 5]);
+    assert_eq!(counts, [1, 1, 1, 1, 64, 10, 5, 2]);
     assert_eq!(bag.hotbar().len(), 10);
 }
 

@@ -13,6 +13,7 @@ use super::senses::{Around, Event};
 use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
 use crate::bot::{Bot, BotView};
 use crate::damage::fall_damage;
+use crate::door;
 use crate::frame::ModelId;
 use crate::pick::over;
 use crate::player::{self, Appearance, Body, Health, Look, Position, wrap_angle};
@@ -255,8 +256,14 @@ impl Npc<'_> {
             ..player::doing(self.look, self.body)
         };
         self.appearance.motion.pass(&doing, STEP_S);
+        let before = self.position.0;
         self.settle(around, input);
         self.bear_fall(around);
+        if door::pass(around.world, before, self.position, self.look, self.body) {
+            // What was planned leads from where it was.
+            self.mind.steps.clear();
+            self.mind.anchor = None;
+        }
         player::cross(strategy, self.position, self.look, self.body);
     }
 

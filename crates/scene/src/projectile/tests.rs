@@ -43,6 +43,7 @@ fn fly_over(
         cars: &[],
         vehicles: &vehicles,
         in_far_ground: &|point| point.pos.y < 0.0,
+        doors: None,
     };
     (0..steps)
         .flat_map(|_| step(&mut bullets.ecs, &air).strikes)

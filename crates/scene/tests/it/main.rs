@@ -14,6 +14,7 @@ mod car_view;
 mod common;
 mod cone;
 mod contact;
+mod doors;
 mod drops;
 mod flags;
 mod gun;

@@ -26,7 +26,8 @@ impl ChunkScheduler {
             wish.centre,
             wish.view_distance,
             wish.bodies_distance,
-        );
+        )
+        .with(&*self.strategy, &wish.apart);
         let bodies = Reaches::of(&wish.bodies);
         let same_detail = match (&self.wished.detail, &wish.detail) {
             (Some(before), Some(now)) => Arc::ptr_eq(before, now),

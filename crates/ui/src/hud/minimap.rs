@@ -88,6 +88,8 @@ pub enum MarkKind {
     Car,
     /// A flag.
     Flag,
+    /// A door.
+    Door,
 }
 
 /// A mark on the map.
@@ -208,7 +210,7 @@ fn tint(tints: &Tints, share: f32, light: f32) -> Color32 {
 }
 
 /// Told apart by shape as well as by colour: lamps are round, neutral figures square, hostile ones three-cornered, cars broad,
-/// and flags fly from a pole.
+/// flags fly from a pole, and doors are open frames.
 fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
     let edge = Stroke::new(1.5, Color32::BLACK);
     match kind {
@@ -224,6 +226,7 @@ fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
             painter.rect(body, 2, ACCENT, edge, egui::StrokeKind::Outside);
         }
         MarkKind::Flag => pennant(painter, at + vec2(-2.0, 5.0), 5.0),
+        MarkKind::Door => gate(painter, at + vec2(0.0, 5.0), 5.0),
         MarkKind::Hostile => {
             let corner = |turn: f32| {
                 let (sin, cos) = (turn * TAU).sin_cos();
@@ -247,6 +250,17 @@ pub(super) fn pennant(painter: &Painter, foot: Pos2, size: f32) {
         top + vec2(0.0, size),
     ];
     painter.add(Shape::convex_polygon(cloth, ACCENT, edge));
+}
+
+/// An open frame of that half height, which stands on a place.
+pub(super) fn gate(painter: &Painter, foot: Pos2, size: f32) {
+    let corners = [(-0.8, 0.0), (-0.8, 2.0), (0.8, 2.0), (0.8, 0.0)];
+    let corners = corners.map(|(x, y)| foot + vec2(x * size, -y * size));
+    for (width, colour) in [(4.0, Color32::BLACK), (2.0, ACCENT)] {
+        for side in corners.windows(2) {
+            painter.line_segment([side[0], side[1]], Stroke::new(width, colour));
+        }
+    }
 }
 
 /// The letter of north on the ring, and ticks of the other quarters.

@@ -32,11 +32,33 @@ const FREE: f32 = 44.0;
 
 /// Draws the words within the `screen`, those at the top below `top`.
 pub(super) fn show(painter: &Painter, screen: Rect, top: f32, room: &RoomModel) {
-    let mut at = pos2(screen.center().x, top);
     let is_small = screen.width() < ROOMY.0 || screen.height() < ROOMY.1;
     let scale = if is_small { SMALLER } else { 1.0 };
+    show_heading(painter, screen, top, (room, scale));
+    if let Some(halves) = &room.halves {
+        let y = screen.max.y - 0.22 * screen.height();
+        for (words, x) in halves.iter().zip([0.25, 0.75]) {
+            let at = pos2(screen.min.x + x * screen.width(), y);
+            let anchor = Align2::CENTER_CENTER;
+            plate(painter, screen, at, anchor, words, small(), TEXT);
+        }
+    }
+    // Above the crosshair: below it stands who walks, seen from behind.
+    if let Some(ahead) = &room.ahead {
+        let at = painter.clip_rect().center() - vec2(0.0, 18.0);
+        let anchor = Align2::CENTER_BOTTOM;
+        plate(painter, screen, at, anchor, ahead, small(), WEAK);
+    }
+    show_state(painter, screen, &room.state, scale);
+}
+
+/// What the room is, at the top, as far as the middle stays free.
+fn show_heading(painter: &Painter, screen: Rect, top: f32, (room, scale): (&RoomModel, f32)) {
+    let mut at = pos2(screen.center().x, top);
+    // The name stands in the corner, too.
+    let title = room.title.clone().filter(|_| scale == 1.0);
     for (words, points, colour) in [
-        (&room.title, 22.0, ACCENT),
+        (&title, 22.0, ACCENT),
         (&room.sentence, 16.0, TEXT),
         (&room.look, 15.0, TEXT),
     ] {
@@ -46,61 +68,27 @@ pub(super) fn show(painter: &Painter, screen: Rect, top: f32, room: &RoomModel) 
             at.y + height < screen.center().y - FREE
         };
         if let Some(words) = words.as_ref().filter(fits) {
-            let drawn = plate(painter, screen, at, Align2::CENTER_TOP, words, font, colour);
+            let anchor = Align2::CENTER_TOP;
+            let drawn = plate(painter, screen, at, anchor, words, font, colour);
             at.y = drawn.max.y + 0.5 * GRID;
         }
     }
-    if let Some([left, right]) = &room.halves {
-        let y = screen.max.y - 0.22 * screen.height();
-        for (words, x) in [(left, 0.25), (right, 0.75)] {
-            let at = pos2(screen.min.x + x * screen.width(), y);
-            plate(
-                painter,
-                screen,
-                at,
-                Align2::CENTER_CENTER,
-                words,
-                small(),
-                TEXT,
-            );
-        }
-    }
-    // Above: below it stands who walks, seen from behind.
-    if let Some(ahead) = &room.ahead {
-        let at = painter.clip_rect().center() - vec2(0.0, 18.0);
-        plate(
-            painter,
-            screen,
-            at,
-            Align2::CENTER_BOTTOM,
-            ahead,
-            small(),
-            WEAK,
-        );
-    }
-    let mut at = screen.left_bottom();
+}
+
+/// What there is to say of oneself, at the bottom, as far as the middle stays free: what is told first is left out last.
+fn show_state(painter: &Painter, screen: Rect, state: &[String], scale: f32) {
     let font = FontId::proportional(small().size * scale);
-    // What is told first is left out last.
     let most = screen.max.y - screen.center().y - FREE;
-    let heights = room
-        .state
-        .iter()
-        .map(|words| height_of(painter, screen, words, font.clone()) + 0.5 * GRID);
-    let fitting = heights.scan(0.0, |sum, height| {
+    let height = |words: &String| height_of(painter, screen, words, font.clone()) + 0.5 * GRID;
+    let fitting = state.iter().map(height).scan(0.0, |sum, height| {
         *sum += height;
         (*sum < most).then_some(())
     });
-    let shown = &room.state[..fitting.count()];
+    let shown = &state[..fitting.count()];
+    let mut at = screen.left_bottom();
     for words in shown.iter().rev() {
-        let drawn = plate(
-            painter,
-            screen,
-            at,
-            Align2::LEFT_BOTTOM,
-            words,
-            font.clone(),
-            TEXT,
-        );
+        let anchor = Align2::LEFT_BOTTOM;
+        let drawn = plate(painter, screen, at, anchor, words, font.clone(), TEXT);
         at.y = drawn.min.y - 0.5 * GRID;
     }
 }

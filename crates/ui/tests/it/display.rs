@@ -207,6 +207,7 @@ fn the_display_survives_any_size_and_any_number() {
                     name: "Home ".repeat(300),
                     distance_m: f64::NAN,
                     bearing_rad,
+                    is_door: false,
                 })
                 .to_vec(),
             heading_rad: f64::NAN,

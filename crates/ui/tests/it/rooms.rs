@@ -92,6 +92,8 @@ fn in_a_room_one_leaves_it_and_saves_nothing() {
     let mut harness = window(game);
     assert!(says(&harness, "The long house") && says(&harness, "Rooms"));
     assert!(!says(&harness, "Save"));
+    click(&mut harness, "Begin anew");
+    assert_eq!(intents(&mut harness), [Intent::BeginAnew]);
     click(&mut harness, "Leave the room");
     assert_eq!(intents(&mut harness), [Intent::SaveAndQuitToMenu]);
 }

@@ -329,7 +329,7 @@ fn what_does_nothing_in_a_room_says_why() {
     visit
         .room
         .scene
-        .teleport(glam::DVec3::new(0.0, -60.0, 0.0))
+        .teleport(glam::DVec3::new(0.0, -200.0, 0.0))
         .unwrap();
     pass(&mut game, &mut now, 3);
     let said = words(&mut game);

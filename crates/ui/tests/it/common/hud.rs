@@ -61,6 +61,7 @@ pub fn full_hud() -> HudModel {
                 name: "The longest name of all!".to_owned(),
                 distance_m: 1402.1,
                 bearing_rad: 0.05,
+                is_door: false,
             }],
             heading_rad: 0.9,
             equator: Some(EquatorView {

@@ -1,0 +1,400 @@
+//! Doors: put up in pairs, gone through by everything, kept.
+
+use antipode_geometry::{ChartId, ChartPoint, Doorway, Geometry, Leaf};
+use antipode_items::Item;
+use antipode_scene::notice::Hint;
+use antipode_scene::{Actions, CarView, NpcMode, Scene};
+use antipode_terrain::Field;
+use glam::DVec3;
+
+use crate::common::cars::{car, enter, stand_beside};
+use crate::common::{LIMIT, scene, steps};
+
+fn still() -> Actions {
+    Actions::default()
+}
+
+fn ahead() -> Actions {
+    Actions {
+        forward: 1.0,
+        ..still()
+    }
+}
+
+fn press(scene: &mut Scene, primary: bool) {
+    let click = Actions {
+        primary,
+        secondary: !primary,
+        ..still()
+    };
+    steps(scene, 1, &click);
+    steps(scene, 1, &still());
+}
+
+/// The ground of a column.
+fn ground(scene: &Scene, chart: ChartId, x: f64, z: f64) -> ChartPoint {
+    let field = Field::new(scene.setup().seed, scene.strategy().clone());
+    let at = |y: f64| ChartPoint::new(chart, DVec3::new(x, y, z));
+    let limits = scene.strategy().limits();
+    let highest_m = limits.map_or(100.0, |limits| limits.ceiling_m);
+    let heights = (0..4000).map(|step| highest_m - 0.05 * f64::from(step));
+    let solid = heights.into_iter().find(|y| field.sample(at(*y)) < 0.0);
+    at(solid.unwrap())
+}
+
+/// Where land is nearly level for so many metres to either side along a heading: near a place of the chart, and which heading
+/// that is. The flattest of some.
+fn level_strip(scene: &Scene, about: ChartPoint, within_m: f64, half_m: f64) -> (ChartPoint, f64) {
+    let mut best = (f64::INFINITY, about, 0.0);
+    for at in 0..49 {
+        let (x, z) = (f64::from(at % 7) - 3.0, f64::from(at / 7) - 3.0);
+        let (x, z) = (
+            about.pos.x + x / 3.0 * within_m,
+            about.pos.z + z / 3.0 * within_m,
+        );
+        let middle = ground(scene, about.chart, x, z);
+        for turn in 0..8 {
+            let yaw = 0.3 + std::f64::consts::FRAC_PI_4 * f64::from(turn);
+            let rise = |m: f64| {
+                let there = ground(scene, about.chart, x + m * yaw.cos(), z + m * yaw.sin());
+                (there.pos.y - middle.pos.y).abs()
+            };
+            let most = [-1.0, -0.6, -0.3, 0.3, 0.6, 1.0].map(|share| rise(share * half_m));
+            let most = most.into_iter().fold(0.0, f64::max);
+            if most < best.0 {
+                best = (most, middle, yaw);
+            }
+        }
+    }
+    (best.1, best.2)
+}
+
+/// A leaf that stands on the ground of a column.
+fn leaf(scene: &Scene, chart: ChartId, x: f64, z: f64, yaw: f64) -> Leaf {
+    Leaf {
+        foot: ground(scene, chart, x, z),
+        yaw,
+    }
+}
+
+/// Puts both leaves up, and makes their ground.
+fn put_up(scene: &mut Scene, leaves: [Leaf; 2]) -> Doorway {
+    for leaf in leaves {
+        assert!(scene.put_up(Item::Door, leaf.foot, leaf.yaw, ""));
+    }
+    steps(scene, 2, &still());
+    Doorway { leaves }
+}
+
+/// One leaf two metres before the player, who looks along its front and through it; the other elsewhere, on a globe beyond the
+/// equator, and higher or lower.
+fn before_the_player(geometry: Geometry) -> (Scene, Doorway) {
+    let mut scene = scene(geometry);
+    scene.set_npcs(NpcMode::Still);
+    let (at, yaw) = level_strip(&scene, scene.feet(), 8.0, 2.5);
+    let near = Leaf { foot: at, yaw };
+    let from = near.place(DVec3::X * -2.0).pos;
+    scene.teleport(ground(&scene, at.chart, from.x, from.z).moved(DVec3::Y * 0.1));
+    assert!(scene.wait_for_step(LIMIT));
+    steps(&mut scene, 20, &still());
+    scene.aim(yaw, 0.0);
+    let elsewhere = if geometry == Geometry::Spherical {
+        ChartPoint::new(ChartId::SECOND, DVec3::new(32.0, 0.0, -14.0))
+    } else {
+        at.moved(DVec3::new(-24.0, 0.0, 9.0))
+    };
+    let (there, looks) = level_strip(&scene, elsewhere, 8.0, 2.5);
+    let far = Leaf {
+        foot: there,
+        yaw: looks,
+    };
+    let pair = put_up(&mut scene, [near, far]);
+    (scene, pair)
+}
+
+/// A place in a leaf's own axes.
+fn local(scene: &Scene, leaf: &Leaf, point: ChartPoint) -> DVec3 {
+    let there = scene.strategy().carry_near(point, leaf.foot).unwrap();
+    leaf.local(there.point.pos)
+}
+
+#[test]
+fn who_walks_into_one_comes_out_of_the_other_in_every_space() {
+    for geometry in Geometry::ALL {
+        let (mut scene, pair) = before_the_player(geometry);
+        let [near, far] = pair.leaves;
+        let from = local(&scene, &near, scene.feet());
+        assert!(from.x < -1.5, "{geometry} {from}");
+        let mut steps_before = 0;
+        while local(&scene, &near, scene.feet()).x < 0.0
+            && local(&scene, &near, scene.feet()).length() < 4.0
+        {
+            steps(&mut scene, 1, &ahead());
+            steps_before += 1;
+            assert!(steps_before < 120, "{geometry}");
+        }
+        let out = local(&scene, &far, scene.feet());
+        assert!(
+            out.x > 0.0 && out.length() < 0.6,
+            "{geometry}: {out} of the far door, {} of the near one",
+            local(&scene, &near, scene.feet())
+        );
+        let yaw = scene.eye().yaw;
+        let turned = (yaw - far.yaw).sin();
+        assert!(turned.abs() < 0.02, "{geometry}: {yaw} {turned}");
+        assert_eq!(scene.eye().pitch, 0.0, "the view stays level");
+        // On he goes, away from it, and by turning round back to where he came from.
+        steps(&mut scene, 15, &ahead());
+        let on = local(&scene, &far, scene.feet());
+        assert!(on.x > out.x + 0.5, "{geometry}: {out} {on}");
+        scene.aim(scene.eye().yaw + std::f64::consts::PI, 0.0);
+        steps(&mut scene, 50, &ahead());
+        let back = local(&scene, &near, scene.feet());
+        assert!(
+            back.x < 0.0 && back.length() < 4.0,
+            "{geometry}: {back} of the near door"
+        );
+    }
+}
+
+#[test]
+fn a_bullet_a_thing_and_the_crosshair_go_through_in_every_space() {
+    for geometry in Geometry::ALL {
+        let (mut scene, pair) = before_the_player(geometry);
+        let [near, far] = pair.leaves;
+        // A little downwards, so that what is dug lies behind the far door.
+        scene.aim(near.yaw, -0.35);
+        scene.inventory_mut().select(3);
+        steps(&mut scene, 1, &still());
+        let mark = scene.probe().marker.pos.unwrap();
+        let charts = [near.foot.chart, far.foot.chart];
+        let at = |leaf: &Leaf, chart| {
+            let point = ChartPoint::new(chart, DVec3::from_array(mark));
+            local(&scene, leaf, point)
+        };
+        let behind_far = charts.iter().map(|chart| at(&far, *chart));
+        let found = behind_far.min_by(|a, b| a.length().total_cmp(&b.length()));
+        let found = found.unwrap();
+        assert!(
+            found.x > 0.1 && found.length() < 9.0,
+            "{geometry}: the pick marks {found}"
+        );
+
+        let muzzle = near.place(DVec3::new(-0.5, 1.2, 0.1));
+        scene.throw_bullet(muzzle, near.through() * 40.0);
+        steps(&mut scene, 2, &still());
+        let bullet = &scene.probe().projectiles[0];
+        let point = ChartPoint::new(
+            if bullet.hemisphere == "B" {
+                ChartId::SECOND
+            } else {
+                ChartId::FIRST
+            },
+            DVec3::from_array(bullet.pos),
+        );
+        let flown = local(&scene, &far, point);
+        let gone = flown - DVec3::new(40.0 / 30.0 - 0.5, 1.2, 0.1);
+        assert!(gone.length() < 0.1, "{geometry}: {flown}");
+
+        scene.aim(near.yaw, 0.0);
+        let drop = Actions {
+            drop_one: true,
+            ..still()
+        };
+        steps(&mut scene, 1, &drop);
+        steps(&mut scene, 90, &still());
+        let drops = scene.probe().drops;
+        let lies = drops.iter().any(|it| {
+            let chart = if it.hemisphere == "B" {
+                ChartId::SECOND
+            } else {
+                ChartId::FIRST
+            };
+            let point = ChartPoint::new(chart, DVec3::from_array(it.pos));
+            let there = local(&scene, &far, point);
+            there.x > 0.0 && there.length() < 5.0
+        });
+        assert!(lies, "{geometry}: {drops:?}");
+    }
+}
+
+#[test]
+fn digging_through_a_door_digs_on_the_other_side() {
+    let (mut scene, pair) = before_the_player(Geometry::Euclidean);
+    let [near, far] = pair.leaves;
+    scene.aim(near.yaw, -0.35);
+    scene.inventory_mut().select(3);
+    steps(&mut scene, 1, &still());
+    let before = scene.probe().marker.pos.unwrap();
+    let dig = Actions {
+        primary: true,
+        ..still()
+    };
+    steps(&mut scene, 90, &dig);
+    let after = scene.probe().marker.pos.unwrap();
+    let at = |pos: [f64; 3]| far.local(DVec3::from_array(pos));
+    assert!(
+        at(after).x > at(before).x + 0.3,
+        "{} {}",
+        at(before),
+        at(after)
+    );
+}
+
+#[test]
+fn a_click_puts_up_the_first_and_the_second_and_a_third_moves_the_older() {
+    let mut scene = scene(Geometry::Euclidean);
+    assert_eq!(scene.inventory_mut().give(Item::Door, 1), 0);
+    let slots = scene.inventory().slots();
+    let is_door = |slot: &Option<antipode_scene::Stack>| {
+        slot.is_some_and(|it| it.item == Item::Door && it.count == 2)
+    };
+    let slot = slots.iter().position(is_door).unwrap();
+    scene.inventory_mut().select(slot as u8);
+    scene.take_hints();
+    let mut last = Vec::new();
+    for (yaw, count) in [(0.3, 1), (1.4, 2)] {
+        scene.aim(yaw, -0.5);
+        press(&mut scene, true);
+        last = scene.probe().doors;
+        assert_eq!(last.len(), count, "{:?}", scene.take_hints());
+        // Its front looks back at who put it up.
+        let off = (last[count - 1].yaw.to_radians() - yaw - std::f64::consts::PI).sin();
+        assert!(off.abs() < 1e-9, "{off}");
+    }
+    let left = scene.inventory().count(Item::Door);
+    let slots = scene.inventory().slots();
+    let is_door =
+        |slot: &Option<antipode_scene::Stack>| slot.is_some_and(|it| it.item == Item::Door);
+    let slot = slots.iter().position(is_door).unwrap();
+    scene.inventory_mut().select(slot as u8);
+    scene.aim(0.85, -0.5);
+    press(&mut scene, true);
+    let now = scene.probe().doors;
+    assert_eq!(now.len(), 2);
+    assert_eq!(now[0], last[1], "the newer is the older now");
+    assert!(scene.take_hints().contains(&Hint::MovedOldest(Item::Door)));
+    assert_eq!(scene.inventory().count(Item::Door), left);
+    assert_eq!(scene.door_ways().len(), 2);
+    // The one before the player is taken up again.
+    press(&mut scene, false);
+    assert_eq!(scene.probe().doors, now[..1]);
+    assert_eq!(scene.inventory().count(Item::Door), left + 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn doors_are_kept_with_the_way_that_they_look() {
+    let (kept, mut scene) = crate::common::kept::Kept::new();
+    let feet = scene.feet();
+    for (x, yaw) in [(3.0, 1.25), (-4.0, -2.5)] {
+        let at = feet.moved(DVec3::new(x, 0.0, 1.0));
+        assert!(scene.put_up(Item::Door, at, yaw, ""));
+    }
+    assert!(!scene.put_up(Item::Door, feet, 0.0, ""), "one pair a world");
+    let before = scene.probe().doors;
+    assert_eq!(before.len(), 2);
+    scene.close().unwrap();
+    let scene = kept.open();
+    assert_eq!(scene.probe().doors, before);
+    scene.close().unwrap();
+}
+
+#[test]
+fn a_far_door_has_its_land_and_its_ground() {
+    let mut scene = scene(Geometry::Euclidean);
+    let feet = scene.feet();
+    let near = leaf(&scene, feet.chart, feet.pos.x + 2.0, feet.pos.z, 0.0);
+    let far = leaf(&scene, feet.chart, feet.pos.x + 900.0, feet.pos.z, 0.0);
+    put_up(&mut scene, [near, far]);
+    assert!(scene.settle(LIMIT));
+    scene.aim(0.0, 0.0);
+    steps(&mut scene, 45, &ahead());
+    let out = far.local(scene.feet().pos);
+    assert!(out.x > 0.0 && out.length() < 4.0, "{out}");
+    assert!(scene.probe().player.grounded, "{out}");
+}
+
+#[test]
+fn a_figure_goes_through_as_the_player_does() {
+    let (mut scene, pair) = before_the_player(Geometry::Euclidean);
+    let [near, far] = pair.leaves;
+    scene.set_npcs(NpcMode::On);
+    // It makes room for the player, who stands close behind it.
+    let at = near.place(DVec3::new(-0.15, 0.0, 0.0));
+    scene.spawn_bot(at, near.yaw, false);
+    let behind = near.place(DVec3::new(-0.6, 0.2, 0.0));
+    scene.teleport(behind);
+    let mut came = false;
+    for _ in 0..240 {
+        steps(&mut scene, 1, &still());
+        let bots = scene.probe().bots;
+        came |= bots.iter().any(|bot| {
+            let there = far.local(DVec3::from_array(bot.pos));
+            there.x > 0.0 && there.length() < 3.0
+        });
+    }
+    assert!(came, "{:?}", scene.probe().bots);
+}
+
+/// By what share the speed of a car changed in a step besides what it changed in the one before, in which it was driven alike;
+/// and by how many radians its way did besides the doors' own turn.
+fn changes(pair: &Doorway, [first, before, after]: [&CarView; 3]) -> [f64; 2] {
+    let [near, far] = pair.leaves;
+    let [a, b, c] = [first, before, after].map(|car| car.velocity.length());
+    let turned = after.yaw() - before.yaw() - (far.yaw - near.yaw);
+    [(c / b - b / a).abs(), turned.sin().abs()]
+}
+
+/// A car is driven into one door and out of the other, which stands behind its start and looks the same way but for a little,
+/// a hundred times round.
+#[test]
+fn a_car_goes_through_a_hundred_times_and_keeps_its_speed_and_its_way() {
+    const HALF_M: f64 = 6.0;
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        scene.set_npcs(NpcMode::Still);
+        let (at, yaw) = level_strip(&scene, scene.feet(), 14.0, HALF_M + 1.0);
+        assert!(scene.spawn_car(at, yaw));
+        steps(&mut scene, 150, &still());
+        stand_beside(&mut scene, 2.2);
+        steps(&mut scene, 1, &enter());
+        assert!(scene.is_driving(), "{geometry}: {:?}", scene.take_hints());
+        let start = car(&scene);
+        let (middle, yaw) = (start.point.pos, start.yaw());
+        let way = DVec3::new(yaw.cos(), 0.0, yaw.sin());
+        let [near, far] = [HALF_M, -HALF_M].map(|m| {
+            let at = middle + way * m;
+            leaf(&scene, start.point.chart, at.x, at.z, yaw)
+        });
+        let pair = put_up(&mut scene, [near, far]);
+        let (mut passed, mut worst, mut idle) = (0, [0.0f64; 2], 0);
+        let mut first = start;
+        while passed < 100 {
+            let before = car(&scene);
+            let at = near.local(before.point.pos);
+            let off_rad = (before.yaw() - near.yaw).sin();
+            let speed_m_s = before.velocity.length();
+            let coasts = at.x.abs() < 0.8 && speed_m_s > 2.5 || speed_m_s > 5.0;
+            let wish = Actions {
+                forward: if coasts { 0.0 } else { 1.0 },
+                strafe: (-0.8 * at.z - 2.5 * off_rad).clamp(-1.0, 1.0),
+                ..still()
+            };
+            steps(&mut scene, 1, &wish);
+            let now = car(&scene);
+            idle += 1;
+            if now.point.pos.distance(before.point.pos) > HALF_M {
+                let changed = changes(&pair, [&first, &before, &now]);
+                worst = [worst[0].max(changed[0]), worst[1].max(changed[1])];
+                (passed, idle) = (passed + 1, 0);
+            }
+            first = before;
+            assert!(
+                idle < 900,
+                "{geometry}: stuck in drive {passed} at {at}, {now:?}"
+            );
+        }
+        assert!(worst[0] < 0.01 && worst[1] < 0.01, "{geometry}: {worst:?}");
+    }
+}
