@@ -55,9 +55,12 @@ impl RoomPainter {
     /// # Errors
     /// When the adapter cannot trace rays or refuses a shader.
     pub fn new(gpu: &Gpu, options: &Options) -> Result<Self, Failure> {
+        // While something moves there are as few pixels as can be traced in time.
+        let is_scaled = true;
+        let format = options.output_format;
         Ok(Self {
             rays: Rays::new(&gpu.device)?,
-            tonemap: Tonemap::accepted(&gpu.device, Shaders::default(), options)?,
+            tonemap: Tonemap::accepted(&gpu.device, Shaders::default(), format, is_scaled)?,
         })
     }
 

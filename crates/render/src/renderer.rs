@@ -121,7 +121,8 @@ impl Renderer {
         let quality = options.pipeline_quality();
         let pipelines =
             readiness::pipeline_cache(&device, shaders, &scene_layout(&device), quality);
-        let tonemap = Tonemap::accepted(&device, shaders, &options)?;
+        let is_scaled = options.scale != 1.0;
+        let tonemap = Tonemap::accepted(&device, shaders, options.output_format, is_scaled)?;
         let shared = Shared {
             heavens: &heavens,
             shadows: &shadows,

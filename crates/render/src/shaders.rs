@@ -225,6 +225,7 @@ pub mod tests {
             TERRAIN.name,
             FIGURE.name,
             MARKER.name,
+            OPENING.name,
             OUTLINES.name,
             SKY.name,
             CELESTIAL.name,

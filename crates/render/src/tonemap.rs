@@ -7,7 +7,6 @@ use wgpu::{
 };
 
 use crate::error::RenderError;
-use crate::renderer::Options;
 use crate::shaders::{Shaders, TONEMAP, accepted};
 
 /// The tone-map pass.
@@ -21,24 +20,20 @@ pub struct Tonemap {
 }
 
 impl Tonemap {
-    /// For the targets that the options are for.
+    /// For targets of the format. `scaled`: whether the light is drawn at another resolution than it is shown at, at times.
     ///
     /// # Errors
     /// When the device refuses the shader.
     pub fn accepted(
         device: &Device,
         shaders: Shaders,
-        options: &Options,
+        output: TextureFormat,
+        scaled: bool,
     ) -> Result<Self, RenderError> {
-        let scaled = options.scale != 1.0;
-        accepted(device, || {
-            Self::new(device, shaders, options.output_format, scaled)
-        })
-        .map_err(|said| RenderError::shader(&said))
+        accepted(device, || Self::new(device, shaders, output, scaled))
+            .map_err(|said| RenderError::shader(&said))
     }
 
-    /// For targets of the format. `scaled` says whether the light is drawn at another resolution than it is
-    /// shown at.
     fn new(device: &Device, shaders: Shaders, output: TextureFormat, scaled: bool) -> Self {
         let layout = layout(device);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {

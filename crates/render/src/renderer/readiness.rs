@@ -71,7 +71,9 @@ impl Renderer {
     /// When the options are out of range, or the adapter refuses a shader; nothing is changed then.
     pub fn set_options(&mut self, options: Options) -> Result<(), RenderError> {
         check(&options)?;
-        let tonemap = Tonemap::accepted(&self.device, self.shaders, &options)?;
+        let is_scaled = options.scale != 1.0;
+        let tonemap =
+            Tonemap::accepted(&self.device, self.shaders, options.output_format, is_scaled)?;
         let quality = options.pipeline_quality();
         if let Some(later) = &mut self.later
             && later.0.pipeline_quality() == quality

@@ -12,7 +12,7 @@ use crate::room;
 const SIZE: (u32, u32) = (640, 360);
 /// Eyes of each room.
 const EYES: usize = 5;
-/// Rooms in which solids of several colours lie in one plane, so that rays alone show a noise of both: to be mended.
+/// A room in which rays alone show a noise of two things at one distance: to be mended.
 const FLICKERS: [&str; 1] = ["bottomless-shaft"];
 /// Of these so many are compared without the sun and lamps as well.
 const DARK_EYES: usize = 2;

@@ -5,6 +5,7 @@ use antipode_deformation::{Place, Sides, Space, Triangle, Triangles};
 use antipode_room_scene::tuning::{LOST_BELOW_M, STEP_S};
 use antipode_room_scene::{RoomScene, Steer, ThingKind};
 use antipode_rooms::mesh::{Roundness, meshes};
+use antipode_rooms::room::Object;
 use antipode_rooms::{Assets, What, poses, shipped, space};
 use fastrand::Rng;
 use glam::DVec3;
@@ -189,6 +190,19 @@ struct Tally {
     most_things: usize,
 }
 
+/// Straight on.
+const AHEAD: Steer = Steer {
+    forward: 1.0,
+    strafe: 0.0,
+    sprint: false,
+    jump: false,
+    look_yaw_rad: 0.0,
+    look_pitch_rad: 0.0,
+    shoot: false,
+    place: false,
+    throw: false,
+};
+
 /// Wants something else every now and then.
 struct Player {
     rng: Rng,
@@ -224,21 +238,36 @@ impl Player {
     }
 }
 
-/// Begins in turn at the middle of each aberration, where there is a place, and where the room says.
-fn begins(scene: &mut RoomScene, inside: &Inside, turn: usize) {
+/// Begins in turn at the middle of each aberration and before each portal, where there is a place, and where the room says. Whether it is
+/// before a portal, which one faces.
+fn begins(scene: &mut RoomScene, inside: &Inside, turn: usize) -> bool {
     let places = poses(scene.room());
-    let boxes: Vec<_> = scene
-        .room()
-        .aberrations()
-        .map(|(index, _)| places[index].translation)
-        .collect();
     let spawn = scene.room().spawn.at;
-    let at = match turn % (boxes.len() + 1) {
-        0 => spawn,
-        other => boxes[other - 1],
+    let of_object = |(index, object): (usize, &Object)| {
+        let place = &places[index];
+        match object.what {
+            What::Aberration(_) => Some((place.translation, None)),
+            What::Portal(_) => {
+                let before = place.transform_point3(DVec3::X * 0.8);
+                let ahead = place.transform_vector3(DVec3::NEG_X);
+                let yaw_deg = ahead.z.atan2(ahead.x).to_degrees();
+                Some((DVec3::new(before.x, spawn.y, before.z), Some(yaw_deg)))
+            }
+            _ => None,
+        }
+    };
+    let all = scene.room().objects.iter().enumerate();
+    let begins: Vec<_> = all.filter_map(of_object).collect();
+    let (at, yaw_deg) = match turn % (begins.len() + 1) {
+        0 => (spawn, None),
+        other => begins[other - 1],
     };
     let free = inside.deepest(at + DVec3::Y * 0.05).0 == 0.0;
     scene.teleport(if free { at } else { spawn }).unwrap();
+    if let Some(yaw_deg) = yaw_deg {
+        scene.aim(yaw_deg, 0.0);
+    }
+    free && yaw_deg.is_some()
 }
 
 fn play(id: &str, seconds: f64) -> Tally {
@@ -251,11 +280,14 @@ fn play(id: &str, seconds: f64) -> Tally {
         until: 0,
     };
     let (mut last, mut stayed) = (scene.feet(), (scene.feet(), 0.0));
-    let mut last_stack = scene.eye().place.stack;
+    let mut last_eye = scene.eye().place;
     let mut hit = None;
     for step in 0..(seconds / STEP_S) as usize {
-        if step % 1200 == 0 {
-            begins(&mut scene, &inside, step / 1200);
+        if step % 600 == 0 {
+            if begins(&mut scene, &inside, step / 600) {
+                player.until = step + 90;
+                player.steer = AHEAD;
+            }
             last = scene.feet();
             stayed = (last, 0.0);
         }
@@ -268,15 +300,18 @@ fn play(id: &str, seconds: f64) -> Tally {
         tally.most_things = tally.most_things.max(probe.things.len());
         tally.hits += usize::from(probe.hit != hit);
         hit = probe.hit;
-        if feet.distance(last) > 5.0 {
+        let is_elsewhere = eye.passage != last_eye.passage;
+        if is_elsewhere {
+            stayed = (feet, 0.0);
+        } else if feet.distance(last) > 5.0 {
             tally.anew += 1;
             stayed = (feet, 0.0);
         } else {
             tally.walked_m += feet.distance(last);
         }
         last = feet;
-        tally.crossings += usize::from(eye.stack != last_stack);
-        last_stack = eye.stack;
+        tally.crossings += usize::from(eye.stack != last_eye.stack || is_elsewhere);
+        last_eye = eye;
         tally.fell_s += if probe.player.grounded { 0.0 } else { STEP_S };
         stayed.1 += STEP_S;
         if feet.distance(stayed.0) > STAYS_M * probe.scale {

@@ -128,8 +128,17 @@ fn in_every_room_of_the_game_one_stands_and_sees_something() {
         }
         scene.aim(-90.0, -10.0);
         let probe = scene.probe();
-        assert!(probe.player.grounded, "{}: {:?}", shipped.id, probe.player);
-        assert!(probe.player.pos[1].abs() < 0.3, "{}", shipped.id);
+        // In one of them one falls for ever, and in another one climbs.
+        let falls = shipped.id == "bottomless-shaft";
+        assert!(
+            probe.player.grounded != falls,
+            "{}: {:?}",
+            shipped.id,
+            probe.player
+        );
+        if !falls && shipped.id != "endless-stair" {
+            assert!(probe.player.pos[1].abs() < 0.3, "{}", shipped.id);
+        }
         assert!(probe.pick.object.is_some(), "{}", shipped.id);
         assert_eq!(probe.objects.len(), scene.room().objects.len());
     }
