@@ -7,4 +7,5 @@ mod functions;
 mod golden;
 mod kernels;
 mod repeatable;
+mod sources;
 mod stale;
