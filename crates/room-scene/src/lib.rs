@@ -5,6 +5,7 @@
 //!
 //! There is no window, no file and no adapter here.
 
+mod bodies;
 mod camera;
 mod difference;
 mod figure;
@@ -17,6 +18,7 @@ mod moment;
 mod pick;
 mod picture;
 mod probe;
+mod probe_loose;
 mod righting;
 mod scene;
 mod solids;
@@ -33,6 +35,7 @@ pub use moment::{Moment, Turn};
 pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;
 pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe, Sizes};
+pub use probe_loose::LooseState;
 pub use scene::{NoSuchPlace, RoomScene};
 pub use sounds::RoomSound;
 pub use things::{Struck, Thing, ThingKind};

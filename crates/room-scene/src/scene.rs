@@ -10,11 +10,12 @@ use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space
 use glam::DVec3;
 use thiserror::Error;
 
+use crate::bodies::{Bodies, LooseSolids};
 use crate::hands::Hands;
 use crate::held::RoomViewing;
 use crate::hints::RoomHint;
 use crate::righting::Righting;
-use crate::solids::{standing, triangles};
+use crate::solids::{parted, standing, triangles};
 use crate::sounds::RoomSound;
 use crate::things::Things;
 use crate::tuning::{PITCH_LIMIT_RAD, SHAPE};
@@ -37,6 +38,11 @@ pub struct RoomScene {
     pub(crate) portals: Vec<usize>,
     pub(crate) meshes: Vec<SolidMesh>,
     pub(crate) solids: Triangles,
+    /// What is loose, and its meshes in the same order.
+    pub(crate) bodies: Bodies,
+    pub(crate) loose_meshes: Vec<SolidMesh>,
+    /// Where the surfaces of what is loose are now.
+    pub(crate) loose: Triangles,
     pub(crate) walker: Walker,
     pub(crate) jumps: Jumps,
     pub(crate) look: Look,
@@ -73,6 +79,9 @@ impl RoomScene {
             portals: Vec::new(),
             meshes: Vec::new(),
             solids: Triangles::default(),
+            bodies: Bodies::default(),
+            loose_meshes: Vec::new(),
+            loose: Triangles::default(),
             walker: Walker::new(Place::default(), SHAPE),
             jumps: Jumps::default(),
             look: Look::default(),
@@ -124,6 +133,16 @@ impl RoomScene {
         Ok(())
     }
 
+    /// Lets what falls fall otherwise, m/s^2.
+    ///
+    /// # Errors
+    /// If no room has such gravity.
+    pub fn set_gravity(&mut self, gravity: DVec3) -> Result<(), RoomError> {
+        let room = self.room().clone();
+        self.editor.step(Room { gravity, ..room })?;
+        self.work_out()
+    }
+
     /// Gives the room another name.
     ///
     /// # Errors
@@ -140,8 +159,10 @@ impl RoomScene {
         let room = self.editor.room();
         (self.space, self.portals) = space_so_far(room).map_err(RoomError::Unsound)?;
         self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
-        self.meshes = standing(room, &self.assets);
+        (self.meshes, self.loose_meshes) = parted(room, standing(room, &self.assets));
         self.solids = triangles(&self.meshes);
+        self.bodies.changed(room, &self.space);
+        self.loose = self.bodies.solids(&self.space);
         self.lowest_m = self.lowest();
         let place = &mut self.walker.body.place;
         *place = Place {
@@ -154,13 +175,25 @@ impl RoomScene {
         Ok(())
     }
 
+    /// What is solid: what stands, and what is loose where it is now.
+    pub(crate) fn all_solids(&self) -> LooseSolids<'_> {
+        LooseSolids {
+            standing: &self.solids,
+            loose: &self.loose,
+        }
+    }
+
     fn lowest(&self) -> f64 {
         let room = self.editor.room();
         let up = self.up();
-        let of_solids = self.meshes.iter().flat_map(|mesh| {
-            let corners = mesh.shape.positions.iter();
-            corners.map(|it| mesh.pose.transform_point3(*it))
-        });
+        let of_solids = self
+            .meshes
+            .iter()
+            .chain(&self.loose_meshes)
+            .flat_map(|mesh| {
+                let corners = mesh.shape.positions.iter();
+                corners.map(|it| mesh.pose.transform_point3(*it))
+            });
         // One may stand in boxes that nothing stands in.
         let of_boxes = aberrations(room).into_iter().flat_map(|(_, it)| {
             let reach = DVec3::splat(it.half.length());

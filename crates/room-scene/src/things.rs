@@ -1,7 +1,7 @@
 //! Things that come and go while one is in a room: bullets and their marks, balls that were thrown, and lamps that were put
 //! down. Nothing of them is kept: who leaves a room, or begins anew in it, finds it as its file says.
 
-use antipode_deformation::{Ball, Flyer, Hit, Place, Space, Triangles, What};
+use antipode_deformation::{Ball, Flyer, Hit, Place, SceneQuery, Space, What};
 use glam::{DQuat, DVec3};
 use serde::Serialize;
 
@@ -191,7 +191,7 @@ impl Things {
     }
 
     /// Goes on by a step.
-    pub fn step(&mut self, space: &Space, solids: &Triangles, g: DVec3) {
+    pub fn step(&mut self, space: &Space, solids: &dyn SceneQuery, g: DVec3) {
         let mut hits = Vec::new();
         for one in &mut self.all {
             one.was = one.place();
@@ -229,7 +229,7 @@ fn fly(
     body: &mut Flyer,
     flown_m: &mut f64,
     space: &Space,
-    solids: &Triangles,
+    solids: &dyn SceneQuery,
     g: DVec3,
 ) -> Option<Hit> {
     let before = body.velocity.length();

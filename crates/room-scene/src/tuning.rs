@@ -6,6 +6,8 @@ use antipode_deformation::{BallShape, WalkerShape};
 
 /// Length of a step, seconds.
 pub const STEP_S: f64 = 1.0 / 60.0;
+/// In so many parts what is loose goes on in a step.
+pub const PARTS: u32 = 2;
 /// Felt speed of who walks, metres per second.
 pub const WALK_SPEED_M_S: f64 = 4.5;
 /// How many times as fast a sprint is.

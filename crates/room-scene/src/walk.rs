@@ -7,6 +7,7 @@ use antipode_frame::hand::HandMotion;
 use antipode_rooms::direction;
 use glam::{DVec2, DVec3};
 
+use crate::bodies::{Around, Bodies, LooseSolids};
 use crate::hints::RoomHint;
 use crate::righting::Righting;
 use crate::scene::RoomScene;
@@ -141,13 +142,22 @@ impl RoomScene {
         }
         let falls_m_s = -self.walker.body.velocity.dot(up);
         let passed = self.walker.body.place.passage;
+        let solids = LooseSolids {
+            standing: &self.solids,
+            loose: &self.loose,
+        };
         self.walker
-            .step(&self.space, &self.solids, wish, gravity, STEP_S);
+            .step(&self.space, &solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
         self.pass_portals(passed);
         self.hold_figure(falls_m_s);
-        self.things.step(&self.space, &self.solids, gravity);
+        let solids = LooseSolids {
+            standing: &self.solids,
+            loose: &self.loose,
+        };
+        self.things.step(&self.space, &solids, gravity);
+        self.move_bodies();
         let is_lost = self.is_lost();
         self.things.keep(|point| !is_lost(point));
         self.use_hands(steer);
@@ -155,6 +165,23 @@ impl RoomScene {
             self.begin_anew();
             self.hint(RoomHint::FellOut);
         }
+    }
+
+    /// What is loose goes on by a step; what falls out of the room is where its file says again.
+    fn move_bodies(&mut self) {
+        let around = Around {
+            space: &self.space,
+            solids: &self.solids,
+            g: self.room().gravity,
+        };
+        self.bodies.step(&around);
+        let is_lost = self.is_lost();
+        let lost = self.bodies.lost(is_lost);
+        if !lost.is_empty() {
+            let new = Bodies::new(self.room(), &self.space);
+            self.bodies.begin_anew(&lost, new);
+        }
+        self.loose = self.bodies.solids(&self.space);
     }
 
     /// The view is turned by the portals of the last step, before which `before` was passed last, and rights itself.
@@ -201,6 +228,8 @@ impl RoomScene {
         let spawn = self.room().spawn;
         self.look = Look::of_degrees(spawn.look);
         self.things = Things::default();
+        self.bodies = Bodies::new(self.room(), &self.space);
+        self.loose = self.bodies.solids(&self.space);
         self.hands = self.hands.begun_anew();
         self.hand = HandMotion::default();
         self.hand_before = None;
