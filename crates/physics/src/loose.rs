@@ -28,6 +28,13 @@ pub enum LooseShape {
     Block(DVec3),
     /// A ball of this radius.
     Ball(f64),
+    /// A capsule along y.
+    Capsule {
+        /// Half its width.
+        radius: f64,
+        /// Half of the way between the middles of its ends.
+        half_height: f64,
+    },
     /// A cylinder along y.
     Cylinder {
         /// Half its width.
@@ -317,6 +324,10 @@ fn collider(made: &LooseBody, scale: f64) -> ColliderBuilder {
             ColliderBuilder::cuboid(long(half.x), long(half.y), long(half.z))
         }
         LooseShape::Ball(radius) => ColliderBuilder::ball(long(*radius)),
+        LooseShape::Capsule {
+            radius,
+            half_height,
+        } => ColliderBuilder::capsule_y(long(*half_height), long(*radius)),
         LooseShape::Cylinder {
             radius,
             half_height,

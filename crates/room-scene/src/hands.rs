@@ -70,7 +70,10 @@ impl RoomScene {
             self.hand.fire();
             self.sound(RoomSound::Shot);
         }
-        if steer.throw {
+        if steer.grasp {
+            self.grasp();
+        }
+        if steer.throw && !self.hurl() {
             let thrown = self.thrown();
             self.things.throw(thrown);
         }

@@ -9,6 +9,7 @@ mod bodies;
 mod camera;
 mod difference;
 mod figure;
+mod handling;
 mod hands;
 mod held;
 mod hints;

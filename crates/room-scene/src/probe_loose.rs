@@ -35,8 +35,7 @@ impl RoomScene {
         let Some((object, _)) = self.room().find(name) else {
             return false;
         };
-        let found = self.bodies.all.iter_mut().find(|it| it.object == object);
-        if let Some(body) = found {
+        if let Some(body) = self.bodies.of_object(object) {
             body.strike(body.place.point, by);
             return true;
         }
@@ -56,6 +55,6 @@ impl RoomScene {
             rests: it.rests,
             astride: it.is_astride(&self.space),
         };
-        self.bodies.all.iter().map(state).collect()
+        self.bodies.loose().map(state).collect()
     }
 }

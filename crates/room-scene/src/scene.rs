@@ -11,6 +11,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use crate::bodies::{Bodies, LooseSolids};
+use crate::handling::Grasp;
 use crate::hands::Hands;
 use crate::held::RoomViewing;
 use crate::hints::RoomHint;
@@ -29,7 +30,7 @@ pub struct NoSuchPlace(pub DVec3);
 /// An open room.
 #[derive(Clone, Debug)]
 pub struct RoomScene {
-    editor: Editor,
+    pub(crate) editor: Editor,
     pub(crate) assets: Assets,
     pub(crate) space: Space,
     /// The object of each aberration of the space.
@@ -50,6 +51,7 @@ pub struct RoomScene {
     pub(crate) looked: Look,
     pub(crate) hands: Hands,
     pub(crate) things: Things,
+    pub(crate) grasp: Grasp,
     pub(crate) time_s: f64,
     pub(crate) motion: Motion,
     pub(crate) hand: HandMotion,
@@ -88,6 +90,7 @@ impl RoomScene {
             looked: Look::default(),
             hands: Hands::default(),
             things: Things::default(),
+            grasp: Grasp::default(),
             time_s: 0.0,
             motion: Motion::default(),
             hand: HandMotion::default(),
@@ -161,6 +164,7 @@ impl RoomScene {
         self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
         (self.meshes, self.loose_meshes) = parted(room, standing(room, &self.assets));
         self.solids = triangles(&self.meshes);
+        self.grasp = Grasp::default();
         self.bodies.changed(room, &self.space);
         self.loose = self.bodies.solids(&self.space);
         self.lowest_m = self.lowest();

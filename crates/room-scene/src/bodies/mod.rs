@@ -14,6 +14,7 @@ mod ground;
 mod port;
 mod relate;
 mod shown;
+mod who;
 
 use antipode_deformation::{Place, SceneQuery, Space, Traveller, felt_gravity};
 use antipode_physics::{LooseBodies, LooseBody, LooseMotion, LooseShape};
@@ -74,12 +75,16 @@ pub struct Body {
     region: Option<Region>,
     /// Whether it lies still.
     pub rests: bool,
+    /// Whether it is who walks, whom no blow moves: that is for the walker to say.
+    driven: bool,
+    /// Whether who walks holds it, so that it does not fall.
+    pub held: bool,
 }
 
 /// All that is loose in a room.
 #[derive(Default)]
 pub struct Bodies {
-    pub all: Vec<Body>,
+    all: Vec<Body>,
     solver: LooseBodies,
     /// Blows of the last step: the body, and the change of its felt speed, metres per second.
     pub blows: Vec<(usize, f64)>,
@@ -155,7 +160,7 @@ impl Bodies {
         for body in &mut self.all {
             body.was = (body.place, body.turn);
         }
-        if self.all.is_empty() {
+        if self.loose().next().is_none() {
             return;
         }
         for _ in 0..PARTS {
@@ -163,9 +168,20 @@ impl Bodies {
         }
     }
 
+    /// What is loose, in the order of the room's objects.
+    pub fn loose(&self) -> impl Iterator<Item = &Body> {
+        self.all.iter().filter(|it| !it.driven)
+    }
+
+    /// That of an object.
+    pub fn of_object(&mut self, object: usize) -> Option<&mut Body> {
+        let mut all = self.all.iter_mut();
+        all.find(|it| it.object == object && !it.driven)
+    }
+
     /// Those whose middle is at such a place.
     pub fn lost(&self, is_lost: impl Fn(DVec3) -> bool) -> Vec<usize> {
-        let all = self.all.iter().enumerate();
+        let all = self.loose().enumerate();
         let lost = all.filter(|(_, it)| is_lost(it.place.point));
         lost.map(|(number, _)| number).collect()
     }
@@ -186,6 +202,10 @@ impl Bodies {
         }
         self.solver.step(time, &meetings);
         for number in 0..self.all.len() {
+            if self.all[number].driven {
+                self.hold_still(number);
+                continue;
+            }
             self.all[number].rests = self.solver.sleeps(number);
             if self.all[number].rests {
                 let body = &mut self.all[number];
@@ -232,6 +252,8 @@ impl Body {
             laid: None,
             region: None,
             rests: false,
+            driven: false,
+            held: false,
         };
         body.stand(place, space);
         body
@@ -267,6 +289,9 @@ impl Body {
 
     /// Felt acceleration of its own size.
     fn falls(&self, g: DVec3) -> DVec3 {
+        if self.driven || self.held {
+            return DVec3::ZERO;
+        }
         felt_gravity(self.squeeze, g)
     }
 

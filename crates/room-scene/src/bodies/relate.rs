@@ -36,13 +36,16 @@ impl Bodies {
                 body.laid = self.solver.motion(number).map(|it| it.place);
                 body.rests = false;
             }
-            if !body.rests {
+            if !body.rests && !body.driven {
                 body.tread(number, around, &mut self.solver, time);
             }
         }
         let meet = |tie: &&Tie| frames[tie.to].after(&tie.frame).is_like(&frames[tie.from]);
         let pair = |tie: &Tie| (tie.from.min(tie.to), tie.from.max(tie.to));
-        ties.iter().filter(meet).map(pair).collect()
+        // Who holds something is not in its way.
+        let held = |number: usize, other: usize| self.all[number].held && self.all[other].driven;
+        let free = |tie: &&Tie| !held(tie.from, tie.to) && !held(tie.to, tie.from);
+        ties.iter().filter(meet).filter(free).map(pair).collect()
     }
 }
 

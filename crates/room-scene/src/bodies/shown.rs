@@ -19,8 +19,9 @@ pub struct Solid {
 impl Bodies {
     /// All bodies as they are at a share of the way of the last step.
     pub fn shown(&self, space: &Space, share: f64) -> Vec<Solid> {
-        let all = self.all.iter();
-        all.flat_map(|body| body.shown(space, share)).collect()
+        self.loose()
+            .flat_map(|body| body.shown(space, share))
+            .collect()
     }
 
     /// What who walks and what flies meets of them now.
@@ -29,7 +30,7 @@ impl Bodies {
             let parts = body.shown(space, 1.0);
             parts.iter().flat_map(|it| body.triangles(it)).collect()
         };
-        Triangles::new(self.all.iter().flat_map(of).collect())
+        Triangles::new(self.loose().flat_map(of).collect())
     }
 }
 

@@ -206,3 +206,151 @@ fn a_blow_through_a_portal_gives_as_much_as_it_takes() {
     let kinetic = 3.0 * a.velocity.length_squared() + b.velocity.length_squared();
     assert!(kinetic < 27.0 * 1.01, "{kinetic}");
 }
+
+/// Looks there and does that for a while.
+fn go(scene: &mut RoomScene, aim: (f64, f64), steer: &Steer, seconds: f64) {
+    scene.aim(aim.0, aim.1);
+    for _ in 0..(seconds * 60.0).round() as u32 {
+        scene.step(steer);
+    }
+}
+
+const GRASP: Steer = Steer {
+    grasp: true,
+    ..crate::AHEAD
+};
+
+fn once(scene: &mut RoomScene, steer: Steer) {
+    scene.step(&Steer {
+        forward: 0.0,
+        ..steer
+    });
+}
+
+#[test]
+fn who_walks_into_a_crate_pushes_it_and_a_heavy_one_stays() {
+    let mut scene = with(&[
+        "add box name=light at=0,0.4,-2 size=0.8,0.8,0.8 mass=20",
+        "add box name=heavy at=3,0.4,-2 size=0.8,0.8,0.8 mass=900",
+    ]);
+    go(&mut scene, (-90.0, 0.0), &crate::AHEAD, 2.0);
+    let light = state(&scene, "light");
+    assert!(light.point.z < -4.0, "{light:?}");
+    assert!(scene.feet().z < -3.0, "{}", scene.feet());
+    scene.teleport(DVec3::new(3.0, 0.0, 0.0)).unwrap();
+    go(&mut scene, (-90.0, 0.0), &crate::AHEAD, 2.0);
+    let heavy = state(&scene, "heavy");
+    assert!(
+        heavy.point.distance(DVec3::new(3.0, 0.4, -2.0)) < 0.05,
+        "{heavy:?}"
+    );
+    assert!(scene.feet().z > -1.6, "it is in the way: {}", scene.feet());
+}
+
+#[test]
+fn a_crate_is_pushed_through_a_door_that_leads_elsewhere() {
+    let mut scene = with(&[
+        DOOR[0],
+        DOOR[1],
+        "add box name=crate at=0,0.4,-8.5 size=0.8,0.8,0.8 mass=20",
+    ]);
+    scene.teleport(DVec3::new(0.0, 0.0, -6.0)).unwrap();
+    go(&mut scene, (-90.0, 0.0), &crate::AHEAD, 1.9);
+    let pushed = state(&scene, "crate");
+    assert_eq!(pushed.place.passage.count, 1, "{pushed:?}");
+    assert!(
+        pushed.point.x > 30.2 && pushed.point.z.abs() < 1.0,
+        "{pushed:?}"
+    );
+}
+
+#[test]
+fn what_is_lifted_comes_along_through_a_door_and_is_thrown() {
+    let mut scene = with(&[
+        DOOR[0],
+        DOOR[1],
+        "add box name=crate at=0,0.25,-1.6 size=0.5,0.5,0.5 mass=8",
+    ]);
+    wait(&mut scene, 0.5);
+    scene.aim(-90.0, -40.0);
+    once(&mut scene, GRASP);
+    go(&mut scene, (-90.0, 0.0), &Steer::default(), 1.0);
+    let held = state(&scene, "crate");
+    assert!(held.point.y > 1.2 && held.point.z < -0.8, "{held:?}");
+    go(&mut scene, (-90.0, 0.0), &crate::AHEAD, 3.0);
+    let carried = state(&scene, "crate");
+    assert_eq!(carried.place.passage.count, 1, "{carried:?}");
+    assert!(scene.feet().x > 30.5, "{}", scene.feet());
+    assert!(
+        carried.point.distance(scene.eye().place.point) < 2.0,
+        "{carried:?}"
+    );
+    once(
+        &mut scene,
+        Steer {
+            throw: true,
+            ..Steer::default()
+        },
+    );
+    wait(&mut scene, 0.3);
+    let thrown = state(&scene, "crate");
+    assert!(thrown.velocity.x > 6.0, "{thrown:?}");
+}
+
+#[test]
+fn a_bullet_pushes_what_it_hits_through_a_door() {
+    let mut scene = with(&[
+        DOOR[0],
+        DOOR[1],
+        "add ball name=ball at=34,0.5,0 radius=0.5 mass=4",
+    ]);
+    wait(&mut scene, 1.0);
+    scene.teleport(DVec3::new(0.0, 0.0, -7.0)).unwrap();
+    scene.aim(-90.0, -8.5);
+    assert_eq!(scene.pick().object.as_deref(), Some("ball"));
+    let before = state(&scene, "ball").point;
+    once(
+        &mut scene,
+        Steer {
+            shoot: true,
+            ..Steer::default()
+        },
+    );
+    wait(&mut scene, 1.0);
+    let after = state(&scene, "ball").point;
+    assert!(after.x - before.x > 0.5, "{before} {after}");
+}
+
+#[test]
+fn what_falls_onto_who_walks_does_not_go_into_them() {
+    let mut scene = with(&["add box name=crate at=0.1,4,0 size=0.6,0.6,0.6 mass=12"]);
+    for _ in 0..180 {
+        scene.step(&Steer::default());
+        let it = state(&scene, "crate");
+        let eye = scene.eye().place.point;
+        let inside = (it.turn.inverse() * (eye - it.point)).abs().max_element() < 0.3;
+        assert!(!inside, "{it:?}");
+    }
+    assert!(scene.probe().player.grounded);
+}
+
+#[test]
+fn a_pile_comes_to_rest_and_stays_a_pile() {
+    let stacked = (0..12).map(|it| {
+        let (x, y) = (
+            4.0 + 0.62 * f64::from(it % 4),
+            0.35 + 0.7 * f64::from(it / 4),
+        );
+        format!("add box name=c{it} at={x},{y},0 size=0.6,0.6,0.6 mass=12")
+    });
+    let stacked: Vec<_> = stacked.collect();
+    let mut scene = with(&stacked.iter().map(String::as_str).collect::<Vec<_>>());
+    wait(&mut scene, 8.0);
+    let all = scene.loose_states();
+    assert!(all.iter().all(|it| it.rests), "{all:?}");
+    let top = all
+        .iter()
+        .filter(|it| (it.point.y - 1.5).abs() < 0.05)
+        .count();
+    assert_eq!(top, 4, "{all:?}");
+}

@@ -7,6 +7,7 @@
 )]
 
 mod bodies;
+mod bodies_soak;
 mod difference;
 mod edits;
 mod eyes;
@@ -50,4 +51,5 @@ const AHEAD: Steer = Steer {
     shoot: false,
     place: false,
     throw: false,
+    grasp: false,
 };
