@@ -75,6 +75,7 @@ impl RoomScene {
             materials: THINGS_FROM + thing.kind as usize,
             unseen_by_eye: false,
             held: false,
+            cut: None,
         };
         let loose = self.bodies.shown(&self.space, share);
         let all = self.things_between(share);
@@ -91,6 +92,9 @@ impl RoomScene {
             .iter()
             .take_while(|it| !number(it))
             .count();
+        let cut = solid
+            .cut
+            .map(|(n, least)| n.as_vec3().extend(-least as f32));
         Mover {
             mesh: BALL + 1 + mesh,
             pose: solid.pose.as_affine3a(),
@@ -98,6 +102,7 @@ impl RoomScene {
             materials: LOOSE_FROM + mesh,
             unseen_by_eye: false,
             held: false,
+            cut,
         }
     }
 
