@@ -53,6 +53,8 @@ pub struct RoomScene {
     pub(crate) things: Things,
     pub(crate) grasp: Grasp,
     pub(crate) time_s: f64,
+    /// When something loose was heard last, as `time_s`.
+    pub(crate) knocked_s: f64,
     pub(crate) motion: Motion,
     pub(crate) hand: HandMotion,
     /// What was in the hand before the last step.
@@ -92,6 +94,7 @@ impl RoomScene {
             things: Things::default(),
             grasp: Grasp::default(),
             time_s: 0.0,
+            knocked_s: 0.0,
             motion: Motion::default(),
             hand: HandMotion::default(),
             hand_before: None,

@@ -192,6 +192,7 @@ impl RoomScene {
             g: self.editor.room().gravity,
         };
         self.bodies.step(&around);
+        self.hear_knocks();
         let is_lost = self.is_lost();
         let lost = self.bodies.lost(is_lost);
         if !lost.is_empty() {

@@ -11,25 +11,24 @@
 
 mod frame;
 mod ground;
+mod make;
 mod port;
 mod relate;
 mod shown;
 mod who;
 
 use antipode_deformation::{Place, SceneQuery, Space, Traveller, felt_gravity};
-use antipode_physics::{LooseBodies, LooseBody, LooseMotion, LooseShape};
-use antipode_rooms::mesh::{Roundness, shape};
-use antipode_rooms::{Object, Room, What, poses};
+use antipode_physics::{LooseBodies, LooseBody, LooseMotion};
+use antipode_rooms::{Object, Room, poses};
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::tuning::{PARTS, STEP_S};
 use frame::Frame;
 use ground::Region;
+use make::{made, middle, surface};
 
 pub use shown::{LooseSolids, Solid};
 
-/// Parts of a full turn of what is round, for who walks into it.
-const AROUND: u32 = 16;
 /// Who is slower than this, felt metres per second, feels boxes of one way as it did before.
 const HEADING_FROM_M_S: f64 = 0.05;
 
@@ -87,7 +86,7 @@ pub struct Bodies {
     all: Vec<Body>,
     solver: LooseBodies,
     /// Blows of the last step: the body, and the change of its felt speed, metres per second.
-    pub blows: Vec<(usize, f64)>,
+    blows: Vec<(usize, f64)>,
 }
 
 impl Clone for Bodies {
@@ -177,6 +176,13 @@ impl Bodies {
     pub fn of_object(&mut self, object: usize) -> Option<&mut Body> {
         let mut all = self.all.iter_mut();
         all.find(|it| it.object == object && !it.driven)
+    }
+
+    /// Where something was struck in the last step, and by how much its felt speed changed, metres per second.
+    pub fn blows(&self) -> impl Iterator<Item = (Place, f64)> {
+        self.blows
+            .iter()
+            .map(|(number, by)| (self.all[*number].place, *by))
     }
 
     /// Those whose middle is at such a place.
@@ -321,48 +327,4 @@ type Home = (DVec3, DVec3, Option<String>);
 
 fn object_home(object: &Object) -> Home {
     (object.at, object.turn, object.group.clone())
-}
-
-/// The centre of mass about the middle of its box: that of a pyramid lies at a quarter of its height, that of a wedge at a third
-/// of its height and at a third of its length from its steep side.
-fn middle(what: &What) -> DVec3 {
-    match what {
-        What::Pyramid { size } => DVec3::new(0.0, -size.y / 4.0, 0.0),
-        What::Ramp { size } => DVec3::new(size.x / 6.0, -size.y / 6.0, 0.0),
-        _ => DVec3::ZERO,
-    }
-}
-
-fn surface(what: &What) -> Vec<[DVec3; 3]> {
-    let coarse = shape(what, Roundness { around: AROUND }).unwrap_or_default();
-    let corner = |it: u32| coarse.positions[it as usize];
-    coarse.triangles.iter().map(|it| it.map(corner)).collect()
-}
-
-fn made(what: &What, mass_kg: f64) -> Option<LooseBody> {
-    let (shape, bounce, spin_damping_per_s) = match what {
-        What::Box { size } => (LooseShape::Block(*size / 2.0), 0.1, 0.1),
-        What::Ball { radius } => (LooseShape::Ball(*radius), 0.55, 0.6),
-        What::Cylinder { radius, height } => {
-            let (radius, half_height) = (*radius, height / 2.0);
-            let round = LooseShape::Cylinder {
-                radius,
-                half_height,
-            };
-            (round, 0.15, 0.4)
-        }
-        What::Pyramid { .. } | What::Ramp { .. } => {
-            let corners = surface(what).into_iter().flatten();
-            let corners = corners.map(|it| it - middle(what)).collect();
-            (LooseShape::Hull(corners), 0.1, 0.1)
-        }
-        _ => return None,
-    };
-    Some(LooseBody {
-        shape,
-        mass_kg,
-        friction: 0.6,
-        bounce,
-        spin_damping_per_s,
-    })
 }
