@@ -130,6 +130,8 @@ pub fn room_hint(texts: &Texts, hint: RoomHint) -> String {
     texts.say(match hint {
         RoomHint::NoPlaceForLamp => "room-hint-no-place-for-lamp",
         RoomHint::TooManyLamps => "room-hint-too-many-lamps",
+        RoomHint::NothingToLift => "room-hint-nothing-to-lift",
+        RoomHint::TooHeavy => "room-hint-too-heavy",
         RoomHint::FellOut => "room-hint-fell-out",
     })
 }

@@ -10,11 +10,13 @@ use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space
 use glam::DVec3;
 use thiserror::Error;
 
+use crate::bodies::{Bodies, LooseSolids};
+use crate::handling::Grasp;
 use crate::hands::Hands;
 use crate::held::RoomViewing;
 use crate::hints::RoomHint;
 use crate::righting::Righting;
-use crate::solids::{standing, triangles};
+use crate::solids::{parted, standing, triangles};
 use crate::sounds::RoomSound;
 use crate::things::Things;
 use crate::tuning::{PITCH_LIMIT_RAD, SHAPE};
@@ -28,7 +30,7 @@ pub struct NoSuchPlace(pub DVec3);
 /// An open room.
 #[derive(Clone, Debug)]
 pub struct RoomScene {
-    editor: Editor,
+    pub(crate) editor: Editor,
     pub(crate) assets: Assets,
     pub(crate) space: Space,
     /// The object of each aberration of the space.
@@ -37,6 +39,11 @@ pub struct RoomScene {
     pub(crate) portals: Vec<usize>,
     pub(crate) meshes: Vec<SolidMesh>,
     pub(crate) solids: Triangles,
+    /// What is loose, and its meshes in the same order.
+    pub(crate) bodies: Bodies,
+    pub(crate) loose_meshes: Vec<SolidMesh>,
+    /// Where the surfaces of what is loose are now.
+    pub(crate) loose: Triangles,
     pub(crate) walker: Walker,
     pub(crate) jumps: Jumps,
     pub(crate) look: Look,
@@ -44,7 +51,10 @@ pub struct RoomScene {
     pub(crate) looked: Look,
     pub(crate) hands: Hands,
     pub(crate) things: Things,
+    pub(crate) grasp: Grasp,
     pub(crate) time_s: f64,
+    /// When something loose was heard last, as `time_s`.
+    pub(crate) knocked_s: f64,
     pub(crate) motion: Motion,
     pub(crate) hand: HandMotion,
     /// What was in the hand before the last step.
@@ -73,13 +83,18 @@ impl RoomScene {
             portals: Vec::new(),
             meshes: Vec::new(),
             solids: Triangles::default(),
+            bodies: Bodies::default(),
+            loose_meshes: Vec::new(),
+            loose: Triangles::default(),
             walker: Walker::new(Place::default(), SHAPE),
             jumps: Jumps::default(),
             look: Look::default(),
             looked: Look::default(),
             hands: Hands::default(),
             things: Things::default(),
+            grasp: Grasp::default(),
             time_s: 0.0,
+            knocked_s: 0.0,
             motion: Motion::default(),
             hand: HandMotion::default(),
             hand_before: None,
@@ -124,6 +139,16 @@ impl RoomScene {
         Ok(())
     }
 
+    /// Lets what falls fall otherwise, m/s^2.
+    ///
+    /// # Errors
+    /// If no room has such gravity.
+    pub fn set_gravity(&mut self, gravity: DVec3) -> Result<(), RoomError> {
+        let room = self.room().clone();
+        self.editor.step(Room { gravity, ..room })?;
+        self.work_out()
+    }
+
     /// Gives the room another name.
     ///
     /// # Errors
@@ -140,8 +165,11 @@ impl RoomScene {
         let room = self.editor.room();
         (self.space, self.portals) = space_so_far(room).map_err(RoomError::Unsound)?;
         self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
-        self.meshes = standing(room, &self.assets);
+        (self.meshes, self.loose_meshes) = parted(room, standing(room, &self.assets));
         self.solids = triangles(&self.meshes);
+        self.grasp = Grasp::default();
+        self.bodies.changed(room, &self.space);
+        self.loose = self.bodies.solids(&self.space);
         self.lowest_m = self.lowest();
         let place = &mut self.walker.body.place;
         *place = Place {
@@ -154,13 +182,25 @@ impl RoomScene {
         Ok(())
     }
 
+    /// What is solid: what stands, and what is loose where it is now.
+    pub(crate) fn all_solids(&self) -> LooseSolids<'_> {
+        LooseSolids {
+            standing: &self.solids,
+            loose: &self.loose,
+        }
+    }
+
     fn lowest(&self) -> f64 {
         let room = self.editor.room();
         let up = self.up();
-        let of_solids = self.meshes.iter().flat_map(|mesh| {
-            let corners = mesh.shape.positions.iter();
-            corners.map(|it| mesh.pose.transform_point3(*it))
-        });
+        let of_solids = self
+            .meshes
+            .iter()
+            .chain(&self.loose_meshes)
+            .flat_map(|mesh| {
+                let corners = mesh.shape.positions.iter();
+                corners.map(|it| mesh.pose.transform_point3(*it))
+            });
         // One may stand in boxes that nothing stands in.
         let of_boxes = aberrations(room).into_iter().flat_map(|(_, it)| {
             let reach = DVec3::splat(it.half.length());

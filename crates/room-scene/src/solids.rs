@@ -13,6 +13,12 @@ pub fn standing(room: &Room, assets: &Assets) -> Vec<SolidMesh> {
     all
 }
 
+/// Parts what stands from what is loose.
+pub fn parted(room: &Room, meshes: Vec<SolidMesh>) -> (Vec<SolidMesh>, Vec<SolidMesh>) {
+    let stands = |mesh: &SolidMesh| room.objects[mesh.object].mass.is_none();
+    meshes.into_iter().partition(stands)
+}
+
 /// Their triangles, each with the place of its object among all.
 pub fn triangles(meshes: &[SolidMesh]) -> Triangles {
     let of = |mesh: &SolidMesh| {
