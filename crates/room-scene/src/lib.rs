@@ -24,6 +24,7 @@ mod sounds;
 mod things;
 pub mod tuning;
 mod walk;
+pub mod workshop;
 
 pub use difference::{Difference, Lying};
 pub use figure::RoomFigure;

@@ -17,6 +17,7 @@ mod raster;
 mod soak;
 mod sounds;
 mod walking;
+mod workshop;
 
 use antipode_room_scene::{RoomScene, Steer};
 use antipode_rooms::{Assets, Loaded, Room, shipped};
