@@ -283,6 +283,7 @@ impl Controls {
             | Action::PhotoMode
             | Action::SkipHint
             | Action::Backpack
+            | Action::Workshop
             | Action::Console => return Some(action),
             _ => {}
         }
