@@ -100,7 +100,7 @@ impl OpenRoom {
     }
 
     fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Result<Self, RoomError> {
-        let scene = RoomScene::open(loaded)?;
+        let scene = RoomScene::open(loaded);
         Ok(Self {
             scene,
             kept,

@@ -6,7 +6,8 @@ use antipode_frame::hand::HandMotion;
 use antipode_frame::motion::Motion;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
-use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space_so_far};
+use antipode_rooms::{Assets, Loaded, Room, RoomError, aberrations, space_in_parts};
+use antipode_workshop::{Document, Plan, Said};
 use glam::DVec3;
 use thiserror::Error;
 
@@ -25,10 +26,10 @@ use crate::walk::{Jumps, Look};
 #[error("({}, {}, {}) is farther than {FARTHEST_M} m from the room's origin", .0.x, .0.y, .0.z)]
 pub struct NoSuchPlace(pub DVec3);
 
-/// An open room.
+/// An open room. A copy of it is kept nowhere.
 #[derive(Clone, Debug)]
 pub struct RoomScene {
-    editor: Editor,
+    document: Document,
     pub(crate) assets: Assets,
     pub(crate) space: Space,
     /// The object of each aberration of the space.
@@ -61,13 +62,15 @@ pub struct RoomScene {
 
 impl RoomScene {
     /// Opens a room; one stands where it says that one begins.
-    ///
-    /// # Errors
-    /// [`RoomError::Unsound`] if its aberrations lie as they may not; rooms that were read do not.
-    pub fn open(loaded: Loaded) -> Result<Self, RoomError> {
+    pub fn open(loaded: Loaded) -> Self {
+        Self::of(Document::new(loaded.room), loaded.assets)
+    }
+
+    /// Opens the room of a document, which is changed here from now on.
+    pub fn of(document: Document, assets: Assets) -> Self {
         let mut scene = Self {
-            editor: Editor::new(loaded.room),
-            assets: loaded.assets,
+            document,
+            assets,
             space: Space::default(),
             boxes: Vec::new(),
             portals: Vec::new(),
@@ -91,14 +94,24 @@ impl RoomScene {
             lowest_m: 0.0,
             revision: 0,
         };
-        scene.work_out()?;
+        scene.work_out();
         scene.begin_anew();
-        Ok(scene)
+        scene
     }
 
     /// The room as it is now.
     pub fn room(&self) -> &Room {
-        self.editor.room()
+        self.document.room()
+    }
+
+    /// The document whose room this is.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The same, to select in, to keep and to begin drags. What changes the room goes by [`Self::make`].
+    pub fn document_mut(&mut self) -> &mut Document {
+        &mut self.document
     }
 
     /// Counts changes of what the room looks like.
@@ -106,7 +119,7 @@ impl RoomScene {
         self.revision
     }
 
-    /// Changes the room by the words of a command, as [`Editor::apply`] takes them. `read` gives the files of a room that
+    /// Changes the room by the words of a command, as [`Document::plan_words`] takes them. `read` gives the files of a room that
     /// names other ones than before. Who walks stays, unless what is strange there has changed: then they begin to feel it.
     ///
     /// # Errors
@@ -116,11 +129,28 @@ impl RoomScene {
         words: &[&str],
         read: impl FnOnce(&Room) -> Result<Assets, RoomError>,
     ) -> Result<(), RoomError> {
-        let mut changed = self.clone();
-        changed.editor.apply(words)?;
-        changed.assets = read(changed.room())?;
-        changed.work_out()?;
-        *self = changed;
+        self.document.end_drag();
+        let plan = self.document.plan_words(words)?;
+        self.make(plan, read)
+    }
+
+    /// Makes what was planned of the document, as [`Self::edit`] does.
+    ///
+    /// # Errors
+    /// What is wrong with a file that the room names then; if the document has changed since. The room is as it was.
+    pub fn make(
+        &mut self,
+        plan: Plan,
+        read: impl FnOnce(&Room) -> Result<Assets, RoomError>,
+    ) -> Result<(), RoomError> {
+        if plan.names_other_files(&self.document) {
+            let assets = read(plan.room())?;
+            self.document.commit(plan)?;
+            self.assets = assets;
+        } else {
+            self.document.commit(plan)?;
+        }
+        self.work_out();
         Ok(())
     }
 
@@ -133,13 +163,15 @@ impl RoomScene {
             name: name.trim().to_owned(),
             ..self.room().clone()
         };
-        self.editor.step(room)
+        let plan = self.document.plan_room(room, Said::new("room"))?;
+        Ok(self.document.commit(plan)?)
     }
 
-    fn work_out(&mut self) -> Result<(), RoomError> {
-        let room = self.editor.room();
-        (self.space, self.portals) = space_so_far(room).map_err(RoomError::Unsound)?;
-        self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
+    /// Works out what the room is made of, after it has changed.
+    fn work_out(&mut self) {
+        let room = self.document.room();
+        let so_far = space_in_parts(room);
+        (self.space, self.boxes, self.portals) = (so_far.space, so_far.boxes, so_far.portals);
         self.meshes = standing(room, &self.assets);
         self.solids = triangles(&self.meshes);
         self.lowest_m = self.lowest();
@@ -151,11 +183,10 @@ impl RoomScene {
         self.walker.stay();
         self.things.wake(&self.space);
         self.revision += 1;
-        Ok(())
     }
 
     fn lowest(&self) -> f64 {
-        let room = self.editor.room();
+        let room = self.document.room();
         let up = self.up();
         let of_solids = self.meshes.iter().flat_map(|mesh| {
             let corners = mesh.shape.positions.iter();

@@ -25,7 +25,7 @@ use antipode_rooms::{Assets, Loaded, Room, shipped};
 /// A room of the game.
 fn room(id: &str) -> RoomScene {
     let loaded = shipped::find(id).unwrap().loaded().unwrap();
-    RoomScene::open(loaded).unwrap()
+    RoomScene::open(loaded)
 }
 
 /// A room as it is when one makes one.
@@ -36,7 +36,7 @@ fn empty() -> RoomScene {
         files: Vec::new(),
         bytes: 0,
     };
-    RoomScene::open(loaded).unwrap()
+    RoomScene::open(loaded)
 }
 
 /// Forward, and nothing else.

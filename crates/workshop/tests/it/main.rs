@@ -1,0 +1,10 @@
+//! What is asked of the document of a room editor.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "tests fail by panicking"
+)]
+
+mod commands;
