@@ -58,6 +58,8 @@ pub struct RoomScene {
     /// How high the lowest of all that stands in the room is, metres against gravity.
     pub(crate) lowest_m: f64,
     revision: u64,
+    /// Whether what is hidden in the document is left out of solids and pictures.
+    leaves_out: bool,
 }
 
 impl RoomScene {
@@ -93,6 +95,7 @@ impl RoomScene {
             hints: Vec::new(),
             lowest_m: 0.0,
             revision: 0,
+            leaves_out: false,
         };
         scene.work_out();
         scene.begin_anew();
@@ -173,6 +176,11 @@ impl RoomScene {
         let so_far = space_in_parts(room);
         (self.space, self.boxes, self.portals) = (so_far.space, so_far.boxes, so_far.portals);
         self.meshes = standing(room, &self.assets);
+        if self.leaves_out {
+            let document = &self.document;
+            self.meshes
+                .retain(|mesh| !document.is_hidden(&room.objects[mesh.object].name));
+        }
         self.solids = triangles(&self.meshes);
         self.lowest_m = self.lowest();
         let place = &mut self.walker.body.place;
@@ -183,6 +191,29 @@ impl RoomScene {
         self.walker.stay();
         self.things.wake(&self.space);
         self.revision += 1;
+    }
+
+    /// Whether what is hidden in the document is left out: it is while one builds, and not while one walks.
+    pub fn leave_out_hidden(&mut self, leaves_out: bool) {
+        let hides = |it: &antipode_rooms::Object| self.document.is_hidden(&it.name);
+        let changes = self.leaves_out != leaves_out && self.room().objects.iter().any(hides);
+        self.leaves_out = leaves_out;
+        if changes {
+            self.work_out();
+        }
+    }
+
+    /// Something was hidden in the document, or shown again.
+    pub fn look_again(&mut self) {
+        self.work_out();
+    }
+
+    /// The drag that goes on in the document is given up.
+    pub fn cancel_drag(&mut self) {
+        if self.document.is_dragging() {
+            self.document.cancel_drag();
+            self.work_out();
+        }
     }
 
     fn lowest(&self) -> f64 {

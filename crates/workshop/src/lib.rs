@@ -33,6 +33,7 @@ pub use error::WorkshopError;
 pub use history::{History, LEAST_STEPS, Step};
 pub use make::{MOST_COPIES, make};
 pub use marks::Marks;
+pub use place::turn_of;
 pub use plan::Plan;
 pub use room_fields::fields_of;
 pub use said::{Arg, Said};

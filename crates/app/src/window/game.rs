@@ -296,7 +296,7 @@ impl Game {
         let visit = self.play.phase.visit_mut()?;
         visit.aspect = aspect;
         visit.room.fit(&self.options.config.settings);
-        if let Some(view) = visit.workshop_view(quality) {
+        if let Some(view) = visit.workshop_view() {
             return Some(view);
         }
         Some(visit.view(shutter, quality, with_hand))

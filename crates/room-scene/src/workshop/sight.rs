@@ -1,11 +1,16 @@
 //! What a place of a picture shows, found by the path that its light has taken.
 
-use antipode_deformation::{Chain, EventKind, Place, Trace, Traveller, trace};
+use antipode_deformation::{
+    Chain, EventKind, Place, SceneHit, SceneQuery, Trace, Traveller, Triangles, trace,
+};
 use antipode_rays::Eye;
 use glam::{DVec2, DVec3};
 
 use crate::scene::RoomScene;
 use crate::tuning::PICK_M;
+
+/// Surfaces in a row that are left out at most.
+const MOST_LEFT_OUT: u32 = 256;
 
 /// An eye and the shape of its picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +61,35 @@ pub struct Sight {
     pub chain: Chain,
 }
 
+/// Solids without some of the objects.
+struct Beside<'a> {
+    solids: &'a Triangles,
+    hidden: &'a [usize],
+}
+
+impl SceneQuery for Beside<'_> {
+    fn first(&self, x: DVec3, v: DVec3, longest: f64) -> Option<SceneHit> {
+        let mut from = 0.0;
+        // Whatever is left out is gone through, one surface after another.
+        for _ in 0..MOST_LEFT_OUT {
+            let hit = self.solids.first(x + v * from, v, longest - from)?;
+            let time = from + hit.time;
+            if !self.hidden.contains(&(hit.object as usize)) {
+                return Some(SceneHit { time, ..hit });
+            }
+            from = time + 1e-9 * (1.0 + time);
+            if from >= longest {
+                return None;
+            }
+        }
+        None
+    }
+
+    fn near(&self, low: DVec3, high: DVec3, show: &mut dyn FnMut([DVec3; 3])) {
+        self.solids.near(low, high, show);
+    }
+}
+
 impl RoomScene {
     /// What is seen at a place of the picture; none where that is the sky.
     pub fn seen(&self, view: &Viewpoint, at: DVec2) -> Option<Sight> {
@@ -67,6 +101,26 @@ impl RoomScene {
             normal: hit.normal,
             felt_m: path.length,
             chain: Chain::of(&self.space, &view.eye.place, &path),
+        })
+    }
+
+    /// The same as if these objects were not there, by their places among all.
+    pub fn seen_beside(&self, view: &Viewpoint, at: DVec2, hidden: &[usize]) -> Option<Sight> {
+        let solids = Beside {
+            solids: &self.solids,
+            hidden,
+        };
+        let start = &view.eye.place;
+        let who = Traveller::Body;
+        let w = view.direction(at);
+        let path = trace(&self.space, start, w, PICK_M, &solids, &who);
+        let hit = path.hit()?;
+        Some(Sight {
+            object: self.object_of(hit.what),
+            place: path.place,
+            normal: hit.normal,
+            felt_m: path.length,
+            chain: Chain::of(&self.space, start, &path),
         })
     }
 

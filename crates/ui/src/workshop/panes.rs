@@ -51,15 +51,6 @@ impl WorkshopPanes {
         self.rect
     }
 
-    /// Whether a text is being typed or something is taken hold of that Esc lets go of first.
-    pub fn escape(&mut self, context: &Context) -> bool {
-        let typed = context.text_edit_focused() || self.list.renaming.take().is_some();
-        if typed && let Some(id) = context.memory(egui::Memory::focused) {
-            context.memory_mut(|memory| memory.surrender_focus(id));
-        }
-        typed
-    }
-
     /// Draws the panes over the whole of the window, and returns what the player asked for.
     pub fn show(&mut self, context: &Context, model: &WorkshopModel<'_>) -> Vec<WorkshopWish> {
         let mut wishes = Vec::new();

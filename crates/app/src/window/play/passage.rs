@@ -46,13 +46,17 @@ impl Play {
             }
             Phase::Closing(task, _) => Phase::Closing(task, next),
             Phase::Menu => self.go_on(next, menus),
-            Phase::InRoom(visit) | Phase::RoomPaused(visit) => {
+            Phase::InRoom(mut visit) | Phase::RoomPaused(mut visit) => {
                 let builds = visit.workshop.is_some();
                 visit.keep_at_last();
                 let phase = self.go_on(next, menus);
                 if matches!(phase, Phase::Menu) {
                     // The next room is chosen there.
-                    menus.shell.open(if builds { Screen::Workshop } else { Screen::Rooms });
+                    menus.shell.open(if builds {
+                        Screen::Workshop
+                    } else {
+                        Screen::Rooms
+                    });
                 }
                 phase
             }
@@ -291,7 +295,9 @@ fn opened(worlds: &Worlds, request: Request) -> Result<Opened, Failure> {
             OpenRoom::make(&rooms, Some(&name), None)?
         }
         Request::BuildNew => OpenRoom::make(&rooms, Some(&free_room_name(&rooms)?), None)?,
-        Request::Room(slug) | Request::Build(slug) => OpenRoom::enter(&rooms, room_of(&rooms, &slug)?)?,
+        Request::Room(slug) | Request::Build(slug) => {
+            OpenRoom::enter(&rooms, room_of(&rooms, &slug)?)?
+        }
         Request::RoomNamed(name) => OpenRoom::enter(&rooms, rooms.find(&name)?)?,
     };
     Ok(Opened::Room(Box::new(room), builds))

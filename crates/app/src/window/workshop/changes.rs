@@ -86,7 +86,10 @@ fn scaled(what: &What, times: DVec3) -> Vec<Field> {
             Field::two("opening", size2(*opening, times)),
         ],
         What::Cylinder { radius, height } => vec![
-            Field::number("radius", size1(*radius, most(DVec3::new(times.x, 1.0, times.z)))),
+            Field::number(
+                "radius",
+                size1(*radius, most(DVec3::new(times.x, 1.0, times.z))),
+            ),
             Field::number("height", size1(*height, times.y)),
         ],
         What::Ball { radius } => vec![Field::number("radius", size1(*radius, most(times)))],
@@ -131,7 +134,10 @@ pub fn felt(what: &What, times: f64) -> Option<Field> {
     let step = if felt > 2.0 { 100.0 } else { 1e4 };
     let nearest = (felt * step).round() / step;
     let is_within = STRETCHES.contains(&(nearest / length));
-    Some(Field::number("felt", if is_within { nearest } else { felt }))
+    Some(Field::number(
+        "felt",
+        if is_within { nearest } else { felt },
+    ))
 }
 
 #[cfg(test)]
@@ -179,7 +185,10 @@ mod tests {
         let there = origin + turn * (pose.translation - origin);
         assert!(after.translation.distance(there) < 1e-5);
         let front = after.matrix3 * DVec3::X;
-        assert!(front.distance(turn * (pose.matrix3 * DVec3::X)) < 1e-5, "{front}");
+        assert!(
+            front.distance(turn * (pose.matrix3 * DVec3::X)) < 1e-5,
+            "{front}"
+        );
     }
 
     #[test]

@@ -89,7 +89,9 @@ pub fn half(what: &What) -> DVec3 {
         What::Portal(it) => match &it.opening {
             Opening::Size(size) => flat(*size),
             Opening::Polygon(corners) => {
-                let most = corners.iter().fold(DVec2::ZERO, |most, it| most.max(it.abs()));
+                let most = corners
+                    .iter()
+                    .fold(DVec2::ZERO, |most, it| most.max(it.abs()));
                 flat(2.0 * most)
             }
         },

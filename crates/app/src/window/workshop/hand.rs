@@ -102,8 +102,8 @@ impl Workshop {
     fn hover_at(&mut self, scene: &RoomScene, at: DVec2) {
         let within = self.half_heights(GRIP_POINTS);
         let handles = self.handles(scene);
-        self.hover = handles
-            .and_then(|(through, handles)| handles.under(&through.view, at, within));
+        self.hover =
+            handles.and_then(|(through, handles)| handles.under(&through.view, at, within));
     }
 
     /// Takes hold of the handle there, or of what is chosen if that is seen there.
@@ -224,7 +224,9 @@ impl Workshop {
             return (seen.place.point, seen.normal);
         }
         let through = scene.through(&view, Chain::default());
-        let ahead = through.leg(at).map(|leg| leg.place.point + leg.velocity * 6.0);
+        let ahead = through
+            .leg(at)
+            .map(|leg| leg.place.point + leg.velocity * 6.0);
         (ahead.unwrap_or(view.eye.place.point), DVec3::Y)
     }
 }
@@ -242,7 +244,9 @@ impl Dragging {
             .collect();
         let seen = scene.seen_beside(view, at, &hidden)?;
         let out = seen.normal.abs().dot(self.half);
-        Some(Change::Move(seen.place.point + seen.normal * out - self.origin))
+        Some(Change::Move(
+            seen.place.point + seen.normal * out - self.origin,
+        ))
     }
 }
 
@@ -297,6 +301,9 @@ pub fn link(a: &str, b: &str) -> Edit {
 pub fn middle(room: &Room, names: &[String]) -> DVec3 {
     let poses = poses(room);
     let found: Vec<_> = names.iter().filter_map(|it| room.find(it)).collect();
-    let sum: DVec3 = found.iter().map(|(index, _)| poses[*index].translation).sum();
+    let sum: DVec3 = found
+        .iter()
+        .map(|(index, _)| poses[*index].translation)
+        .sum();
     sum / found.len().max(1) as f64
 }

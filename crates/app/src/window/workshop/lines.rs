@@ -127,12 +127,7 @@ fn edges(workshop: &Workshop, scene: &RoomScene, index: usize, all: &mut Vec<Vie
     }
 }
 
-fn edge(
-    through: &Through<'_>,
-    from: DVec2,
-    point: impl Fn(f64) -> DVec3,
-    all: &mut Vec<ViewLine>,
-) {
+fn edge(through: &Through<'_>, from: DVec2, point: impl Fn(f64) -> DVec3, all: &mut Vec<ViewLine>) {
     let mut at = from;
     let mut points = Vec::with_capacity(PIECES + 1);
     for piece in 0..=PIECES {

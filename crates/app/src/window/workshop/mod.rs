@@ -47,6 +47,8 @@ pub struct Workshop {
     /// The field that is being dragged.
     field: Option<String>,
     keeping: Keeping,
+    /// Whether a menu or a list is down.
+    is_dropped: bool,
 }
 
 /// Through what the chosen things are seen, and where.
@@ -83,6 +85,7 @@ impl Workshop {
             meant: None,
             field: None,
             keeping: Keeping::of(scene),
+            is_dropped: false,
         }
     }
 
@@ -122,7 +125,11 @@ impl Workshop {
     }
 
     /// The picture through what the chosen things are seen through: as they were chosen, or the straight way to them.
-    fn through<'s>(&self, scene: &'s RoomScene, origin: glam::DVec3) -> Option<(Through<'s>, DVec2)> {
+    fn through<'s>(
+        &self,
+        scene: &'s RoomScene,
+        origin: glam::DVec3,
+    ) -> Option<(Through<'s>, DVec2)> {
         let view = self.viewpoint(scene);
         if let Some(seen) = &self.seen {
             let through = scene.through(&view, seen.chain.clone());
@@ -146,11 +153,7 @@ impl Visit {
     /// The room is built in from now on.
     pub fn build(&mut self) {
         self.room.look = View::Exact;
-        let mut workshop = Workshop::new(self.scene());
-        if let Some(eye) = self.left_at.take() {
-            workshop.camera.pivot_m = eye;
-        }
-        self.workshop = Some(Box::new(workshop));
+        self.workshop = Some(Box::new(Workshop::new(self.scene())));
         self.room.scene.leave_out_hidden(true);
     }
 
@@ -159,7 +162,6 @@ impl Visit {
         let Some(workshop) = self.workshop.take() else {
             return;
         };
-        self.left_at = Some(workshop.camera.pivot_m);
         self.room.scene.document_mut().end_drag();
         self.room.scene.leave_out_hidden(false);
         self.room.scene.walk_from(&workshop.camera);

@@ -40,7 +40,11 @@ pub fn put(
     let what = what(id)?;
     let on_grid = |at: DVec3| DVec3::new(snap(at.x), at.y, snap(at.z));
     let out = normal.abs().dot(half(&what));
-    let at = tidy(on_grid(point) * (DVec3::ONE - normal.abs().round()) + point * normal.abs().round() + normal * out);
+    let at = tidy(
+        on_grid(point) * (DVec3::ONE - normal.abs().round())
+            + point * normal.abs().round()
+            + normal * out,
+    );
     if id == "portals" {
         return Some(pair(room, at));
     }

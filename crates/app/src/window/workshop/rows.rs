@@ -25,7 +25,11 @@ fn add_children(
     if depth > antipode_rooms::bounds::MOST_DEEP {
         return;
     }
-    for object in room.objects.iter().filter(|it| it.group.as_deref() == group) {
+    for object in room
+        .objects
+        .iter()
+        .filter(|it| it.group.as_deref() == group)
+    {
         let is_group = object.what == What::Group;
         rows.push(ObjectRow {
             name: object.name.clone(),
