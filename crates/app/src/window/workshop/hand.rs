@@ -31,8 +31,6 @@ pub struct Dragging {
     half: DVec3,
     /// Whether anything was done yet.
     pub begun: bool,
-    /// What is pulled out so far, where handles pull a felt length.
-    pub pulled: f64,
 }
 
 /// What could be meant by the last click: clicks at the same place go through it.
@@ -44,11 +42,6 @@ pub struct Meant {
 }
 
 impl Workshop {
-    /// Whether something is being dragged.
-    pub fn is_dragging(&self) -> bool {
-        self.dragging.is_some()
-    }
-
     /// The handle that is dragged or under the pointer.
     pub fn active_handle(&self) -> Option<Handle> {
         let dragged = self.dragging.as_ref().map(|it| it.drag.handle);
@@ -120,7 +113,6 @@ impl Workshop {
             origin: held.origin,
             half: held.half,
             begun: false,
-            pulled: 0.0,
         };
         if let Some((through, handles)) = self.handles(scene)
             && let Some(handle) = handles.under(&through.view, at, within)
@@ -154,9 +146,6 @@ impl Workshop {
         };
         if !std::mem::replace(&mut dragging.begun, true) {
             scene.document_mut().begin_drag();
-        }
-        if let Change::Feel(times) = change {
-            dragging.pulled = times;
         }
         let before = scene.document().room_before_drag();
         changes::edit(before, &dragging.names, dragging.origin, &change)
