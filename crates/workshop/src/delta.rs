@@ -80,6 +80,15 @@ impl Delta {
             && self.frame.is_none()
     }
 
+    /// Whether what was taken out and put in can have been so in a list of that length.
+    pub(crate) fn is_in_order(&self, length: usize) -> bool {
+        let rises = |list: &[(usize, Object)]| list.windows(2).all(|pair| pair[0].0 < pair[1].0);
+        let (out, put) = (&self.removed, &self.inserted);
+        let after = (length + put.len()).checked_sub(out.len());
+        let within = |list: &[(usize, Object)], length| list.last().is_none_or(|it| it.0 < length);
+        rises(out) && rises(put) && within(out, length) && after.is_some_and(|it| within(put, it))
+    }
+
     /// Goes the way from the first room to the second.
     pub fn make(&self, room: &mut Room) {
         replace(&mut room.objects, &self.removed, &self.inserted);

@@ -10,6 +10,7 @@ use crate::drag::Drag;
 use crate::edit::Edit;
 use crate::error::{WorkshopError, refuse};
 use crate::history::{History, Step};
+pub(crate) use crate::keeping::Kept;
 use crate::marks::Marks;
 use crate::plan::{Plan, Planned};
 
@@ -21,18 +22,24 @@ pub struct Document {
     marks: Marks,
     pub(crate) clipboard: Clip,
     pub(crate) drag: Option<Drag>,
+    pub(crate) kept: Kept,
     revision: u64,
 }
 
 impl Document {
     /// Edits a room that is kept nowhere.
     pub fn new(room: Room) -> Self {
+        Self::of(Arc::new(room), History::default())
+    }
+
+    pub(crate) fn of(room: Arc<Room>, history: History) -> Self {
         Self {
-            room: Arc::new(room),
-            history: History::default(),
+            room,
+            history,
             marks: Marks::default(),
             clipboard: Clip::default(),
             drag: None,
+            kept: Kept::default(),
             revision: 0,
         }
     }
@@ -45,6 +52,10 @@ impl Document {
     /// The same, to be kept by others as it is now.
     pub fn room_shared(&self) -> Arc<Room> {
         self.room.clone()
+    }
+
+    pub(crate) fn shared(&self) -> &Arc<Room> {
+        &self.room
     }
 
     /// Counts changes of the room.
@@ -140,6 +151,7 @@ impl Document {
                 if let Some(drag) = &mut self.drag {
                     drag.said = Some(said);
                 }
+                self.keep_drag();
             }
         }
         Ok(())
@@ -157,12 +169,14 @@ impl Document {
         in_order.for_each(|it| self.marks.follow(&it.delta, back));
         self.history.go(to);
         self.take_room(room);
+        self.keep_place();
     }
 
     /// Adds a step that is made already.
     pub(crate) fn add_step(&mut self, step: Arc<Step>) {
         self.marks.follow(&step.delta, false);
         self.marks.forget(&self.room);
+        self.keep_step(&step);
         self.history.push(step);
     }
 
@@ -187,6 +201,4 @@ impl Document {
             self.select(names);
         }
     }
-
-    pub(crate) fn keep_marks(&mut self) {}
 }

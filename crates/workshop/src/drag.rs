@@ -86,6 +86,7 @@ impl Document {
     pub fn cancel_drag(&mut self) {
         if let Some(drag) = self.drag.take() {
             self.take_room(drag.before);
+            self.keep_place();
         }
     }
 

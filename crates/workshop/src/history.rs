@@ -8,7 +8,7 @@ use crate::delta::Delta;
 use crate::said::Said;
 
 /// The fewest steps that can be taken back, if so many were made. Older ones are forgotten some at a time.
-pub const LEAST_STEPS: usize = 2000;
+pub const LEAST_STEPS: usize = 1000;
 /// How many there are before the oldest are forgotten.
 const MOST_STEPS: usize = LEAST_STEPS + 500;
 
@@ -31,6 +31,15 @@ pub struct History {
 }
 
 impl History {
+    /// Steps of which the first `made` are made.
+    pub(crate) fn of(steps: Vec<Arc<Step>>, made: usize) -> Self {
+        Self {
+            steps,
+            made,
+            forgotten: 0,
+        }
+    }
+
     /// The steps in their order, the oldest first.
     pub fn steps(&self) -> &[Arc<Step>] {
         &self.steps

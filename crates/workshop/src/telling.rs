@@ -7,7 +7,7 @@ use crate::said::Said;
 
 /// The ids of all that is told of steps. Each is put into `name`, the first object, and `count`, how many there are, but for
 /// `room`, `spawn`, `several`, `outside` and `version`, of which the last has `when`.
-pub const STEPS: [&str; 23] = [
+pub const STEPS: [&str; 25] = [
     "add",
     "remove",
     "move",
@@ -31,6 +31,8 @@ pub const STEPS: [&str; 23] = [
     "room",
     "spawn",
     "several",
+    "outside",
+    "version",
 ];
 
 /// What is told of a change of these fields.
