@@ -49,6 +49,8 @@ impl Play {
             Phase::InRoom(mut visit) | Phase::RoomPaused(mut visit) => {
                 let builds = visit.workshop.is_some();
                 visit.keep_at_last();
+                // What is not written yet is waited for elsewhere.
+                Task::start("leave", move || drop(visit));
                 let phase = self.go_on(next, menus);
                 if matches!(phase, Phase::Menu) {
                     // The next room is chosen there.
@@ -294,11 +296,15 @@ fn opened(worlds: &Worlds, request: Request) -> Result<Opened, Failure> {
             let name = name.map_or_else(|| free_room_name(&rooms), Ok)?;
             OpenRoom::make(&rooms, Some(&name), None)?
         }
-        Request::BuildNew => OpenRoom::make(&rooms, Some(&free_room_name(&rooms)?), None)?,
-        Request::Room(slug) | Request::Build(slug) => {
-            OpenRoom::enter(&rooms, room_of(&rooms, &slug)?)?
+        Request::BuildNew => {
+            let name = free_room_name(&rooms)?;
+            drop(OpenRoom::make(&rooms, Some(&name), None)?);
+            OpenRoom::enter_with_journal(&rooms, rooms.find(&name)?)?
         }
-        Request::RoomNamed(name) => OpenRoom::enter(&rooms, rooms.find(&name)?)?,
+        Request::Room(slug) | Request::Build(slug) => {
+            OpenRoom::enter_with_journal(&rooms, room_of(&rooms, &slug)?)?
+        }
+        Request::RoomNamed(name) => OpenRoom::enter_with_journal(&rooms, rooms.find(&name)?)?,
     };
     Ok(Opened::Room(Box::new(room), builds))
 }

@@ -6,7 +6,7 @@ use antipode_rooms::RoomsDir;
 use antipode_ui::ToastKind;
 use antipode_ui::workshop::{BarModel, WorkshopModel, WorkshopPanes, WorkshopWish};
 
-use super::wishes::{Bench, Outcome, sentence};
+use super::wishes::{Bench, Outcome};
 use super::{Workshop, chosen, fields, lines, parts, rows};
 use crate::bindings::Action;
 use crate::room_picture::Tile;
@@ -89,14 +89,12 @@ impl Game {
         let Phase::InRoom(visit) = &mut self.play.phase else {
             return;
         };
-        let (dir, slug) = (RoomsDir::new(visit.dir.clone()), visit.own_slug());
         let Some(workshop) = &mut visit.workshop else {
             return;
         };
-        let passed_s = passed.as_secs_f64();
-        let scene = &visit.room.scene;
-        if let Some(why) = workshop.keeping.pass(scene, (&dir, &slug), passed_s) {
-            let values = [("reason", sentence(&why).into())];
+        let scene = &mut visit.room.scene;
+        if let Some(why) = workshop.keeping.pass(scene, passed.as_secs_f64()) {
+            let values = [("reason", why.into())];
             self.menus
                 .toast(ToastKind::Problem, "workshop-not-kept", &values);
         }
@@ -154,11 +152,10 @@ impl Visit {
 
     /// The workshop is left: what has changed is written.
     pub(in crate::window) fn keep_at_last(&mut self) {
-        let (dir, slug) = (RoomsDir::new(self.dir.clone()), self.own_slug());
         if let Some(workshop) = &mut self.workshop {
             let scene = &mut self.room.scene;
             scene.document_mut().end_drag();
-            workshop.keeping.at_last(scene, &dir, &slug);
+            workshop.keeping.save(scene);
         }
     }
 }

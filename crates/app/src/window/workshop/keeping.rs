@@ -1,22 +1,22 @@
-//! A room that is built in is kept by itself: soon after it has changed, off the main thread, and when it is left.
+//! A room that is built in is kept by itself: every edit goes to its journal at once, and soon after the last of them the room
+//! becomes its file, too. Nothing here waits for the disk.
 
 use antipode_room_scene::RoomScene;
-use antipode_rooms::{Room, RoomError, RoomsDir};
+use antipode_workshop::Trouble;
 
-use crate::window::background::{Progress, Task};
-
-/// So long after the last change it is written, seconds.
+/// So long after the last change it becomes the file, seconds.
 const QUIET_S: f64 = 1.0;
 
 /// What of the room is on disk.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Keeping {
-    /// The revision that is kept, or being written.
-    kept: u64,
+    /// The revision that was asked to become the file last.
+    asked: u64,
     /// The revision of the last moment, and for how long it has been that.
     seen: u64,
     rests_s: f64,
-    writing: Option<Task<Result<(), RoomError>>>,
+    /// What was told last.
+    told: Option<String>,
 }
 
 impl Keeping {
@@ -24,70 +24,42 @@ impl Keeping {
     pub fn of(scene: &RoomScene) -> Self {
         let revision = scene.document().revision();
         Self {
-            kept: revision,
+            asked: revision,
             seen: revision,
-            rests_s: 0.0,
-            writing: None,
+            ..Self::default()
         }
     }
 
-    /// Lets time pass. Begins to write a room that has changed and rests, and returns why one could not be written.
-    pub fn pass(
-        &mut self,
-        scene: &RoomScene,
-        (dir, slug): (&RoomsDir, &str),
-        passed_s: f64,
-    ) -> Option<RoomError> {
-        let revision = scene.document().revision();
+    /// Lets time pass. Returns why the room is not kept as it should be, once for each reason.
+    pub fn pass(&mut self, scene: &mut RoomScene, passed_s: f64) -> Option<String> {
+        let document = scene.document_mut();
+        document.poll();
+        let revision = document.revision();
         if revision == self.seen {
             self.rests_s += passed_s;
         } else {
             (self.seen, self.rests_s) = (revision, 0.0);
         }
-        let trouble = self.poll();
-        let rests = self.rests_s >= QUIET_S && !scene.document().is_dragging();
-        if rests && self.writing.is_none() && self.kept != revision {
-            self.write(scene.room(), revision, dir, slug);
+        if self.rests_s >= QUIET_S && self.asked != revision && !document.is_dragging() {
+            self.save(scene);
         }
-        trouble
-    }
-
-    fn poll(&mut self) -> Option<RoomError> {
-        match self.writing.as_ref()?.poll() {
-            Progress::Running => None,
-            Progress::Done(Ok(())) | Progress::Died => {
-                self.writing = None;
-                None
-            }
-            Progress::Done(Err(why)) => {
-                self.writing = None;
-                Some(why)
-            }
-        }
-    }
-
-    fn write(&mut self, room: &Room, revision: u64, dir: &RoomsDir, slug: &str) {
-        self.kept = revision;
-        let (room, dir, slug) = (room.clone(), dir.clone(), slug.to_owned());
-        self.writing = Some(Task::start("keep", move || dir.save(&slug, &room)));
-    }
-
-    /// The room is left: what is not written yet is written, and nobody waits for it.
-    pub fn at_last(&mut self, scene: &RoomScene, dir: &RoomsDir, slug: &str) {
-        let revision = scene.document().revision();
-        if self.kept == revision {
-            return;
-        }
-        let before = self.writing.take();
-        self.kept = revision;
-        let (room, dir, slug) = (scene.room().clone(), dir.clone(), slug.to_owned());
-        Task::start("keep", move || {
-            if let Some(before) = before {
-                before.finish();
-            }
-            if let Err(why) = dir.save(&slug, &room) {
-                tracing::error!("the room could not be kept: {why}");
-            }
+        let why = scene.document().trouble().map(|trouble| match trouble {
+            Trouble::NotSaved(why) => why.to_string(),
+            Trouble::NotWritten(why) => why.to_string(),
         });
+        if why == self.told {
+            return None;
+        }
+        self.told.clone_from(&why);
+        why
+    }
+
+    /// The room as it is now becomes its file.
+    pub fn save(&mut self, scene: &mut RoomScene) {
+        let document = scene.document_mut();
+        self.asked = document.revision();
+        if let Err(why) = document.save() {
+            tracing::info!("the room is not saved: {why}");
+        }
     }
 }

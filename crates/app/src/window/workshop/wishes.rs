@@ -2,7 +2,7 @@
 
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::Facing;
-use antipode_rooms::{Room, RoomError, RoomsDir, folder};
+use antipode_rooms::{Room, RoomsDir, folder};
 use antipode_ui::workshop::{ViewSide, WorkshopWish};
 use antipode_workshop::{Array, Edit, WorkshopError};
 use glam::DVec3;
@@ -290,9 +290,4 @@ fn choose_all(scene: &mut RoomScene, all: bool) {
     let free = objects.filter(|it| all && !document.is_locked(&it.name));
     let names: Vec<_> = free.map(|it| it.name.clone()).collect();
     scene.document_mut().select(names);
-}
-
-/// Why a room could not be kept, without what only its file knows.
-pub fn sentence(why: &RoomError) -> String {
-    why.to_string()
 }
