@@ -161,15 +161,22 @@ impl RoomScene {
     }
 
     /// The nearest way by which a point of the room could be seen if nothing stood before it, and where in the picture. The way
-    /// is the straight one, and the aberrations that it goes through; none where that does not lead there.
-    pub fn way_to(&self, view: &Viewpoint, point: DVec3) -> Option<(Through<'_>, DVec2)> {
+    /// is the straight one, and the aberrations that it goes through; none where that does not lead there. What is `beside` is gone
+    /// by as if it were not there: an aberration, by its place among the objects, is itself held from outside.
+    pub fn way_to(
+        &self,
+        view: &Viewpoint,
+        point: DVec3,
+        beside: Option<usize>,
+    ) -> Option<(Through<'_>, DVec2)> {
+        let own = beside.and_then(|object| self.boxes.iter().position(|it| *it == object));
         let start = &view.eye.place;
         let wanted = Place::at(&self.space, point);
         let k = self.space.carry(start, view.eye.front, &Traveller::Body);
         let mut at = view.place_of(k.inverse() * (point - start.point))?;
         let mut chain = Chain::default();
         for _ in 0..8 {
-            let (found, nearest) = self.chain_near(view, at, &wanted)?;
+            let (found, nearest) = self.chain_near(view, at, (&wanted, own))?;
             let through = self.through(view, found.clone());
             let seen = through.seen_at(point, at).unwrap_or(nearest);
             let settled = found == chain && view.apart(seen, at) < NEAR.sqrt();
@@ -184,7 +191,14 @@ impl RoomScene {
     }
 
     /// The part of the way of a place of the picture that ends in the boxes in which a place is and comes nearest to it.
-    fn chain_near(&self, view: &Viewpoint, at: DVec2, wanted: &Place) -> Option<(Chain, DVec2)> {
+    fn chain_near(
+        &self,
+        view: &Viewpoint,
+        at: DVec2,
+        (wanted, beside): (&Place, Option<usize>),
+    ) -> Option<(Chain, DVec2)> {
+        let around = |number: &usize| Some(*number) != beside;
+        let boxes: Vec<_> = wanted.stack.iter().filter(around).collect();
         let start = &view.eye.place;
         let w = view.direction(at);
         let who = Traveller::Body;
@@ -193,7 +207,7 @@ impl RoomScene {
         let lengths = (0..=whole.len()).filter_map(|count| {
             let chain = whole.first(count);
             let leg = chain.follow(&self.space, start, w, &who)?;
-            if leg.place.stack != wanted.stack {
+            if !leg.place.stack.iter().eq(boxes.iter().copied()) {
                 return None;
             }
             let to = wanted.point - leg.place.point;

@@ -23,7 +23,7 @@ pub(super) fn show(ui: &mut Ui, texts: &Texts, row: &FieldRow, wishes: &mut Vec<
     };
     match &row.kind {
         FieldKind::Numbers(amounts, unit) => {
-            ui.horizontal(|ui| {
+            ui.horizontal_top(|ui| {
                 let gaps = ui.spacing().item_spacing.x * amounts.len().saturating_sub(1) as f32;
                 let width = (ui.available_width() - gaps) / amounts.len().max(1) as f32;
                 for (place, amount) in amounts.iter().enumerate() {

@@ -11,6 +11,8 @@ use crate::widgets::focus_ring;
 pub(super) fn show(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
     ui.add(Label::new(RichText::new(model.chosen).color(TEXT).strong()).truncate());
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 3.0;
+        ui.spacing_mut().interact_size.y = 18.0;
         for row in model.fields {
             ui.push_id(&row.key, |ui| self::row(ui, model, row, wishes));
         }

@@ -77,6 +77,8 @@ fn row(
     state: &mut ListState,
     wishes: &mut Vec<WorkshopWish>,
 ) {
+    ui.spacing_mut().interact_size.y = ROW - 4.0;
+    ui.spacing_mut().button_padding.y = 0.0;
     ui.horizontal(|ui| {
         ui.set_height(ROW - 4.0);
         ui.add_space(INDENT * row.depth.min(8) as f32);

@@ -50,7 +50,11 @@ fn fields() -> Vec<FieldRow> {
         field("at", "Place", FieldKind::Numbers(place, Unit::Metres)),
         field("times", "Stretch", FieldKind::Stretch(Some(5.0))),
         field("outline", "Edges are seen", FieldKind::Switch(Some(false))),
-        field("told", "", FieldKind::Words("It is 79 m long.".to_owned(), false)),
+        field(
+            "told",
+            "",
+            FieldKind::Words("It is 79 m long.".to_owned(), false),
+        ),
     ]
 }
 
@@ -194,7 +198,12 @@ fn a_click_in_the_view_a_drag_and_a_look_around_are_told_apart() {
         ),
         "{told:?}"
     );
-    drag(&mut harness, middle, vec2(60.0, 30.0), PointerButton::Primary);
+    drag(
+        &mut harness,
+        middle,
+        vec2(60.0, 30.0),
+        PointerButton::Primary,
+    );
     let told = asked(&mut harness);
     let half = harness.state().panes.view_rect().size() / 2.0;
     let last_pull = told.iter().rev().find_map(|it| match it {
@@ -204,7 +213,12 @@ fn a_click_in_the_view_a_drag_and_a_look_around_are_told_apart() {
     let [x, y] = last_pull.unwrap();
     assert!((x - f64::from(60.0 / half.x)).abs() < 1e-6, "{told:?}");
     assert!((y + f64::from(30.0 / half.y)).abs() < 1e-6, "{told:?}");
-    drag(&mut harness, middle, vec2(40.0, -10.0), PointerButton::Secondary);
+    drag(
+        &mut harness,
+        middle,
+        vec2(40.0, -10.0),
+        PointerButton::Secondary,
+    );
     let turned: f64 = asked(&mut harness)
         .iter()
         .map(|it| match it {
@@ -304,7 +318,11 @@ fn panes_lie_as_they_were_left() {
 #[test]
 fn it_fits_every_language_and_size_and_leaves_the_view_most_of_the_room() {
     for language in Language::ALL {
-        for size in [vec2(800.0, 600.0), vec2(1280.0, 720.0), vec2(2560.0, 1440.0)] {
+        for size in [
+            vec2(800.0, 600.0),
+            vec2(1280.0, 720.0),
+            vec2(2560.0, 1440.0),
+        ] {
             let mut harness = harness(bench(language, size.x), size);
             harness.run();
             let view = harness.state().panes.view_rect();

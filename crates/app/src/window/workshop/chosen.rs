@@ -23,8 +23,9 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     } else {
         DMat3::IDENTITY
     };
+    let is_own = axes.abs_diff_eq(rotation_of(&poses[last]), 1e-9);
     let felt = match &object.what {
-        What::Aberration(it) if chosen.len() == 1 && own_axes => match it.lengths {
+        What::Aberration(it) if chosen.len() == 1 && is_own => match it.lengths {
             Lengths::Felt { axis, .. } => Some(axis.index()),
             Lengths::Stretch(_) => None,
         },

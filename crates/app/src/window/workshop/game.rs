@@ -114,6 +114,22 @@ impl Game {
         };
         let layout = &self.options.config.panes;
         let wishes = workshop.show(context, &self.menus.texts, visit, layout);
+        let lies = workshop.layout();
+        visit.workshop = Some(workshop);
+        if let Some(lies) = lies {
+            self.options.keep_panes(lies);
+        }
+        self.follow_workshop(wishes);
+    }
+
+    /// Does what is asked for in the workshop.
+    pub(in crate::window) fn follow_workshop(&mut self, wishes: Vec<WorkshopWish>) {
+        let Phase::InRoom(visit) = &mut self.play.phase else {
+            return;
+        };
+        let Some(mut workshop) = visit.workshop.take() else {
+            return;
+        };
         let (dir, slug) = (RoomsDir::new(visit.dir.clone()), visit.own_slug());
         let mut bench = Bench {
             scene: &mut visit.room.scene,
@@ -129,13 +145,9 @@ impl Game {
                 None => {}
             }
         }
-        let lies = workshop.layout();
         visit.workshop = Some(workshop);
         if let Some(why) = refused {
             self.menus.shell.toast(why, ToastKind::State);
-        }
-        if let Some(lies) = lies {
-            self.options.keep_panes(lies);
         }
         if plays {
             self.toggle_workshop();

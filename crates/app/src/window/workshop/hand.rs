@@ -50,11 +50,12 @@ impl Workshop {
 
     /// Lets go of what is dragged, and takes back what that did. Returns whether anything was.
     pub fn give_up(&mut self, scene: &mut RoomScene) -> bool {
+        let was_framing = self.frame.take().is_some_and(|[from, to]| from != to);
         let given_up = self.dragging.take().is_some();
         if given_up {
             scene.cancel_drag();
         }
-        given_up
+        given_up || was_framing
     }
 
     /// Something was done in the view. Returns an edit that is a moment of a drag, if it was one.
@@ -101,7 +102,7 @@ impl Workshop {
 
     /// Takes hold of the handle there, or of what is chosen if that is seen there.
     fn grab(&mut self, scene: &RoomScene, at: DVec2) {
-        self.dragging = None;
+        (self.dragging, self.frame) = (None, Some([at; 2]));
         let names = scene.document().selection().to_vec();
         let within = self.half_heights(GRIP_POINTS);
         let Some(held) = chosen::held(scene, self.bar.own_axes) else {
@@ -118,6 +119,7 @@ impl Workshop {
             && let Some(handle) = handles.under(&through.view, at, within)
         {
             self.dragging = Drag::begin(&through, &handles, handle, at).map(taken);
+            self.frame = None;
             return;
         }
         let view = self.viewpoint(scene);
@@ -128,11 +130,16 @@ impl Workshop {
             let through = scene.through(&view, seen.chain.clone());
             let point = seen.place.point;
             self.dragging = Drag::begin_body(&through, held, point, at).map(taken);
+            self.frame = None;
         }
     }
 
     /// What a drag to there makes of what is held.
     fn pull(&mut self, scene: &mut RoomScene, at: DVec2, free: bool) -> Option<Edit> {
+        if let Some([_, to]) = &mut self.frame {
+            *to = at;
+            return None;
+        }
         let snap = self.snap(free);
         let on_surfaces = self.bar.on_surfaces && !free;
         let view = self.viewpoint(scene);
@@ -161,8 +168,11 @@ impl Workshop {
             self.seen = Some(Seen { chain, at });
             return;
         }
+        let frame = self.frame.take();
         if is_click {
             self.choose_at(scene, at, adds);
+        } else if let Some(frame) = frame {
+            self.choose_within(scene, frame, adds);
         }
     }
 
@@ -199,6 +209,31 @@ impl Workshop {
         }
     }
 
+    /// Chooses all whose middles are seen within a frame.
+    fn choose_within(&mut self, scene: &mut RoomScene, [a, b]: [DVec2; 2], adds: bool) {
+        self.forget_chain();
+        let view = self.viewpoint(scene);
+        let (low, high) = (a.min(b), a.max(b));
+        let (room, document) = (scene.room(), scene.document());
+        let is_within = |(index, point): (usize, DVec3)| {
+            let seen = scene.way_to(&view, point, Some(index));
+            seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
+        };
+        let mut names: Vec<String> = room
+            .objects
+            .iter()
+            .zip(poses(room).into_iter().enumerate())
+            .filter(|(it, _)| !document.is_locked(&it.name) && !document.is_hidden(&it.name))
+            .filter(|(_, (index, pose))| is_within((*index, pose.translation)))
+            .map(|(it, _)| it.name.clone())
+            .collect();
+        if adds {
+            let before = document.selection().iter().cloned();
+            names = before.chain(names).collect();
+        }
+        scene.document_mut().select(names);
+    }
+
     /// The chain by which things were chosen holds no more, since others are chosen.
     pub fn forget_chain(&mut self) {
         (self.seen, self.meant) = (None, None);
@@ -208,7 +243,7 @@ impl Workshop {
     pub fn before_camera(&self, scene: &RoomScene) -> (DVec3, DVec3) {
         let view = self.viewpoint(scene);
         // A little below the middle, where the ground is.
-        let at = DVec2::new(0.0, -0.2);
+        let at = DVec2::new(0.0, -0.42);
         if let Some(seen) = scene.seen(&view, at).filter(|it| it.felt_m < 60.0) {
             return (seen.place.point, seen.normal);
         }

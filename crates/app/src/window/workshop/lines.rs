@@ -32,6 +32,18 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
     for index in chosen::indices(scene).into_iter().take(MOST) {
         edges(workshop, scene, index, &mut all);
     }
+    if let Some([a, b]) = workshop.frame
+        && a != b
+    {
+        let corners = [a, DVec2::new(b.x, a.y), b, DVec2::new(a.x, b.y), a];
+        all.push(ViewLine {
+            points: corners.iter().map(flat).collect(),
+            colour: HOT,
+            width: 1.0,
+            label: None,
+            knob: false,
+        });
+    }
     if let Some((_, handles)) = workshop.handles(scene) {
         add_handles(workshop, scene, &handles, texts, &mut all);
     }
@@ -109,7 +121,7 @@ fn edges(workshop: &Workshop, scene: &RoomScene, index: usize, all: &mut Vec<Vie
     let pose = poses(room)[index];
     let half = chosen::half(&object.what);
     // A box that space is stretched in is seen from outside, and so are its edges.
-    let Some((through, at)) = workshop.through(scene, pose.translation) else {
+    let Some((through, at)) = workshop.through(scene, pose.translation, Some(index)) else {
         return;
     };
     for axis in 0..3 {

@@ -44,6 +44,8 @@ pub struct Workshop {
     hover: Option<Handle>,
     dragging: Option<Dragging>,
     meant: Option<Meant>,
+    /// Two corners of a frame that is being drawn about what is to be chosen.
+    frame: Option<[DVec2; 2]>,
     /// The field that is being dragged.
     field: Option<String>,
     keeping: Keeping,
@@ -83,6 +85,7 @@ impl Workshop {
             hover: None,
             dragging: None,
             meant: None,
+            frame: None,
             field: None,
             keeping: Keeping::of(scene),
             is_dropped: false,
@@ -129,6 +132,7 @@ impl Workshop {
         &self,
         scene: &'s RoomScene,
         origin: glam::DVec3,
+        beside: Option<usize>,
     ) -> Option<(Through<'s>, DVec2)> {
         let view = self.viewpoint(scene);
         if let Some(seen) = &self.seen {
@@ -137,13 +141,14 @@ impl Workshop {
                 return Some((through, at));
             }
         }
-        scene.way_to(&view, origin)
+        scene.way_to(&view, origin, beside)
     }
 
     /// The handles of what is chosen, and through what they are seen.
     fn handles<'s>(&self, scene: &'s RoomScene) -> Option<(Through<'s>, Handles)> {
         let held = chosen::held(scene, self.bar.own_axes || self.tool() == Tool::Scale)?;
-        let (through, at) = self.through(scene, held.origin)?;
+        let last = chosen::indices(scene).last().copied();
+        let (through, at) = self.through(scene, held.origin, last)?;
         let handles = Handles::of(&through, at, held, self.tool())?;
         Some((through, handles))
     }
