@@ -9,3 +9,6 @@
 
 mod commands;
 mod keeping;
+mod killed;
+mod large;
+mod there_and_back;
