@@ -29,6 +29,7 @@ mod pose;
 mod read;
 pub mod room;
 pub mod shipped;
+pub mod solids;
 mod space;
 pub mod wording;
 pub mod words;

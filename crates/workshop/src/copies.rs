@@ -52,50 +52,63 @@ pub(crate) fn into_room(room: &Room, picked: &[&Object]) -> Vec<Object> {
     all.collect()
 }
 
-/// Gives copies names that are free in the room, and lets them name one another instead of what they are copies of. The groups
-/// of the room that carry originals carry their copies.
-pub(crate) fn named_anew(room: &Room, mut copies: Vec<Object>) -> Vec<Object> {
-    let mut taken: HashSet<String> = room.objects.iter().map(|it| it.name.clone()).collect();
-    let mut numbers = HashMap::new();
-    let mut names = HashMap::new();
-    for copy in &mut copies {
-        let name = free_name(&copy.name, &taken, &mut numbers);
-        taken.insert(name.clone());
-        names.insert(std::mem::replace(&mut copy.name, name.clone()), name);
-    }
-    for copy in &mut copies {
-        if let Some(group) = copy.group.as_mut()
-            && let Some(name) = names.get(group)
-        {
-            group.clone_from(name);
-        }
-        if let What::Portal(portal) = &mut copy.what {
-            let partner = names.get(&portal.to).unwrap_or(&copy.name);
-            portal.to.clone_from(partner);
-        }
-    }
-    copies
+/// The names that a room has, to find others for copies.
+pub(crate) struct Names {
+    taken: HashSet<String>,
+    /// Where the search for each begins, so that many copies take no longer than few.
+    numbers: HashMap<String, usize>,
 }
 
-/// The name if it is free; else with the first number behind it that is, from 2. A number that it has is counted on.
-/// `numbers` keeps where the search for each begins, so that many copies take no longer than few.
-fn free_name(name: &str, taken: &HashSet<String>, numbers: &mut HashMap<String, usize>) -> String {
-    if !taken.contains(name) {
-        return name.to_owned();
+impl Names {
+    pub fn of(room: &Room) -> Self {
+        Self {
+            taken: room.objects.iter().map(|it| it.name.clone()).collect(),
+            numbers: HashMap::new(),
+        }
     }
-    let base = match name.rsplit_once(' ') {
-        Some((base, digits)) if digits.parse::<u32>().is_ok() => base.trim_end(),
-        _ => name,
-    };
-    let next = numbers.entry(base.to_owned()).or_insert(2);
-    loop {
-        let digits = next.to_string();
-        let room = MOST_NAME_CHARS - digits.len() - 1;
-        let short: String = base.chars().take(room).collect();
-        let tried = format!("{} {digits}", short.trim_end());
-        *next += 1;
-        if !taken.contains(&tried) {
-            return tried;
+
+    /// Gives copies names that are free, and lets them name one another instead of what they are copies of. The groups of the
+    /// room that carry originals carry their copies.
+    pub fn named_anew(&mut self, mut copies: Vec<Object>) -> Vec<Object> {
+        let mut names = HashMap::new();
+        for copy in &mut copies {
+            let name = self.free(&copy.name);
+            self.taken.insert(name.clone());
+            names.insert(std::mem::replace(&mut copy.name, name.clone()), name);
+        }
+        for copy in &mut copies {
+            if let Some(group) = copy.group.as_mut()
+                && let Some(name) = names.get(group)
+            {
+                group.clone_from(name);
+            }
+            if let What::Portal(portal) = &mut copy.what {
+                let partner = names.get(&portal.to).unwrap_or(&copy.name);
+                portal.to.clone_from(partner);
+            }
+        }
+        copies
+    }
+
+    /// The name if it is free; else with the first number behind it that is, from 2. A number that it has is counted on.
+    fn free(&mut self, name: &str) -> String {
+        if !self.taken.contains(name) {
+            return name.to_owned();
+        }
+        let base = match name.rsplit_once(' ') {
+            Some((base, digits)) if digits.parse::<u32>().is_ok() => base.trim_end(),
+            _ => name,
+        };
+        let next = self.numbers.entry(base.to_owned()).or_insert(2);
+        loop {
+            let digits = next.to_string();
+            let room = MOST_NAME_CHARS - digits.len() - 1;
+            let short: String = base.chars().take(room).collect();
+            let tried = format!("{} {digits}", short.trim_end());
+            *next += 1;
+            if !self.taken.contains(&tried) {
+                return tried;
+            }
         }
     }
 }

@@ -7,6 +7,7 @@
 //!
 //! There is no window, no picture and no GPU here.
 
+mod checks;
 mod clip;
 mod copies;
 pub mod delta;
@@ -28,6 +29,7 @@ mod telling;
 mod versions;
 pub mod words;
 
+pub use checks::{Checker, FINDINGS, Finding, Findings, find as find_in};
 pub use clip::Clip;
 pub use delta::Delta;
 pub use document::Document;

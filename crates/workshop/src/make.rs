@@ -1,11 +1,13 @@
 //! What an edit makes of a room.
 
+use std::collections::{HashMap, HashSet};
+
 use antipode_rooms::words::{Pairs, set, set_spawn};
 use antipode_rooms::{Object, Room, What, own_pose, shown};
 use glam::{DAffine3, DQuat, DVec3};
 
 use crate::clip::Clip;
-use crate::copies::{carried, closure, named_anew};
+use crate::copies::{Names, carried, closure};
 use crate::edit::{Array, Edit, Field};
 use crate::error::{WorkshopError, missing, refuse};
 use crate::place::{Groups, put, tidy, turn_of};
@@ -37,7 +39,7 @@ pub(crate) fn make_in(room: &mut Room, edit: &Edit) -> Made {
         Edit::Change(name, fields) => change(room, name, fields),
         Edit::Group { name, at, members } => group(room, name, *at, members),
         Edit::Carry { group, members } => carry(room, group.as_deref(), members),
-        Edit::Ungroup(names) => names.iter().try_for_each(|name| ungroup(room, name)),
+        Edit::Ungroup(names) => ungroup(room, names),
         Edit::Duplicate { names, by } => {
             let array = Array {
                 names: names.clone(),
@@ -55,8 +57,46 @@ pub(crate) fn make_in(room: &mut Room, edit: &Edit) -> Made {
         }
         Edit::Room(fields) => set_room(room, fields),
         Edit::Spawn(fields) => Ok(set_spawn(&mut room.spawn, &pairs(fields)?)?),
-        Edit::Several(edits) => edits.iter().try_for_each(|it| make_in(room, it)),
+        Edit::Several(edits) => several(room, edits),
     }
+}
+
+/// Where objects are by their names; nothing is put in, taken out or renamed meanwhile.
+fn places(room: &Room) -> HashMap<&str, usize> {
+    let all = room.objects.iter().enumerate().rev();
+    all.map(|(index, it)| (it.name.as_str(), index)).collect()
+}
+
+/// Changes of many objects in a row look for all of them at once.
+fn several(room: &mut Room, edits: &[Edit]) -> Made {
+    let is_plain = |edit: &Edit| match edit {
+        Edit::Change(_, fields) => fields.iter().all(|it| it.key != "name"),
+        _ => false,
+    };
+    for run in edits.chunk_by(|a, b| is_plain(a) && is_plain(b)) {
+        let at = match run {
+            [_] => None,
+            run => Some(indices(room, run)?),
+        };
+        for (number, edit) in run.iter().enumerate() {
+            match (edit, &at) {
+                (Edit::Change(_, fields), Some(at)) => {
+                    set(&mut room.objects[at[number]], &pairs(fields)?, false)?;
+                }
+                _ => make_in(room, edit)?,
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The place of the object of each change.
+fn indices(room: &Room, changes: &[Edit]) -> Result<Vec<usize>, WorkshopError> {
+    let places = places(room);
+    let touched = changes.iter().flat_map(Edit::touched);
+    touched
+        .map(|name| places.get(name).copied().map_or_else(|| missing(name), Ok))
+        .collect()
 }
 
 pub(crate) fn pairs(fields: &[Field]) -> Result<Pairs<'_>, WorkshopError> {
@@ -65,7 +105,11 @@ pub(crate) fn pairs(fields: &[Field]) -> Result<Pairs<'_>, WorkshopError> {
 }
 
 fn exist(room: &Room, names: &[String]) -> Made {
-    match names.iter().find(|name| room.find(name).is_none()) {
+    let places = places(room);
+    match names
+        .iter()
+        .find(|name| !places.contains_key(name.as_str()))
+    {
         Some(name) => missing(name),
         None => Ok(()),
     }
@@ -73,7 +117,7 @@ fn exist(room: &Room, names: &[String]) -> Made {
 
 fn remove(room: &mut Room, names: &[String]) -> Made {
     exist(room, names)?;
-    let gone: std::collections::HashSet<String> = closure(room, names)
+    let gone: HashSet<String> = closure(room, names)
         .into_iter()
         .map(str::to_owned)
         .collect();
@@ -127,10 +171,11 @@ fn carry(room: &mut Room, group: Option<&str>, members: &[String]) -> Made {
     }
     let groups = Groups::of(room);
     let to = groups.pose(group);
+    let places = places(room);
     let from: Vec<_> = members
         .iter()
-        .filter_map(|name| room.find(name))
-        .map(|(index, it)| (index, groups.pose(it.group.as_deref())))
+        .filter_map(|name| places.get(name.as_str()).copied())
+        .map(|index| (index, groups.pose(room.objects[index].group.as_deref())))
         .collect();
     for (index, from) in from {
         let object = &mut room.objects[index];
@@ -140,23 +185,36 @@ fn carry(room: &mut Room, group: Option<&str>, members: &[String]) -> Made {
     Ok(())
 }
 
-fn ungroup(room: &mut Room, name: &str) -> Made {
-    let Some((index, it)) = room.find(name) else {
-        return missing(name);
-    };
-    if it.what != What::Group {
-        return refuse(format!("{} is no group.", shown(name)));
+fn ungroup(room: &mut Room, names: &[String]) -> Made {
+    let gone: HashSet<&str> = names.iter().map(String::as_str).collect();
+    exist(room, names)?;
+    let is_other = |it: &&Object| gone.contains(it.name.as_str()) && it.what != What::Group;
+    if let Some(other) = room.objects.iter().find(is_other) {
+        return refuse(format!("{} is no group.", shown(&other.name)));
     }
-    let outer = it.group.clone();
-    let of = |it: &&Object| it.group.as_deref() == Some(name);
-    let members: Vec<_> = room
-        .objects
-        .iter()
-        .filter(of)
-        .map(|it| it.name.clone())
-        .collect();
-    carry(room, outer.as_deref(), &members)?;
-    room.objects.remove(index);
+    let groups = Groups::of(room);
+    let mut freed = Vec::new();
+    for (index, object) in room.objects.iter().enumerate() {
+        let group = object.group.as_deref().filter(|it| gone.contains(it));
+        if group.is_none() || gone.contains(object.name.as_str()) {
+            continue;
+        }
+        // The first of the groups around it that stays.
+        let mut up = groups.up(group).into_iter();
+        let outer = up.find(|it| !gone.contains(it.name.as_str()));
+        let outer = outer.map(|it| it.name.clone());
+        freed.push((
+            index,
+            groups.pose(group),
+            groups.pose(outer.as_deref()),
+            outer,
+        ));
+    }
+    for (index, from, to, outer) in freed {
+        put(&mut room.objects[index], from, to);
+        room.objects[index].group = outer;
+    }
+    room.objects.retain(|it| !gone.contains(it.name.as_str()));
     Ok(())
 }
 
@@ -180,6 +238,7 @@ fn copy_in_a_row(room: &mut Room, array: &Array) -> Made {
         })
         .collect();
     let originals: Vec<Object> = picked.into_iter().cloned().collect();
+    let mut names = Names::of(room);
     for number in 1..=array.count {
         let mut copies = originals.clone();
         for (copy, frame) in copies.iter_mut().zip(&frames) {
@@ -187,8 +246,7 @@ fn copy_in_a_row(room: &mut Room, array: &Array) -> Made {
                 place_copy(copy, *frame, array, f64::from(number));
             }
         }
-        let copies = named_anew(room, copies);
-        room.objects.extend(copies);
+        room.objects.extend(names.named_anew(copies));
     }
     Ok(())
 }
@@ -223,7 +281,7 @@ pub(crate) fn pasted(room: &Room, clip: &Clip, by: DVec3) -> Vec<Object> {
     for copy in copies.iter_mut().filter(|it| it.group.is_none()) {
         copy.at += by;
     }
-    named_anew(room, copies)
+    Names::of(room).named_anew(copies)
 }
 
 fn paste(room: &mut Room, clip: &Clip, by: DVec3) {

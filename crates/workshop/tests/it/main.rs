@@ -7,5 +7,9 @@
     reason = "tests fail by panicking"
 )]
 
+mod checks;
 mod commands;
 mod keeping;
+mod killed;
+mod large;
+mod there_and_back;
