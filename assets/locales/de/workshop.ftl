@@ -274,3 +274,27 @@ workshop-step-spawn = Wo man beginnt
 workshop-step-several = Mehrere Änderungen
 workshop-step-outside = Außerhalb des Spiels geändert
 workshop-step-version = Die Fassung von { $when }
+
+# Was nicht stimmen mag.
+workshop-finding-not-parallel = „{ $name }“ liegt teilweise in „{ $other }“ und ist anders gedreht; es bleibt zu, bis die Achsen parallel sind oder eines ganz im anderen liegt.
+workshop-finding-too-deep = „{ $name }“ liegt in zu vielen ineinander liegenden Aberrationen, darunter „{ $other }“; höchstens acht sind erlaubt.
+workshop-finding-tangled = „{ $name }“ liegt in so vielen anderen, dass die Tiefe unklar ist; rücke einige auseinander.
+workshop-finding-no-door = „{ $name }“ hat an allen sechs Seiten Wände, und niemand könnte eintreten.
+workshop-finding-out-of-range = „{ $name }“ hat eine Zahl außerhalb des Erlaubten.
+workshop-finding-no-partner = Das Portal „{ $name }“ führt nirgendwohin: es gibt kein Portal mit dem Namen seines Ziels.
+workshop-finding-one-way = Das Portal „{ $name }“ führt zu „{ $other }“, das nicht zurückführt.
+workshop-finding-other-sides = „{ $name }“ und „{ $other }“ haben nicht gleich viele Seiten.
+workshop-finding-not-similar = „{ $name }“ fühlt sich seinem Partner „{ $other }“ nicht ähnlich an: gib ihnen Größen im gleichen Verhältnis.
+workshop-finding-other-size = „{ $name }“ weicht in der Größe um mehr als das 32-Fache von „{ $other }“ ab.
+workshop-finding-portal-shape = Die Ecken von „{ $name }“ bilden keine konvexe Form.
+workshop-finding-over-side = Das Portal „{ $name }“ liegt über einer Seite von „{ $other }“; stelle es ganz hinein oder hinaus.
+workshop-finding-in-odd-box = Das Portal „{ $name }“ steht in „{ $other }“, wo keine Portale stehen können.
+workshop-finding-portals-touch = Die Portale „{ $name }“ und „{ $other }“ berühren sich; rücke sie mindestens einen Millimeter auseinander.
+workshop-finding-spawn-in-solid = Man beginnt in „{ $name }“.
+workshop-finding-spawn-in-air = { $metres ->
+    [0] Man beginnt über nichts und fällt aus dem Raum.
+   *[other] Man beginnt in der Luft und fällt { $metres } m.
+}
+workshop-finding-open-sides = Die Seiten von „{ $name }“ sind offen: dort wird Licht gebogen. Verdecke sie oder gib ihm Wände.
+workshop-finding-fall-out = Man kann aus dem Raum fallen, nach { $metres } m zu Fuß.
+workshop-finding-unreached = „{ $name }“ ist vom Anfang aus zu Fuß nicht zu erreichen.

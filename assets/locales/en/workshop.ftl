@@ -274,3 +274,27 @@ workshop-step-spawn = Where one begins
 workshop-step-several = Several changes
 workshop-step-outside = Changed outside of the game
 workshop-step-version = The version of { $when }
+
+# What may be wrong.
+workshop-finding-not-parallel = “{ $name }” lies partly in “{ $other }” and is turned another way; it is closed until their axes are parallel, or one lies wholly in the other.
+workshop-finding-too-deep = “{ $name }” lies in too many aberrations in one another, “{ $other }” among them; eight is the most.
+workshop-finding-tangled = “{ $name }” lies in so many others that it cannot be told how deep; move some apart.
+workshop-finding-no-door = “{ $name }” has walls on all six sides, and nobody could enter.
+workshop-finding-out-of-range = “{ $name }” has a number that is out of range.
+workshop-finding-no-partner = The portal “{ $name }” leads nowhere: there is no portal of the name that it leads to.
+workshop-finding-one-way = The portal “{ $name }” leads to “{ $other }”, which does not lead back.
+workshop-finding-other-sides = “{ $name }” and “{ $other }” do not have as many sides.
+workshop-finding-not-similar = “{ $name }” does not feel similar to its partner “{ $other }”: give them sizes in proportion.
+workshop-finding-other-size = “{ $name }” differs in size from its partner “{ $other }” by more than 32 times.
+workshop-finding-portal-shape = The corners of “{ $name }” are no convex shape.
+workshop-finding-over-side = The portal “{ $name }” lies over a side of “{ $other }”; put it wholly in or out.
+workshop-finding-in-odd-box = The portal “{ $name }” stands in “{ $other }”, in which portals cannot stand.
+workshop-finding-portals-touch = The portals “{ $name }” and “{ $other }” touch; move them apart by a millimetre at least.
+workshop-finding-spawn-in-solid = One begins inside of “{ $name }”.
+workshop-finding-spawn-in-air = { $metres ->
+    [0] One begins over nothing, and falls out of the room.
+   *[other] One begins in the air and falls { $metres } m.
+}
+workshop-finding-open-sides = The sides of “{ $name }” are open: light is bent there. Cover them, or give it walls.
+workshop-finding-fall-out = One can fall out of the room, after { $metres } m of walking.
+workshop-finding-unreached = “{ $name }” cannot be reached on foot from where one begins.

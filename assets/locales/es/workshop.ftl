@@ -274,3 +274,27 @@ workshop-step-spawn = Dónde se empieza
 workshop-step-several = Varios cambios
 workshop-step-outside = Cambiada fuera del juego
 workshop-step-version = La versión de { $when }
+
+# Lo que puede estar mal.
+workshop-finding-not-parallel = «{ $name }» está en parte dentro de «{ $other }» y girada de otro modo; está cerrada hasta que sus ejes sean paralelos o una esté del todo en la otra.
+workshop-finding-too-deep = «{ $name }» está en demasiadas aberraciones anidadas, entre ellas «{ $other }»; ocho es el máximo.
+workshop-finding-tangled = «{ $name }» está en tantas otras que no se sabe a qué profundidad; separa algunas.
+workshop-finding-no-door = «{ $name }» tiene paredes en los seis lados y nadie podría entrar.
+workshop-finding-out-of-range = «{ $name }» tiene un número fuera de rango.
+workshop-finding-no-partner = El portal «{ $name }» no lleva a ninguna parte: no existe el portal al que lleva.
+workshop-finding-one-way = El portal «{ $name }» lleva a «{ $other }», que no lleva de vuelta.
+workshop-finding-other-sides = «{ $name }» y «{ $other }» no tienen los mismos lados.
+workshop-finding-not-similar = «{ $name }» no es semejante a su pareja «{ $other }»: dales tamaños proporcionales.
+workshop-finding-other-size = «{ $name }» difiere de su pareja «{ $other }» en más de 32 veces.
+workshop-finding-portal-shape = Las esquinas de «{ $name }» no forman una figura convexa.
+workshop-finding-over-side = El portal «{ $name }» está sobre un lado de «{ $other }»; ponlo del todo dentro o fuera.
+workshop-finding-in-odd-box = El portal «{ $name }» está en «{ $other }», donde no puede haber portales.
+workshop-finding-portals-touch = Los portales «{ $name }» y «{ $other }» se tocan; sepáralos al menos un milímetro.
+workshop-finding-spawn-in-solid = Se empieza dentro de «{ $name }».
+workshop-finding-spawn-in-air = { $metres ->
+    [0] Se empieza sobre la nada y se cae de la sala.
+   *[other] Se empieza en el aire y se caen { $metres } m.
+}
+workshop-finding-open-sides = Los lados de «{ $name }» están abiertos: allí la luz se curva. Cúbrelos o ponle paredes.
+workshop-finding-fall-out = Se puede caer de la sala tras andar { $metres } m.
+workshop-finding-unreached = No se puede llegar a pie a «{ $name }» desde donde se empieza.

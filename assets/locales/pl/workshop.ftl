@@ -312,3 +312,27 @@ workshop-step-spawn = Gdzie się zaczyna
 workshop-step-several = Kilka zmian
 workshop-step-outside = Zmieniono poza grą
 workshop-step-version = Wersja z { $when }
+
+# Co może być nie tak.
+workshop-finding-not-parallel = „{ $name }” leży częściowo w „{ $other }” i jest inaczej obrócone; jest zamknięte, dopóki osie nie będą równoległe albo jedno nie znajdzie się w całości w drugim.
+workshop-finding-too-deep = „{ $name }” leży w zbyt wielu zagnieżdżonych aberracjach, między nimi „{ $other }”; najwyżej osiem.
+workshop-finding-tangled = „{ $name }” leży w tylu innych, że nie wiadomo jak głęboko; rozsuń niektóre.
+workshop-finding-no-door = „{ $name }” ma ściany ze wszystkich sześciu stron i nikt nie wejdzie.
+workshop-finding-out-of-range = „{ $name }” ma liczbę spoza zakresu.
+workshop-finding-no-partner = Portal „{ $name }” nigdzie nie prowadzi: nie ma portalu o nazwie jego celu.
+workshop-finding-one-way = Portal „{ $name }” prowadzi do „{ $other }”, który nie prowadzi z powrotem.
+workshop-finding-other-sides = „{ $name }” i „{ $other }” nie mają tylu samych stron.
+workshop-finding-not-similar = „{ $name }” nie jest podobny do partnera „{ $other }”: nadaj im proporcjonalne rozmiary.
+workshop-finding-other-size = „{ $name }” różni się rozmiarem od „{ $other }” ponad 32 razy.
+workshop-finding-portal-shape = Rogi „{ $name }” nie tworzą figury wypukłej.
+workshop-finding-over-side = Portal „{ $name }” leży na boku „{ $other }”; postaw go całkiem w środku lub na zewnątrz.
+workshop-finding-in-odd-box = Portal „{ $name }” stoi w „{ $other }”, gdzie portale nie mogą stać.
+workshop-finding-portals-touch = Portale „{ $name }” i „{ $other }” się stykają; rozsuń je co najmniej o milimetr.
+workshop-finding-spawn-in-solid = Zaczyna się wewnątrz „{ $name }”.
+workshop-finding-spawn-in-air = { $metres ->
+    [0] Zaczyna się nad pustką i wypada z pokoju.
+   *[other] Zaczyna się w powietrzu i spada { $metres } m.
+}
+workshop-finding-open-sides = Boki „{ $name }” są otwarte: światło się tam wygina. Zasłoń je albo daj ściany.
+workshop-finding-fall-out = Można wypaść z pokoju po { $metres } m marszu.
+workshop-finding-unreached = Do „{ $name }” nie da się dojść pieszo od początku.

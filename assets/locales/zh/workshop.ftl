@@ -217,3 +217,27 @@ workshop-step-spawn = 起点
 workshop-step-several = 多项更改
 workshop-step-outside = 在游戏外更改
 workshop-step-version = { $when } 的版本
+
+# 可能的问题。
+workshop-finding-not-parallel = “{ $name }”部分位于“{ $other }”之中且转向不同；在两者的轴平行或一个完全位于另一个之内以前，它是关闭的。
+workshop-finding-too-deep = “{ $name }”嵌套的畸变过多（其中有“{ $other }”），最多八层。
+workshop-finding-tangled = “{ $name }”与太多其他物体重叠，无法判断深度；请移开一些。
+workshop-finding-no-door = “{ $name }”六面都是墙，没人能进去。
+workshop-finding-out-of-range = “{ $name }”有超出范围的数值。
+workshop-finding-no-partner = 传送门“{ $name }”无处可去：没有它所通向的传送门。
+workshop-finding-one-way = 传送门“{ $name }”通向“{ $other }”，但后者不通回。
+workshop-finding-other-sides = “{ $name }”与“{ $other }”的面数不同。
+workshop-finding-not-similar = “{ $name }”与另一端“{ $other }”不相似：请让两者尺寸成比例。
+workshop-finding-other-size = “{ $name }”与“{ $other }”的尺寸相差超过 32 倍。
+workshop-finding-portal-shape = “{ $name }”的角不构成凸形。
+workshop-finding-over-side = 传送门“{ $name }”横跨“{ $other }”的侧面；请完全放入或移出。
+workshop-finding-in-odd-box = 传送门“{ $name }”位于“{ $other }”中，那里不能放传送门。
+workshop-finding-portals-touch = 传送门“{ $name }”与“{ $other }”相接；请至少分开一毫米。
+workshop-finding-spawn-in-solid = 起点在“{ $name }”内部。
+workshop-finding-spawn-in-air = { $metres ->
+    [0] 起点下方空无一物，会掉出房间。
+   *[other] 起点在空中，会下落 { $metres } 米。
+}
+workshop-finding-open-sides = “{ $name }”的侧面敞开：光线会在那里弯曲。请遮住它们或加上墙壁。
+workshop-finding-fall-out = 步行 { $metres } 米后可能掉出房间。
+workshop-finding-unreached = 从起点步行到不了“{ $name }”。

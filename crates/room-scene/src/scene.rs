@@ -117,6 +117,11 @@ impl RoomScene {
         &mut self.document
     }
 
+    /// The files that the room names.
+    pub fn assets(&self) -> &Assets {
+        &self.assets
+    }
+
     /// Counts changes of what the room looks like.
     pub fn revision(&self) -> u64 {
         self.revision

@@ -36,7 +36,10 @@ fn found(room: &Room) -> Vec<Finding> {
     let found = find_in(room, &Assets::default(), &SHAPE, &|| true, &mut |_| {});
     for it in &found {
         assert!(FINDINGS.contains(&it.said.id.as_str()), "{it:?}");
-        assert!(it.objects.iter().all(|name| room.find(name).is_some()), "{it:?}");
+        assert!(
+            it.objects.iter().all(|name| room.find(name).is_some()),
+            "{it:?}"
+        );
     }
     found
 }
@@ -44,7 +47,10 @@ fn found(room: &Room) -> Vec<Finding> {
 /// Each finding as its id and the objects that it leads to.
 fn told(room: &Room) -> Vec<String> {
     let found = found(room);
-    found.iter().map(|it| format!("{} {}", it.said.id, it.objects.join(" "))).collect()
+    found
+        .iter()
+        .map(|it| format!("{} {}", it.said.id, it.objects.join(" ")))
+        .collect()
 }
 
 /// The rim of the floor of 20 m, so that nobody falls off.
@@ -67,7 +73,11 @@ fn rooms_of_the_game_have_nothing_that_does_not_work() {
         for it in &found {
             println!("  {it:?}");
         }
-        assert!(found.iter().all(|it| !it.is_grave), "{}: {found:?}", shipped.id);
+        assert!(
+            found.iter().all(|it| !it.is_grave),
+            "{}: {found:?}",
+            shipped.id
+        );
         let lost = found.iter().find(|it| it.said.id == "unreached");
         assert!(lost.is_none(), "{}: {lost:?}", shipped.id);
     }

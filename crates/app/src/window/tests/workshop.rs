@@ -2,7 +2,6 @@
 
 use antipode_room_scene::RoomScene;
 use antipode_rooms::What;
-use antipode_settings::Language;
 use antipode_ui::workshop::{FieldValue, ToolChoice, ViewEvent, WorkshopWish};
 
 use super::*;
@@ -274,6 +273,44 @@ fn a_number_that_is_dragged_is_one_step_and_what_cannot_be_is_told() {
 }
 
 #[test]
+fn what_is_wrong_is_said_and_leads_there() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("portals")]);
+    let door = WorkshopWish::Set {
+        key: "size".to_owned(),
+        value: FieldValue::Number(0, 3.0),
+        done: true,
+    };
+    ask(
+        &mut game,
+        [
+            WorkshopWish::Choose {
+                name: "door".to_owned(),
+                adds: false,
+            },
+            door,
+        ],
+    );
+    ask(&mut game, [WorkshopWish::ChooseAll(false)]);
+    let mut now = Instant::now();
+    let began = now;
+    let mut said = String::new();
+    while !said.contains("sizes in proportion") {
+        assert!(began.elapsed() < Duration::from_mins(2), "{said}");
+        now += Duration::from_millis(20);
+        game.tick(now);
+        said = words(&mut game);
+    }
+    ask(&mut game, [WorkshopWish::ShowMessage(0)]);
+    assert!(
+        chosen(&game).contains(&"door".to_owned()),
+        "{:?}",
+        chosen(&game)
+    );
+}
+
+#[test]
 fn what_was_built_is_kept_with_its_history() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = building(&dir);
@@ -296,7 +333,7 @@ fn what_was_built_is_kept_with_its_history() {
 
 #[test]
 fn every_step_that_can_be_told_has_words_in_every_language() {
-    for language in Language::ALL {
+    for language in antipode_language::Language::ALL {
         let texts = antipode_language::Texts::new(language);
         for id in antipode_workshop::STEPS {
             let values = [
@@ -307,6 +344,19 @@ fn every_step_that_can_be_told_has_words_in_every_language() {
             let key = format!("workshop-step-{id}");
             let said = texts.say_with(&key, &values);
             assert!(!said.is_empty() && !said.contains("workshop-step"), "{key}");
+        }
+        for id in antipode_workshop::FINDINGS {
+            let values = [
+                ("name", "x".into()),
+                ("other", "y".into()),
+                ("metres", 3_usize.into()),
+            ];
+            let key = format!("workshop-finding-{id}");
+            let said = texts.say_with(&key, &values);
+            assert!(
+                !said.is_empty() && !said.contains("workshop-finding"),
+                "{key}"
+            );
         }
     }
 }

@@ -93,6 +93,7 @@ impl Game {
             return;
         };
         let scene = &mut visit.room.scene;
+        workshop.findings.pass(scene);
         if let Some(why) = workshop.keeping.pass(scene, passed.as_secs_f64()) {
             let values = [("reason", why.into())];
             self.menus
@@ -207,7 +208,7 @@ impl Workshop {
             chosen: &chosen,
             fields: &fields,
             parts: &parts,
-            messages: &[],
+            messages: &self.findings.rows(texts),
             history: &history,
             done: made,
             bar,

@@ -5,6 +5,7 @@ mod bent;
 mod changes;
 mod chosen;
 mod fields;
+mod findings;
 mod game;
 mod hand;
 mod keeping;
@@ -20,8 +21,10 @@ use antipode_room_scene::workshop::{FreeCamera, Handle, Handles, Snap, Through, 
 use antipode_ui::workshop::{BarModel, ToolChoice, WorkshopPanes};
 use glam::DVec2;
 
+use super::background::Task;
 use super::visit::Visit;
 use crate::room_picture::{RoomView, Tile};
+use findings::Findings;
 use hand::{Dragging, Meant};
 use keeping::Keeping;
 
@@ -49,6 +52,7 @@ pub struct Workshop {
     /// The field that is being dragged.
     field: Option<String>,
     keeping: Keeping,
+    findings: Findings,
     /// Whether a menu or a list is down.
     is_dropped: bool,
 }
@@ -88,6 +92,7 @@ impl Workshop {
             frame: None,
             field: None,
             keeping: Keeping::of(scene),
+            findings: Findings::begin(),
             is_dropped: false,
         }
     }
@@ -170,6 +175,8 @@ impl Visit {
         self.room.scene.document_mut().end_drag();
         self.room.scene.leave_out_hidden(false);
         self.room.scene.walk_from(&workshop.camera);
+        // The thread of the checks is waited for elsewhere.
+        Task::start("leave", move || drop(workshop));
     }
 
     /// What a picture of it is of while it is built in.

@@ -11,6 +11,8 @@ use super::hand::{middle, nudge};
 use super::rows::free_name;
 use super::{Workshop, chosen, parts, set};
 
+/// How far about the place of a finding one looks, metres.
+const FINDING_M: f64 = 2.0;
 /// How many copies an array makes.
 const ARRAY: u32 = 4;
 
@@ -130,6 +132,7 @@ impl Workshop {
             WorkshopWish::Choose { name, adds: false } => document.select([name]),
             WorkshopWish::ChooseTo(name) => choose_to(bench.scene, &name),
             WorkshopWish::ChooseAll(all) => choose_all(bench.scene, all),
+            WorkshopWish::ShowMessage(number) => self.show_finding(bench.scene, number),
             wish => self.arrange(bench.scene, &wish),
         }
         Ok(())
@@ -249,6 +252,18 @@ impl Workshop {
             WorkshopWish::Focus => self.focus(scene),
             _ => {}
         }
+    }
+
+    /// Chooses what a finding is about, and looks at it.
+    fn show_finding(&mut self, scene: &mut RoomScene, number: usize) {
+        let Some(finding) = self.findings.get(number).cloned() else {
+            return;
+        };
+        self.forget_chain();
+        scene.document_mut().select(finding.objects);
+        let fov_y_rad = self.viewpoint(scene).eye.fov_y_rad;
+        self.camera
+            .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
     }
 
     /// Looks at what is chosen.
