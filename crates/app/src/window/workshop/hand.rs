@@ -2,8 +2,8 @@
 
 use antipode_deformation::Chain;
 use antipode_room_scene::RoomScene;
-use antipode_room_scene::workshop::{Change, Drag, Handle};
-use antipode_rooms::{Room, poses};
+use antipode_room_scene::workshop::{Change, Drag, Handle, Held, Sight, Viewpoint};
+use antipode_rooms::{Room, What, poses};
 use antipode_ui::workshop::ViewEvent;
 use antipode_workshop::{Edit, Field};
 use glam::{DVec2, DVec3};
@@ -127,9 +127,8 @@ impl Workshop {
             return;
         };
         if is_held(scene.room(), seen.object, &names) {
-            let through = scene.through(&view, seen.chain.clone());
-            let point = seen.place.point;
-            self.dragging = Drag::begin_body(&through, held, point, at).map(taken);
+            let drag = body_drag(scene, &view, held, &seen, at);
+            self.dragging = drag.map(taken);
             self.frame = None;
         }
     }
@@ -164,8 +163,11 @@ impl Workshop {
             && dragging.begun
         {
             scene.document_mut().end_drag();
-            let chain = dragging.drag.chain;
-            self.seen = Some(Seen { chain, at });
+            // What is behind the way by which it was dragged is sought anew from where it is now.
+            self.seen = self.seen.take().filter(|it| it.chain.has_portal());
+            if let Some(seen) = &mut self.seen {
+                seen.at = at;
+            }
             return;
         }
         let frame = self.frame.take();
@@ -194,7 +196,14 @@ impl Workshop {
         };
         let found = all.get(number).copied();
         self.meant = Some(Meant { at, all, number });
-        let chain = scene.seen(&view, at).filter(|it| Some(it.object) == found);
+        // Aberrations are held from outside, by the straight way.
+        let is_box = |it: &Sight| {
+            let what = &scene.room().objects[it.object].what;
+            matches!(what, What::Aberration(_))
+        };
+        let chain = scene
+            .seen(&view, at)
+            .filter(|it| Some(it.object) == found && !is_box(it));
         self.seen = chain.map(|it| Seen {
             chain: it.chain,
             at,
@@ -257,12 +266,7 @@ impl Workshop {
 
 impl Dragging {
     /// Moves what is held onto what is seen under the pointer, itself left out.
-    fn on_surface(
-        &self,
-        scene: &RoomScene,
-        view: &antipode_room_scene::workshop::Viewpoint,
-        at: DVec2,
-    ) -> Option<Change> {
+    fn on_surface(&self, scene: &RoomScene, view: &Viewpoint, at: DVec2) -> Option<Change> {
         let hidden: Vec<usize> = (0..scene.room().objects.len())
             .filter(|index| is_held(scene.room(), *index, &self.names))
             .collect();
@@ -272,6 +276,26 @@ impl Dragging {
             seen.place.point + seen.normal * out - self.origin,
         ))
     }
+}
+
+/// A drag of a thing by what is seen of it. An aberration is held from outside, whatever of it is seen from within.
+fn body_drag(
+    scene: &RoomScene,
+    view: &Viewpoint,
+    held: Held,
+    seen: &Sight,
+    at: DVec2,
+) -> Option<Drag> {
+    let is_box = matches!(scene.room().objects[seen.object].what, What::Aberration(_));
+    if !is_box {
+        let through = scene.through(view, seen.chain.clone());
+        return Drag::begin_body(&through, held, seen.place.point, at);
+    }
+    let (through, _) = scene.way_to(view, held.origin, Some(seen.object))?;
+    let leg = through.leg(at)?;
+    let way = (held.origin - leg.place.point).dot(leg.velocity) / leg.velocity.length_squared();
+    let nearest = leg.place.point + leg.velocity * way;
+    Drag::begin_body(&through, held, nearest, at)
 }
 
 /// Whether an object is one of these, or carried by one.
