@@ -78,7 +78,8 @@ fn meet(triangle: u32, o: vec3<f32>, d: vec3<f32>, instance: u32, cut: vec4<f32>
     let turned = cross(from_corner, ab);
     let c = dot(d, turned) * one;
     let time = dot(ac, turned) * one;
-    let is_there = dot(cut, vec4<f32>(o + time * d, 1.0)) >= 0.0;
+    // Only portals cut.
+    let is_there = !HAS_PORTALS || dot(cut, vec4<f32>(o + time * d, 1.0)) >= 0.0;
     if volume != 0.0 && b >= 0.0 && c >= 0.0 && b + c <= 1.0 && time >= 0.0 && time <= (*found).time && is_there {
         *found = Found(time, instance + third.w, triangle, vec2<f32>(b, c));
     }
@@ -155,7 +156,9 @@ fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do:
         instance = select(0u, at - INSTANCE, enters);
         let to_mesh = to_mesh_of(instance);
         let about = instance_part(instance, 3u);
-        cut = select(vec4<f32>(0.0), bitcast<vec4<f32>>(instance_part(instance, 5u)), enters);
+        if HAS_PORTALS {
+            cut = select(vec4<f32>(0.0), bitcast<vec4<f32>>(instance_part(instance, 5u)), enters);
+        }
         o = select(x, vec4<f32>(x, 1.0) * to_mesh, enters);
         d = select(v, vec4<f32>(v, 0.0) * to_mesh, enters);
         pace = inverse_pace(d);
