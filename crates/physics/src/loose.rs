@@ -345,12 +345,15 @@ fn collider(made: &LooseBody, scale: f64) -> ColliderBuilder {
         .mass(mass(made, scale))
 }
 
+/// Triangles that have an area, as Rapier takes them.
 fn mesh(triangles: &[[DVec3; 3]], flags: TriMeshFlags) -> Option<TriMesh> {
     let is_whole = |it: &&[DVec3; 3]| (it[1] - it[0]).cross(it[2] - it[0]).length() > 1e-12;
     let corners: Vec<Vector> = triangles
         .iter()
         .filter(is_whole)
-        .flat_map(|it| it.map(|corner| corner.as_vec3()))
+        .flatten()
+        .copied()
+        .map(DVec3::as_vec3)
         .collect();
     let numbers = (0..corners.len() as u32 / 3).map(|it| [3 * it, 3 * it + 1, 3 * it + 2]);
     let flags = flags | TriMeshFlags::DELETE_DEGENERATE_TRIANGLES;

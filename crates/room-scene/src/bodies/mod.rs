@@ -9,6 +9,7 @@
 //! Between steps of rapier gravity acts by halves before and after (leapfrog): from u, u + a t/2 for the time t goes
 //! u t + a t^2/2 far, the parabola's own way, and (u + a t)^2/2 - a (u t + a t^2/2) = u^2/2: in free flight energy is kept exactly.
 
+mod doors;
 mod frame;
 mod ground;
 mod make;
