@@ -138,7 +138,7 @@ fn energy_is_kept_through_the_faces_of_a_soft_box() {
         while state(&scene, "ball").point.y > 1.0 {
             scene.step(&Steer::default());
             let now = state(&scene, "ball");
-            inside += usize::from(now.place.stack.len() > 0);
+            inside += usize::from(!now.place.stack.is_empty());
             let off = energy(&now) / first - 1.0;
             assert!(off.abs() < 1e-3, "{stretch}: {off} at {}", now.point);
         }
