@@ -211,6 +211,14 @@ impl LooseBodies {
         motion.is_finite().then_some(motion)
     }
 
+    /// The energy of its turning, J/kg.
+    pub fn turning(&self, number: usize) -> f64 {
+        self.body(number).map_or(0.0, |body| {
+            let whole = f64::from(body.kinetic_energy() / body.mass());
+            (whole - 0.5 * f64::from(body.linvel().length_squared())).max(0.0)
+        })
+    }
+
     /// Whether it lies still, and is not computed until something touches or wakes it.
     pub fn sleeps(&self, number: usize) -> bool {
         self.body(number).is_some_and(RigidBody::is_sleeping)
