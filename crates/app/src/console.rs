@@ -5,7 +5,7 @@ use std::path::Path;
 
 use antipode_geometry::Geometry;
 use antipode_language::Texts;
-use antipode_rooms::edit::KINDS;
+use antipode_rooms::words::KINDS;
 use antipode_scene::Item;
 use antipode_settings::{Kind, field, fields};
 use antipode_ui::Completion;

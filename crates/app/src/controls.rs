@@ -286,6 +286,7 @@ impl Controls {
             | Action::Screenshot
             | Action::PhotoMode
             | Action::SkipHint
+            | Action::Workshop
             | Action::Console => return Some(action),
             _ => {}
         }

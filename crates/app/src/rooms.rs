@@ -7,6 +7,7 @@ use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, roo
 use antipode_scene::Actions;
 use antipode_scene::frame::Quality;
 use antipode_settings::Settings;
+use antipode_workshop::{Document, WorkshopError};
 use glam::DVec3;
 
 use crate::common::Common;
@@ -100,8 +101,36 @@ impl OpenRoom {
         Self::of(dir.open(&kept)?, Some(kept))
     }
 
+    /// Enters a room that is kept, so that it can be built in: one of the player's own has its journal, and all that was done to
+    /// it can be taken back. Waits for the disk.
+    ///
+    /// # Errors
+    /// When it is not there any more or not sound, or another game builds in it.
+    pub fn enter_with_journal(dir: &RoomsDir, kept: RoomSummary) -> Result<Self, RoomError> {
+        if kept.shipped {
+            return Self::enter(dir, kept);
+        }
+        let folder = dir.path().join(&kept.slug);
+        let opened = match Document::open(&folder) {
+            Ok(opened) => opened,
+            Err(WorkshopError::Room(why)) => return Err(why),
+            // It can be walked through.
+            Err(why) => {
+                tracing::warn!("the room has no journal: {why}");
+                return Self::enter(dir, kept);
+            }
+        };
+        let files = assets(&folder, opened.document.room())?;
+        Ok(Self {
+            scene: RoomScene::of(opened.document, files),
+            kept: Some(kept),
+            look: View::Exact,
+            outlines: Outlines::default(),
+        })
+    }
+
     fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Result<Self, RoomError> {
-        let scene = RoomScene::open(loaded)?;
+        let scene = RoomScene::open(loaded);
         Ok(Self {
             scene,
             kept,
@@ -286,6 +315,11 @@ impl OpenRoom {
 
 fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), RoomError> {
     let Some(name) = name else {
+        let document = open.scene.document_mut();
+        if document.dir().is_some() {
+            let saved = document.save_now();
+            return saved.map_err(|why| RoomError::Command(why.to_string()));
+        }
         return match &open.kept {
             Some(kept) if kept.shipped => Err(RoomError::Shipped(kept.name.clone())),
             Some(kept) => dir.save(&kept.slug, open.scene.room()),

@@ -46,7 +46,7 @@ fn main() -> Result<(), Fault> {
     for (view, word) in [(View::Plain, "plain"), (View::Exact, "exact")] {
         let wanted = |id: &str| only.as_ref().is_none_or(|only| only == id);
         for room in shipped::ROOMS.iter().filter(|room| wanted(room.id)) {
-            let open = RoomScene::open(room.loaded()?)?;
+            let open = RoomScene::open(room.loaded()?);
             let made: Result<_, Infallible> = open.ray_scene(|_| Ok(RgbaImage::new(4, 4)));
             let scene = made?;
             if view == View::Plain && !scene.aberrations.portals().is_empty() {

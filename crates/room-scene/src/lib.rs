@@ -1,7 +1,7 @@
 //! A room that runs. A [`RoomScene`] is made of a [`Loaded`](antipode_rooms::Loaded) room: its aberrations as a space, its
 //! solids as triangles, who walks in it and looks, and the [`RayScene`](antipode_rays::RayScene) that pictures are drawn of.
 //! It goes on in steps of [`tuning::STEP_S`], so that the same steps lead to the same place, and it is changed by the words of
-//! an [`Editor`](antipode_rooms::Editor). What one does in a room changes nothing in its file.
+//! a [`Document`](antipode_workshop::Document). What one does in a room changes nothing in its file.
 //!
 //! There is no window, no file and no adapter here.
 
@@ -27,6 +27,7 @@ mod sounds;
 mod things;
 pub mod tuning;
 mod walk;
+pub mod workshop;
 
 pub use difference::{Difference, Lying};
 pub use figure::RoomFigure;

@@ -6,7 +6,8 @@ use antipode_frame::hand::HandMotion;
 use antipode_frame::motion::Motion;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
-use antipode_rooms::{Assets, Editor, Loaded, Room, RoomError, aberrations, space_so_far};
+use antipode_rooms::{Assets, Loaded, Room, RoomError, aberrations, space_in_parts};
+use antipode_workshop::{Document, Plan, Said};
 use glam::DVec3;
 use thiserror::Error;
 
@@ -27,10 +28,10 @@ use crate::walk::{Jumps, Look};
 #[error("({}, {}, {}) is farther than {FARTHEST_M} m from the room's origin", .0.x, .0.y, .0.z)]
 pub struct NoSuchPlace(pub DVec3);
 
-/// An open room.
+/// An open room. A copy of it is kept nowhere.
 #[derive(Clone, Debug)]
 pub struct RoomScene {
-    pub(crate) editor: Editor,
+    pub(crate) document: Document,
     pub(crate) assets: Assets,
     pub(crate) space: Space,
     /// The object of each aberration of the space.
@@ -67,17 +68,21 @@ pub struct RoomScene {
     /// How high the lowest of all that stands in the room is, metres against gravity.
     pub(crate) lowest_m: f64,
     revision: u64,
+    /// Whether what is hidden in the document is left out of solids and pictures.
+    leaves_out: bool,
 }
 
 impl RoomScene {
     /// Opens a room; one stands where it says that one begins.
-    ///
-    /// # Errors
-    /// [`RoomError::Unsound`] if its aberrations lie as they may not; rooms that were read do not.
-    pub fn open(loaded: Loaded) -> Result<Self, RoomError> {
+    pub fn open(loaded: Loaded) -> Self {
+        Self::of(Document::new(loaded.room), loaded.assets)
+    }
+
+    /// Opens the room of a document, which is changed here from now on.
+    pub fn of(document: Document, assets: Assets) -> Self {
         let mut scene = Self {
-            editor: Editor::new(loaded.room),
-            assets: loaded.assets,
+            document,
+            assets,
             space: Space::default(),
             boxes: Vec::new(),
             portals: Vec::new(),
@@ -105,15 +110,31 @@ impl RoomScene {
             hints: Vec::new(),
             lowest_m: 0.0,
             revision: 0,
+            leaves_out: false,
         };
-        scene.work_out()?;
+        scene.work_out();
         scene.begin_anew();
-        Ok(scene)
+        scene
     }
 
     /// The room as it is now.
     pub fn room(&self) -> &Room {
-        self.editor.room()
+        self.document.room()
+    }
+
+    /// The document whose room this is.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The same, to select in, to keep and to begin drags. What changes the room goes by [`Self::make`].
+    pub fn document_mut(&mut self) -> &mut Document {
+        &mut self.document
+    }
+
+    /// The files that the room names.
+    pub fn assets(&self) -> &Assets {
+        &self.assets
     }
 
     /// Counts changes of what the room looks like.
@@ -121,7 +142,7 @@ impl RoomScene {
         self.revision
     }
 
-    /// Changes the room by the words of a command, as [`Editor::apply`] takes them. `read` gives the files of a room that
+    /// Changes the room by the words of a command, as [`Document::plan_words`] takes them. `read` gives the files of a room that
     /// names other ones than before. Who walks stays, unless what is strange there has changed: then they begin to feel it.
     ///
     /// # Errors
@@ -131,11 +152,28 @@ impl RoomScene {
         words: &[&str],
         read: impl FnOnce(&Room) -> Result<Assets, RoomError>,
     ) -> Result<(), RoomError> {
-        let mut changed = self.clone();
-        changed.editor.apply(words)?;
-        changed.assets = read(changed.room())?;
-        changed.work_out()?;
-        *self = changed;
+        self.document.end_drag();
+        let plan = self.document.plan_words(words)?;
+        self.make(plan, read)
+    }
+
+    /// Makes what was planned of the document, as [`Self::edit`] does.
+    ///
+    /// # Errors
+    /// What is wrong with a file that the room names then; if the document has changed since. The room is as it was.
+    pub fn make(
+        &mut self,
+        plan: Plan,
+        read: impl FnOnce(&Room) -> Result<Assets, RoomError>,
+    ) -> Result<(), RoomError> {
+        if plan.names_other_files(&self.document) {
+            let assets = read(plan.room())?;
+            self.document.commit(plan)?;
+            self.assets = assets;
+        } else {
+            self.document.commit(plan)?;
+        }
+        self.work_out();
         Ok(())
     }
 
@@ -145,8 +183,10 @@ impl RoomScene {
     /// If no room has such gravity.
     pub fn set_gravity(&mut self, gravity: DVec3) -> Result<(), RoomError> {
         let room = self.room().clone();
-        self.editor.step(Room { gravity, ..room })?;
-        self.work_out()
+        let plan = (self.document).plan_room(Room { gravity, ..room }, Said::new("room"))?;
+        self.document.commit(plan)?;
+        self.work_out();
+        Ok(())
     }
 
     /// Gives the room another name.
@@ -158,14 +198,22 @@ impl RoomScene {
             name: name.trim().to_owned(),
             ..self.room().clone()
         };
-        self.editor.step(room)
+        let plan = self.document.plan_room(room, Said::new("room"))?;
+        Ok(self.document.commit(plan)?)
     }
 
-    fn work_out(&mut self) -> Result<(), RoomError> {
-        let room = self.editor.room();
-        (self.space, self.portals) = space_so_far(room).map_err(RoomError::Unsound)?;
-        self.boxes = aberrations(room).iter().map(|(index, _)| *index).collect();
+    /// Works out what the room is made of, after it has changed.
+    fn work_out(&mut self) {
+        let room = self.document.room();
+        let so_far = space_in_parts(room);
+        (self.space, self.boxes, self.portals) = (so_far.space, so_far.boxes, so_far.portals);
         (self.meshes, self.loose_meshes) = parted(room, standing(room, &self.assets));
+        if self.leaves_out {
+            let document = &self.document;
+            let is_shown = |mesh: &SolidMesh| !document.is_hidden(&room.objects[mesh.object].name);
+            self.meshes.retain(is_shown);
+            self.loose_meshes.retain(is_shown);
+        }
         self.solids = triangles(&self.meshes);
         self.grasp = Grasp::default();
         self.bodies.changed(room, &self.space);
@@ -179,7 +227,29 @@ impl RoomScene {
         self.walker.stay();
         self.things.wake(&self.space);
         self.revision += 1;
-        Ok(())
+    }
+
+    /// Whether what is hidden in the document is left out: it is while one builds, and not while one walks.
+    pub fn leave_out_hidden(&mut self, leaves_out: bool) {
+        let hides = |it: &antipode_rooms::Object| self.document.is_hidden(&it.name);
+        let changes = self.leaves_out != leaves_out && self.room().objects.iter().any(hides);
+        self.leaves_out = leaves_out;
+        if changes {
+            self.work_out();
+        }
+    }
+
+    /// Something was hidden in the document, or shown again.
+    pub fn look_again(&mut self) {
+        self.work_out();
+    }
+
+    /// The drag that goes on in the document is given up.
+    pub fn cancel_drag(&mut self) {
+        if self.document.is_dragging() {
+            self.document.cancel_drag();
+            self.work_out();
+        }
     }
 
     /// What is solid: what stands, and what is loose where it is now.
@@ -191,7 +261,7 @@ impl RoomScene {
     }
 
     fn lowest(&self) -> f64 {
-        let room = self.editor.room();
+        let room = self.document.room();
         let up = self.up();
         let of_solids = self
             .meshes

@@ -1,34 +1,11 @@
-//! What one meets in a room: triangles of everything that stands in it, in metres of the scene.
-//!
-//! Walls of aberrations are no matter of this list: the space has them.
+//! What one meets in a room, as it is known to whoever looks at rooms.
 
-use antipode_deformation::{Triangle, Triangles};
-use antipode_rooms::mesh::{Roundness, SolidMesh, meshes};
-use antipode_rooms::{Assets, Room, What};
-
-/// The meshes of all that stands in a room but the walls of its aberrations.
-pub fn standing(room: &Room, assets: &Assets) -> Vec<SolidMesh> {
-    let mut all = meshes(room, assets, Roundness::default());
-    all.retain(|mesh| !matches!(room.objects[mesh.object].what, What::Aberration(_)));
-    all
-}
+use antipode_rooms::Room;
+use antipode_rooms::mesh::SolidMesh;
+pub use antipode_rooms::solids::{standing, triangles};
 
 /// Parts what stands from what is loose.
 pub fn parted(room: &Room, meshes: Vec<SolidMesh>) -> (Vec<SolidMesh>, Vec<SolidMesh>) {
     let stands = |mesh: &SolidMesh| room.objects[mesh.object].mass.is_none();
     meshes.into_iter().partition(stands)
-}
-
-/// Their triangles, each with the place of its object among all.
-pub fn triangles(meshes: &[SolidMesh]) -> Triangles {
-    let of = |mesh: &SolidMesh| {
-        let (pose, shape, object) = (mesh.pose, mesh.shape.clone(), mesh.object as u32);
-        let corner = move |it: u32| pose.transform_point3(shape.positions[it as usize]);
-        let triangles = mesh.shape.triangles.clone();
-        triangles.into_iter().map(move |it| Triangle {
-            corners: it.map(&corner),
-            object,
-        })
-    };
-    Triangles::new(meshes.iter().flat_map(of).collect())
 }

@@ -159,7 +159,7 @@ impl RoomScene {
             standing: &self.solids,
             loose: &self.loose,
         };
-        let objects = &self.editor.room().objects;
+        let objects = &self.document.room().objects;
         let is_loose = |what: What| match what {
             What::Object(object, _) => objects[object as usize].mass.is_some(),
             What::Wall(..) => false,
@@ -189,7 +189,7 @@ impl RoomScene {
         let around = Around {
             space: &self.space,
             solids: &self.solids,
-            g: self.editor.room().gravity,
+            g: self.document.room().gravity,
         };
         self.bodies.step(&around);
         self.hear_knocks();

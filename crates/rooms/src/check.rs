@@ -47,12 +47,16 @@ pub fn check(room: &Room) -> Result<(), Fault> {
 ///
 /// # Errors
 /// The first that is wrong.
-pub(crate) fn check_so_far(room: &Room) -> Result<(), Fault> {
+pub fn check_so_far(room: &Room) -> Result<(), Fault> {
     check_each(room)?;
     space_so_far(room).map(|_| ())
 }
 
-fn check_each(room: &Room) -> Result<(), Fault> {
+/// The same of a room in an editor: its aberrations and portals may lie anyhow, and those that do not fit are closed.
+///
+/// # Errors
+/// The first that is wrong.
+pub fn check_each(room: &Room) -> Result<(), Fault> {
     check_whole(room).map_err(|it| Fault {
         field: it.field.clone(),
         path: it.field,
@@ -91,7 +95,7 @@ pub(crate) fn fault(room: &Room, index: usize, it: Wrong) -> Fault {
 }
 
 /// A text of the file in quotes, without what could harm a terminal, and not too long.
-pub(crate) fn shown(text: &str) -> String {
+pub fn shown(text: &str) -> String {
     let short: String = text.chars().take(MOST_NAME_CHARS + 1).collect();
     format!("\"{}\"", short.escape_debug())
 }

@@ -21,6 +21,24 @@ struct Head {
 /// # Errors
 /// [`RoomError::Text`] for whatever is wrong in the text or in what it says, [`RoomError::Newer`].
 pub fn read(file: &str, bytes: &[u8]) -> Result<Room, RoomError> {
+    let (room, text) = parse(file, bytes)?;
+    check(&room).map_err(|fault| RoomError::Text {
+        file: file.to_owned(),
+        line: lines::line_of(text, &fault.path),
+        fault,
+    })?;
+    Ok(room)
+}
+
+/// The same of a room that was being changed, which need not be sound: what [`crate::write_so_far`] has written.
+///
+/// # Errors
+/// As [`read`], but for what is wrong in what the text says.
+pub fn read_so_far(file: &str, bytes: &[u8]) -> Result<Room, RoomError> {
+    parse(file, bytes).map(|(room, _)| room)
+}
+
+fn parse<'t>(file: &str, bytes: &'t [u8]) -> Result<(Room, &'t str), RoomError> {
     let whole = |reason: String| RoomError::Text {
         file: file.to_owned(),
         line: 1,
@@ -58,12 +76,7 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Room, RoomError> {
         });
     }
     let room: Room = options.from_str(text).map_err(|error| refused(&error))?;
-    check(&room).map_err(|fault| RoomError::Text {
-        file: file.to_owned(),
-        line: lines::line_of(text, &fault.path),
-        fault,
-    })?;
-    Ok(room)
+    Ok((room, text))
 }
 
 /// The longest path of a field that is told.

@@ -143,7 +143,7 @@ fn unfit(error: &SpaceError) -> Option<&String> {
 }
 
 /// The portals that are kept, numbered anew.
-fn without(
+pub(crate) fn without(
     all: Vec<(usize, deformation::Portal)>,
     kept: &[bool],
 ) -> Vec<(usize, deformation::Portal)> {

@@ -8,36 +8,57 @@ use crate::aberration::{Aberration, Axis, Exit, Lengths, Sides, Ways};
 use crate::check::shown;
 use crate::colour::Colour;
 use crate::error::RoomError;
-use crate::portal::{Opening, Portal};
-use crate::room::{Checker, Finish, Object, Spawn, Texture, What, board};
+pub use crate::kinds::KINDS;
+use crate::kinds::kind;
+use crate::portal::Opening;
+use crate::room::{Checker, Finish, Object, Spawn, Texture, What};
 
-type Taken<T> = Result<T, RoomError>;
+/// What was read, or a sentence that says why it cannot be.
+pub type Taken<T> = Result<T, RoomError>;
 
 fn refuse<T>(sentence: impl Into<String>) -> Taken<T> {
     Err(RoomError::Command(sentence.into()))
 }
 
 /// The `key=value` words of a command, each key once.
-pub(crate) struct Pairs<'a>(Vec<(&'a str, &'a str)>);
+#[derive(Debug)]
+pub struct Pairs<'a>(Vec<(&'a str, &'a str)>);
 
 impl<'a> Pairs<'a> {
     /// Parts words at their first `=`.
+    ///
+    /// # Errors
+    /// If a word has none, or a key is said twice.
     pub fn of(words: &[&'a str]) -> Taken<Self> {
-        let mut keys = BTreeSet::new();
         let mut pairs = Vec::new();
         for word in words {
-            let Some((key, value)) = word.split_once('=') else {
+            let Some(pair) = word.split_once('=') else {
                 return refuse(format!(
                     "{} says nothing; write key=value, such as at=0,1,-5.",
                     shown(word)
                 ));
             };
-            if !keys.insert(key) {
-                return refuse(format!("{} is said twice.", shown(key)));
-            }
-            pairs.push((key, value));
+            pairs.push(pair);
         }
-        Ok(Self(pairs))
+        Self::from_pairs(pairs)
+    }
+
+    /// Pairs that are parted already.
+    ///
+    /// # Errors
+    /// If a key is said twice.
+    pub fn from_pairs(pairs: impl IntoIterator<Item = (&'a str, &'a str)>) -> Taken<Self> {
+        let pairs: Vec<_> = pairs.into_iter().collect();
+        let mut keys = BTreeSet::new();
+        match pairs.iter().find(|(key, _)| !keys.insert(*key)) {
+            Some((key, _)) => refuse(format!("{} is said twice.", shown(key))),
+            None => Ok(Self(pairs)),
+        }
+    }
+
+    /// The pairs, in their order.
+    pub fn all(&self) -> &[(&'a str, &'a str)] {
+        &self.0
     }
 
     fn has(&self, key: &str) -> bool {
@@ -45,84 +66,11 @@ impl<'a> Pairs<'a> {
     }
 }
 
-/// Every kind that can be added.
-pub const KINDS: [&str; 14] = [
-    "box",
-    "pyramid",
-    "ramp",
-    "cylinder",
-    "ball",
-    "stairs",
-    "arch",
-    "model",
-    "light",
-    "aberration",
-    "portal",
-    "sign",
-    "group",
-    "spawn",
-];
-
-/// What each kind is to be told, besides its name; the kind as yet without it.
-fn kind(word: &str) -> Option<(What, &'static [&'static str])> {
-    let size = DVec3::ONE;
-    let aberration = Aberration {
-        half: DVec3::ONE,
-        lengths: Lengths::Stretch(DVec3::ONE),
-        sides: Sides::Walls,
-        ways: Ways::Both,
-        outline: false,
-    };
-    Some(match word {
-        "box" => (What::Box { size }, &["size"]),
-        "pyramid" => (What::Pyramid { size }, &["size"]),
-        "ramp" => (What::Ramp { size }, &["size"]),
-        "cylinder" => (
-            What::Cylinder {
-                radius: 1.0,
-                height: 1.0,
-            },
-            &["radius", "height"],
-        ),
-        "ball" => (What::Ball { radius: 1.0 }, &["radius"]),
-        "stairs" => (What::Stairs { size, steps: 1 }, &["size", "steps"]),
-        "arch" => (
-            What::Arch {
-                size,
-                opening: DVec2::splat(0.5),
-            },
-            &["size", "opening"],
-        ),
-        "model" => (
-            What::Model {
-                file: String::new(),
-                scale: 1.0,
-            },
-            &["file"],
-        ),
-        "light" => (
-            What::Light {
-                colour: Colour::WHITE,
-                power: 1.0,
-            },
-            &["power"],
-        ),
-        "aberration" => (What::Aberration(aberration), &["half"]),
-        "portal" => (What::Portal(Portal::new()), &["to"]),
-        "sign" => (
-            What::Sign {
-                text: None,
-                size: board(),
-            },
-            &[],
-        ),
-        "group" => (What::Group, &[]),
-        _ => return None,
-    })
-}
-
 /// Something new of that kind.
-pub(crate) fn new_object(word: &str, pairs: &Pairs<'_>) -> Taken<Object> {
+///
+/// # Errors
+/// [`RoomError::Command`]: what is missing or cannot be read.
+pub fn new_object(word: &str, pairs: &Pairs<'_>) -> Taken<Object> {
     let Some((what, needed)) = kind(word) else {
         return refuse(format!(
             "There is no kind {}; there are {}.",
@@ -144,7 +92,10 @@ pub(crate) fn new_object(word: &str, pairs: &Pairs<'_>) -> Taken<Object> {
 }
 
 /// Changes where one begins.
-pub(crate) fn set_spawn(spawn: &mut Spawn, pairs: &Pairs<'_>) -> Taken<()> {
+///
+/// # Errors
+/// [`RoomError::Command`]: what cannot be read.
+pub fn set_spawn(spawn: &mut Spawn, pairs: &Pairs<'_>) -> Taken<()> {
     for (key, value) in &pairs.0 {
         match *key {
             "at" => spawn.at = three(key, value)?,
@@ -161,7 +112,10 @@ pub(crate) fn set_spawn(spawn: &mut Spawn, pairs: &Pairs<'_>) -> Taken<()> {
 }
 
 /// Changes an object; a new one has to be told its lengths if it is an aberration.
-pub(crate) fn set(object: &mut Object, pairs: &Pairs<'_>, is_new: bool) -> Taken<()> {
+///
+/// # Errors
+/// [`RoomError::Command`]: what cannot be read; the object may be changed in part then.
+pub fn set(object: &mut Object, pairs: &Pairs<'_>, is_new: bool) -> Taken<()> {
     let mut lengths = Told::default();
     for (key, value) in &pairs.0 {
         if set_common(object, key, value)?
@@ -368,7 +322,11 @@ fn one_of<T: Copy>(key: &str, value: &str, all: &[(&str, T)]) -> Taken<T> {
     ))
 }
 
-fn colour(key: &str, value: &str) -> Taken<Colour> {
+/// A colour: `#c04030`.
+///
+/// # Errors
+/// [`RoomError::Command`] if it is none.
+pub fn colour(key: &str, value: &str) -> Taken<Colour> {
     match Colour::parse(value) {
         Some(it) => Ok(it),
         None => refuse(format!(
@@ -378,7 +336,11 @@ fn colour(key: &str, value: &str) -> Taken<Colour> {
     }
 }
 
-fn number(key: &str, value: &str) -> Taken<f64> {
+/// A number.
+///
+/// # Errors
+/// [`RoomError::Command`] if it is none.
+pub fn number(key: &str, value: &str) -> Taken<f64> {
     match value.parse::<f64>() {
         Ok(it) if it.is_finite() => Ok(it),
         _ => refuse(format!("{key}={} is no number.", shown(value))),
@@ -415,10 +377,18 @@ fn corners(key: &str, value: &str) -> Taken<Vec<DVec2>> {
     Ok(all.chunks_exact(2).map(corner).collect())
 }
 
-fn two(key: &str, value: &str) -> Taken<DVec2> {
+/// Two numbers: `X,Y`.
+///
+/// # Errors
+/// [`RoomError::Command`] if it is none.
+pub fn two(key: &str, value: &str) -> Taken<DVec2> {
     numbers(key, value).map(DVec2::from_array)
 }
 
-fn three(key: &str, value: &str) -> Taken<DVec3> {
+/// Three numbers: `X,Y,Z`.
+///
+/// # Errors
+/// [`RoomError::Command`] if it is none.
+pub fn three(key: &str, value: &str) -> Taken<DVec3> {
     numbers(key, value).map(DVec3::from_array)
 }

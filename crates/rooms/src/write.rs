@@ -19,6 +19,11 @@ const HEAD: &str = "// A room of Antipode. docs/rooms.md of the game says what m
 /// What is wrong with the room; what is refused in a file is not written into one.
 pub fn write(room: &Room) -> Result<String, Fault> {
     check(room)?;
+    Ok(write_so_far(room))
+}
+
+/// The same of a room that is being changed, whatever is wrong with it.
+pub fn write_so_far(room: &Room) -> String {
     let mut out = Lines {
         text: HEAD.to_owned(),
         deep: 0,
@@ -67,7 +72,7 @@ pub fn write(room: &Room) -> Result<String, Fault> {
     }
     out.close("],");
     out.close(")");
-    Ok(out.text)
+    out.text
 }
 
 /// A text in quotes.

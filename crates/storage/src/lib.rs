@@ -68,7 +68,7 @@ pub use schema::{
     LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SCHEMA_VERSION, SlotRecord, ViewRecord,
     WorldMeta, WorldState,
 };
-pub use scratch::Scratch;
+pub use scratch::{Scratch, sweep};
 pub use slug::{ROOMS_FOLDER, is_reserved_name, slug_of};
 pub use transfer::{ArchiveFile, archives_in};
 pub use turn::Turn;

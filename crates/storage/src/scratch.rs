@@ -111,7 +111,7 @@ fn hold(mark: &Path) -> io::Result<File> {
 
 /// Removes what killed processes have left in `parent`: directories with the mark of none that
 /// lives, and empty ones of such names. Failing is no matter: the next sweep tries again.
-pub(crate) fn sweep(parent: &Path) {
+pub fn sweep(parent: &Path) {
     for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
         let is_dir = entry.file_type().is_ok_and(|kind| kind.is_dir());
         if !is_dir || !entry.file_name().to_str().is_some_and(is_name) {

@@ -19,6 +19,7 @@ mod raster;
 mod soak;
 mod sounds;
 mod walking;
+mod workshop;
 
 use antipode_room_scene::{RoomScene, Steer};
 use antipode_rooms::{Assets, Loaded, Room, shipped};
@@ -26,7 +27,7 @@ use antipode_rooms::{Assets, Loaded, Room, shipped};
 /// A room of the game.
 fn room(id: &str) -> RoomScene {
     let loaded = shipped::find(id).unwrap().loaded().unwrap();
-    RoomScene::open(loaded).unwrap()
+    RoomScene::open(loaded)
 }
 
 /// A room as it is when one makes one.
@@ -37,7 +38,7 @@ fn empty() -> RoomScene {
         files: Vec::new(),
         bytes: 0,
     };
-    RoomScene::open(loaded).unwrap()
+    RoomScene::open(loaded)
 }
 
 /// Forward, and nothing else.

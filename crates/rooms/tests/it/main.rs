@@ -7,7 +7,6 @@
     reason = "tests fail by panicking"
 )]
 
-mod edit;
 mod fbx;
 mod folder;
 mod library;

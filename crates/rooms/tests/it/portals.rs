@@ -1,6 +1,6 @@
 //! Portals in files and in commands.
 
-use antipode_rooms::{Editor, Room, read, space_so_far, write};
+use antipode_rooms::{Room, read, write};
 
 /// A room of these portals, one a line from line 2 on: name and what else the object says.
 fn room(portals: &[(&str, &str)]) -> Result<Room, String> {
@@ -94,33 +94,4 @@ fn a_pair_is_written_as_it_is_read() {
         "{text}"
     );
     assert_eq!(read("room.ron", text.as_bytes()).unwrap(), made);
-}
-
-#[test]
-fn a_pair_is_built_by_commands_one_after_the_other_and_closed_until_it_fits() {
-    let mut it = Editor::new(Room::new("Test"));
-    let mut done = |command: &str| {
-        let words: Vec<&str> = command.split(' ').collect();
-        let done = it.apply(&words).map_err(|error| error.to_string());
-        let open = space_so_far(it.room()).unwrap().1.len();
-        (done, open, write(it.room()).is_ok())
-    };
-    let open = (Ok(()), 2, true);
-    let closed = (Ok(()), 0, false);
-    assert_eq!(done("add portal name=a at=0,2,-5 size=2,3 to=b"), closed);
-    assert_eq!(done("add portal name=b at=9,2,-5 size=2,3 to=a"), open);
-    assert_eq!(done("change a size=4,4"), closed);
-    assert_eq!(done("change b polygon=-2,-2,2,-2,2,2,-2,2"), open);
-    // A partner with another name stays one.
-    assert_eq!(done("change b name=c"), open);
-    assert_eq!(done("change a sides=2"), closed);
-    assert_eq!(done("change c sides=2"), open);
-    assert_eq!(done("remove c"), closed);
-    assert_eq!(done("undo"), open);
-    let (said, ..) = done("add portal name=d at=0,2,-5.0005 size=1,1 to=d");
-    assert!(said.unwrap_err().contains("overlap"));
-    let (said, ..) = done("add portal name=d at=0,9,-5");
-    assert!(said.unwrap_err().contains("its to"));
-    let (said, ..) = done("add portal name=d at=0,9,-5 to=d");
-    assert!(said.unwrap_err().contains("its size or its polygon"));
 }

@@ -1,0 +1,236 @@
+//! Standing and walking, coarsely: by rays of [`trace`] at the heights of a knee and a chest, which go through faces and portals
+//! as who walks does. It is quick rather than exact: who walks in earnest is [`antipode_deformation::Walker`].
+
+use antipode_deformation::{
+    End, EventKind, Hit, Place, SceneQuery, Space, Trace, Traveller, Triangles, WalkerShape,
+    felt_gravity, trace,
+};
+use glam::DVec3;
+
+/// Above the floor, felt metres: over every step that is climbed, and in the middle of a chest.
+const KNEE_OVER_STEP_M: f64 = 0.1;
+const CHEST_M: f64 = 1.2;
+/// The deepest fall after which one goes on, felt metres; beyond is nothing.
+const DEEPEST_M: f64 = 3000.0;
+/// What is stepped over is looked at so often, felt metres.
+pub(crate) const STRIDE_M: f64 = 0.25;
+/// How much a floor may rise or sink on the way for the way to count as level.
+const LEVEL_M: f64 = 0.02;
+
+/// Where one may walk.
+pub(crate) struct Ground<'a> {
+    pub space: &'a Space,
+    pub solids: &'a Triangles,
+    /// Gravity of the room, m/s^2.
+    pub gravity: DVec3,
+    /// Who walks.
+    pub shape: WalkerShape,
+}
+
+/// What is under a place.
+pub(crate) enum Under {
+    /// A floor, so many felt metres below.
+    Floor(f64, Hit),
+    /// Nothing.
+    Void,
+    /// A fall through portals that has no end.
+    Endless,
+}
+
+/// What becomes of a stride.
+pub(crate) enum Stride {
+    /// There is no way.
+    Blocked,
+    /// One stands there then; the portals that were gone through.
+    To(Place, Vec<usize>),
+    /// One falls out of the room there.
+    Void(DVec3),
+}
+
+impl Ground<'_> {
+    /// Height of the knee above the floor: that is where those who stand are told by.
+    pub fn knee_m(&self) -> f64 {
+        self.shape.step_m + KNEE_OVER_STEP_M
+    }
+
+    /// Felt up at a place, of length 1.
+    pub fn up(&self, place: &Place) -> DVec3 {
+        let k = self.space.carry(place, DVec3::ZERO, &Traveller::Body);
+        -felt_gravity(k, self.gravity)
+            .try_normalize()
+            .unwrap_or(DVec3::NEG_Y)
+    }
+
+    /// Goes from a place in a felt direction.
+    pub fn go(&self, from: &Place, w: DVec3, longest: f64) -> Trace {
+        trace(self.space, from, w, longest, self.solids, &Traveller::Body)
+    }
+
+    /// The same, if nothing is in the way.
+    fn free(&self, from: &Place, w: DVec3, longest: f64) -> Option<Trace> {
+        let way = self.go(from, w, longest);
+        matches!(way.end, End::Spent).then_some(way)
+    }
+
+    /// What is under a place.
+    pub fn under(&self, place: &Place) -> Under {
+        let way = self.go(place, -self.up(place), DEEPEST_M);
+        match way.end {
+            End::Hit(hit) => Under::Floor(way.length, hit),
+            End::Spent => Under::Void,
+            End::TooManyEvents => Under::Endless,
+        }
+    }
+
+    /// Whether somebody can stand there, told by the knee.
+    pub fn has_head_room(&self, knee: &Place) -> bool {
+        let height = self.shape.height_m - self.knee_m();
+        self.free(knee, self.up(knee), height).is_some()
+    }
+
+    /// Who stands on the floor below a place, or is in it up to the knee; none if there is no floor or no room for a head.
+    pub fn standing_below(&self, place: &Place) -> Option<Place> {
+        let Under::Floor(below, _) = self.under(place) else {
+            return None;
+        };
+        let rise = self.knee_m() - below;
+        let up = self.up(place) * rise.signum();
+        let knee = self.free(place, up, rise.abs())?.place;
+        self.has_head_room(&knee).then_some(knee)
+    }
+
+    /// Whether a hit surface carries who walks.
+    fn carries(&self, hit: &Hit, up: DVec3) -> bool {
+        hit.felt_normal.dot(up) >= self.shape.steepest_rad.cos()
+    }
+
+    /// A stride from where one stands, in a level felt direction.
+    pub fn stride(&self, knee: &Place, w: DVec3) -> Stride {
+        let up = self.up(knee);
+        if let End::Hit(hit) = self.go(knee, w, STRIDE_M).end
+            && !self.carries(&hit, up)
+        {
+            return Stride::Blocked;
+        }
+        let Some(chest) = self.free(knee, up, CHEST_M - self.knee_m()) else {
+            return Stride::Blocked;
+        };
+        let wide = self.go(&chest.place, w, STRIDE_M + self.shape.radius_m);
+        if let End::Hit(hit) = wide.end
+            && !self.carries(&hit, up)
+        {
+            return Stride::Blocked;
+        }
+        let Some(there) = self.free(&chest.place, w, STRIDE_M) else {
+            return Stride::Blocked;
+        };
+        self.come_down(there)
+    }
+
+    /// From chest height to where one stands.
+    fn come_down(&self, way: Trace) -> Stride {
+        let mut passed: Vec<usize> = portals(&way).collect();
+        let mut chest = way.place;
+        chest.straighten();
+        let up = self.up(&chest);
+        let (below, hit) = match self.under(&chest) {
+            Under::Floor(below, hit) => (below, hit),
+            Under::Void => return Stride::Void(chest.point),
+            Under::Endless => return Stride::Blocked,
+        };
+        // A slope may rise faster than a step is high.
+        let slope = STRIDE_M * self.shape.steepest_rad.tan();
+        let is_sloped = hit.felt_normal.dot(up) < 0.999;
+        let most_rise = self.shape.step_m + if is_sloped { slope } else { 0.0 };
+        if CHEST_M - below > most_rise || !self.carries(&hit, up) {
+            return Stride::Blocked;
+        }
+        let down = below - self.knee_m();
+        let Some(fallen) = self.free(&chest, -up * down.signum(), down.abs()) else {
+            return Stride::Blocked;
+        };
+        passed.extend(portals(&fallen));
+        let mut knee = fallen.place;
+        knee.straighten();
+        match self.has_head_room(&knee) {
+            true => Stride::To(knee, passed),
+            false => Stride::Blocked,
+        }
+    }
+
+    /// A long way over level floor in the open, of so many felt metres: nothing near it, and no face or portal.
+    pub fn long_way(&self, knee: &Place, w: DVec3, length: f64) -> Option<Place> {
+        let up = self.up(knee);
+        let far = length + self.shape.radius_m;
+        let is_plain = |way: &Trace| way.events.is_empty();
+        let there = self.free(knee, w, length).filter(is_plain)?.place;
+        let chest = self
+            .free(knee, up, CHEST_M - self.knee_m())
+            .filter(is_plain)?
+            .place;
+        self.free(&chest, w, far).filter(is_plain)?;
+        for share in [0.25, 0.5, 0.75, 1.0] {
+            let mut at = *knee;
+            at.point = knee.point.lerp(there.point, share);
+            let Under::Floor(below, _) = self.under(&at) else {
+                return None;
+            };
+            if (below - self.knee_m()).abs() > LEVEL_M || !self.has_head_room(&at) {
+                return None;
+            }
+        }
+        Some(there)
+    }
+
+    /// Whether nothing is between two places, neither solid nor wall, face or portal.
+    pub fn is_open_between(&self, a: &Place, b: &Place) -> bool {
+        let way = b.point - a.point;
+        let k = self.space.carry(a, DVec3::ZERO, &Traveller::Body);
+        let felt = k.inverse() * way;
+        if a.stack != b.stack || felt.length() < 1e-9 {
+            return a.stack == b.stack;
+        }
+        let told = self.free(a, felt.normalize(), felt.length());
+        told.is_some_and(|it| it.events.is_empty())
+    }
+
+    /// The objects within which a point is: an odd number of faces of each lies beyond it, whichever way one looks. Models need
+    /// not be closed, and so are looked at three ways.
+    pub fn solids_around(&self, point: DVec3) -> Vec<u32> {
+        let ways = [
+            DVec3::new(0.3, 1.0, 0.2),
+            DVec3::new(-0.9, 0.1, 0.4),
+            DVec3::new(0.2, -0.3, -1.0),
+        ];
+        let [first, others @ ..] = ways.map(|w| self.odd(point, w));
+        first
+            .into_iter()
+            .filter(|it| others.iter().all(|all| all.contains(it)))
+            .collect()
+    }
+
+    fn odd(&self, point: DVec3, w: DVec3) -> Vec<u32> {
+        const MOST_FACES: usize = 200;
+        let mut odd: Vec<u32> = Vec::new();
+        let (mut from, mut left) = (point, 1e4);
+        for _ in 0..MOST_FACES {
+            let Some(hit) = self.solids.first(from, w, left) else {
+                break;
+            };
+            match odd.iter().position(|it| *it == hit.object) {
+                Some(index) => drop(odd.swap_remove(index)),
+                None => odd.push(hit.object),
+            }
+            let step = hit.time + 1e-6;
+            from += w * step;
+            left -= step;
+        }
+        odd
+    }
+}
+
+/// The portals that a path went into.
+fn portals(way: &Trace) -> impl Iterator<Item = usize> + '_ {
+    let passed = way.events.iter().filter(|it| it.kind == EventKind::Passed);
+    passed.map(|it| it.number)
+}
