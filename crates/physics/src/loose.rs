@@ -211,6 +211,14 @@ impl LooseBodies {
         motion.is_finite().then_some(motion)
     }
 
+    /// The energy of its turning, J/kg.
+    pub fn turning(&self, number: usize) -> f64 {
+        self.body(number).map_or(0.0, |body| {
+            let whole = f64::from(body.kinetic_energy() / body.mass());
+            (whole - 0.5 * f64::from(body.linvel().length_squared())).max(0.0)
+        })
+    }
+
     /// Whether it lies still, and is not computed until something touches or wakes it.
     pub fn sleeps(&self, number: usize) -> bool {
         self.body(number).is_some_and(RigidBody::is_sleeping)
@@ -345,12 +353,15 @@ fn collider(made: &LooseBody, scale: f64) -> ColliderBuilder {
         .mass(mass(made, scale))
 }
 
+/// Triangles that have an area, as Rapier takes them.
 fn mesh(triangles: &[[DVec3; 3]], flags: TriMeshFlags) -> Option<TriMesh> {
     let is_whole = |it: &&[DVec3; 3]| (it[1] - it[0]).cross(it[2] - it[0]).length() > 1e-12;
     let corners: Vec<Vector> = triangles
         .iter()
         .filter(is_whole)
-        .flat_map(|it| it.map(|corner| corner.as_vec3()))
+        .flatten()
+        .copied()
+        .map(DVec3::as_vec3)
         .collect();
     let numbers = (0..corners.len() as u32 / 3).map(|it| [3 * it, 3 * it + 1, 3 * it + 2]);
     let flags = flags | TriMeshFlags::DELETE_DEGENERATE_TRIANGLES;

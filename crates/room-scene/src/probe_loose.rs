@@ -24,7 +24,7 @@ pub struct LooseState {
     pub reach_m: f64,
     /// Whether it lies still.
     pub rests: bool,
-    /// Whether it stands astride a portal.
+    /// Whether it stands astride a portal, or a door of an aberration.
     pub astride: bool,
 }
 

@@ -151,9 +151,10 @@ impl Visit {
         let all = self.room.scene.take_sounds().into_iter();
         let heard = all.map(|sound| match sound {
             RoomSound::Step(speed_m_s) => SoundEvent::Step { cover, speed_m_s },
-            RoomSound::Landed(speed_m_s) => SoundEvent::Landed { cover, speed_m_s },
+            RoomSound::Landed(speed_m_s) | RoomSound::Knocked(speed_m_s) => {
+                SoundEvent::Landed { cover, speed_m_s }
+            }
             RoomSound::Shot => SoundEvent::Shot,
-            RoomSound::Knocked(speed_m_s) => SoundEvent::Landed { cover, speed_m_s },
         });
         heard.collect()
     }

@@ -1,5 +1,5 @@
 //! What is solid about a body, in the frame in which rapier has it: what `show_cut` shows at its place, that is, of this side of
-//! portals and of the other.
+//! portals and of the other, and beyond doors as it is felt there.
 
 use antipode_deformation::{Space, Stack, show_cut};
 use antipode_physics::LooseBodies;
@@ -54,10 +54,20 @@ impl Body {
         let (low, high) = self.about(reach);
         let (mut solids, mut walls) = (Vec::new(), Vec::new());
         let (into, frame) = (self.squeeze.inverse(), self.frame);
+        let doors = self.doors(around.space, reach);
         let mut show = |corners: [DVec3; 3], two_sided: bool| {
-            let here = corners.map(|it| frame.place(into * it));
             let list = if two_sided { &mut walls } else { &mut solids };
-            list.push(here);
+            let mut pieces = vec![corners.to_vec()];
+            for door in &doors {
+                let parts = pieces.iter().flat_map(|it| door.part(it, &self.squeeze));
+                pieces = parts.filter(|it| it.len() > 2).collect();
+            }
+            for piece in pieces {
+                for pair in piece.windows(2).skip(1) {
+                    let corners = [piece[0], pair[0], pair[1]];
+                    list.push(corners.map(|it| frame.place(into * it)));
+                }
+            }
         };
         show_cut(
             around.space,

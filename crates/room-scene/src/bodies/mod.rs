@@ -9,6 +9,7 @@
 //! Between steps of rapier gravity acts by halves before and after (leapfrog): from u, u + a t/2 for the time t goes
 //! u t + a t^2/2 far, the parabola's own way, and (u + a t)^2/2 - a (u t + a t^2/2) = u^2/2: in free flight energy is kept exactly.
 
+mod doors;
 mod frame;
 mod ground;
 mod make;
@@ -76,6 +77,8 @@ pub struct Body {
     pub rests: bool,
     /// Whether it is who walks, whom no blow moves: that is for the walker to say.
     driven: bool,
+    /// The energy of its turning for each kilogram of its own size, J.
+    turns: f64,
     /// Whether who walks holds it, so that it does not fall.
     pub held: bool,
 }
@@ -223,7 +226,16 @@ impl Bodies {
                 self.all[number].stop();
                 continue;
             };
-            let struck = self.all[number].go(&motion, around, time);
+            let turns = self.solver.turning(number);
+            let is_alone = !meetings.iter().any(|(a, b)| *a == number || *b == number);
+            let body = &mut self.all[number];
+            let (had, passage) = (body.energy(around.g), body.place.passage);
+            let scale = body.place.scale * body.frame.scale;
+            let struck = body.go(&motion, around, time);
+            body.turns = turns / (scale * scale);
+            if is_alone && !body.held && body.place.passage == passage {
+                body.spend(had, around.g);
+            }
             self.blows.push((number, struck));
         }
     }
@@ -259,6 +271,7 @@ impl Body {
             region: None,
             rests: false,
             driven: false,
+            turns: 0.0,
             held: false,
         };
         body.stand(place, space);
@@ -299,6 +312,21 @@ impl Body {
             return DVec3::ZERO;
         }
         felt_gravity(self.squeeze, g)
+    }
+
+    /// Its energy for each kilogram of its own size, J: kept between portals by what does not move.
+    fn energy(&self, g: DVec3) -> f64 {
+        let falls = g.dot(self.place.point) / self.place.scale;
+        0.5 * self.velocity.length_squared() + self.turns - falls
+    }
+
+    /// What stands gives nothing: a blow that ends a step sooner than gravity has done so must not gain by it.
+    fn spend(&mut self, had: f64, g: DVec3) {
+        let gained = self.energy(g) - had;
+        if gained > 0.0 {
+            let left = self.velocity.length_squared() - 2.0 * gained;
+            self.velocity = self.velocity.normalize_or_zero() * left.max(0.0).sqrt();
+        }
     }
 
     /// Its mass where it is now, kilograms.

@@ -1,4 +1,5 @@
-//! What is seen and met of bodies: who stands astride a portal is on both sides of it, cut at the plane.
+//! What is seen and met of bodies: who stands astride a portal is on both sides of it, cut at the plane, and astride a door of an
+//! aberration as large on either side as things are there.
 
 use antipode_deformation::{Place, SceneHit, SceneQuery, Space, Triangle, Triangles, half};
 use glam::{DAffine3, DMat3, DVec3};
@@ -78,10 +79,32 @@ impl Body {
                 ..whole
             });
         }
+        if solids.len() == 1 {
+            self.part_by_doors(space, &mut solids);
+        }
         solids
     }
 
-    /// Whether it stands astride a portal.
+    /// Parts what stands astride a door of an aberration.
+    fn part_by_doors(&self, space: &Space, solids: &mut Vec<Solid>) {
+        let whole = solids[0];
+        let corners = || self.surface.iter().flatten();
+        for door in self.doors(space, self.reach_m) {
+            let beyond = |it: &DVec3| door.before(whole.pose.transform_point3(*it)) < 0.0;
+            if corners().any(beyond) {
+                let least = door.normal.dot(door.at);
+                solids[0].cut = Some((door.normal, least));
+                solids.push(Solid {
+                    pose: door.pose_beyond(&whole.pose, &self.squeeze),
+                    cut: Some((-door.normal, -least)),
+                    ..whole
+                });
+                return;
+            }
+        }
+    }
+
+    /// Whether it stands astride a portal, or a door of an aberration.
     pub fn is_astride(&self, space: &Space) -> bool {
         self.shown(space, 1.0).len() > 1
     }

@@ -138,7 +138,7 @@ fn energy_is_kept_through_the_faces_of_a_soft_box() {
         while state(&scene, "ball").point.y > 1.0 {
             scene.step(&Steer::default());
             let now = state(&scene, "ball");
-            inside += usize::from(now.place.stack.len() > 0);
+            inside += usize::from(!now.place.stack.is_empty());
             let off = energy(&now) / first - 1.0;
             assert!(off.abs() < 1e-3, "{stretch}: {off} at {}", now.point);
         }
@@ -353,4 +353,37 @@ fn a_pile_comes_to_rest_and_stays_a_pile() {
         .filter(|it| (it.point.y - 1.5).abs() < 0.05)
         .count();
     assert_eq!(top, 4, "{all:?}");
+}
+
+#[test]
+fn astride_the_door_of_a_tunnel_what_is_inside_is_met_by_its_felt_length() {
+    // Five times as long inside: a block 0.3 m beyond the door feels 1.5 m off, and 0.8 m of the crate are in there.
+    let tunnel = "add aberration name=tunnel at=0,1.24,-12 half=1,1.26,4 axis=z felt=40";
+    for (block, meets) in [(-8.3, false), (-8.1, true)] {
+        let z = block - 0.25;
+        let mut scene = with(&[
+            tunnel,
+            &format!("add box name=block at=0,0.5,{z} size=1,1,0.5"),
+            "add box name=crate at=0,0.31,-7.9 size=0.6,0.6,1.8 mass=20",
+        ]);
+        wait(&mut scene, 4.0);
+        let it = state(&scene, "crate");
+        assert!(it.astride && it.place.stack.is_empty(), "{it:?}");
+        // With its middle 0.1 m before the door, and 0.5 m felt to the block, it has to give way.
+        let moved = it.point.z + 7.9;
+        assert!(
+            if meets {
+                moved > 0.25
+            } else {
+                moved.abs() < 0.03
+            },
+            "{block}: {it:?}"
+        );
+        // What is in there takes up a fifth of its length of the scene.
+        let solids = scene.now().things;
+        assert_eq!(solids.len(), 2);
+        assert!(solids.iter().all(|it| it.cut.is_some()));
+        let length = |it: &antipode_rays::Mover| it.pose.matrix3.z_axis.length();
+        assert!((length(&solids[0]) - 1.0).abs() < 0.02 && (length(&solids[1]) - 0.2).abs() < 0.02);
+    }
 }

@@ -10,6 +10,8 @@ use crate::soak::Inside;
 /// What is thrown about: a heap, and a ball that meets none of it.
 const HEAP: usize = 6;
 const RADIUS_M: f64 = 0.2;
+/// What is lower than this has fallen off the floor, metres.
+const FELL_OFF_M: f64 = -0.5;
 /// Energy may rise by this share between crossings; and by this much, J/kg, where a blow is rounded.
 const RISES: (f64, f64) = (0.01, 0.1);
 /// For so long after it has crossed a face or portal a ball may be moved out of what it has grown into, seconds.
@@ -86,6 +88,10 @@ fn throw_about(id: &str, with_heap: bool, seconds: u32, seed: u64) -> Found {
             for name in &names {
                 let at = scene.loose_states().into_iter().find(|it| it.name == *name);
                 let at = at.unwrap();
+                if at.point.y < FELL_OFF_M {
+                    // Thrown back from beyond the edge of the floor it would get under it.
+                    continue;
+                }
                 let by = match random.choice(&targets) {
                     Some(to) if random.u8(0..4) > 0 => {
                         towards(at.point, *to, g, &mut random) - at.velocity

@@ -106,7 +106,13 @@ impl Inside {
             assert!(place.point.is_finite(), "{at}");
             let strayed_m = strayed(&self.space, &place);
             assert!(strayed_m < AT_FACE_M, "{at} is {strayed_m} m off its boxes");
-            self.check_hull(what, place.point, &at);
+            // Who has grown goes farther before they have fallen as deep.
+            let larger = if what == "loose" {
+                place.scale.max(1.0)
+            } else {
+                1.0
+            };
+            self.check_hull(what, place.point, larger, &at);
             // The feet touch what they stand on.
             let middle = if what == "feet" {
                 scene.middle()
@@ -120,12 +126,13 @@ impl Inside {
         deepest_m
     }
 
-    fn check_hull(&self, what: &str, point: DVec3, at: &str) {
+    fn check_hull(&self, what: &str, point: DVec3, larger: f64, at: &str) {
         let (low, high) = self.hull;
         let over_floor = point.x > low.x && point.x < high.x && point.z > low.z && point.z < high.z;
         let is_over = point.y > low.y - AT_FACE_M;
         assert!(!over_floor || is_over, "{at} is under the floor");
         let (down, aside, up) = FALLS_M;
+        let aside = aside * larger;
         let below = low - DVec3::new(aside, down, aside);
         let above = high + DVec3::new(aside, up, aside);
         let is_within = below.cmple(point).all() && point.cmple(above).all();
