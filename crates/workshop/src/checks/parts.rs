@@ -46,9 +46,6 @@ pub(crate) fn find(
     let mut parts = parts(so_far, ground);
     let mut flood = Flood::new(ground, start);
     let is_everywhere = spread(ground, &mut flood, &mut parts, goes_on);
-    if !goes_on() {
-        return;
-    }
     if let Some((at, walked_m)) = flood.void.filter(|it| it.1 <= NEAR_M) {
         let said = Said::new("fall-out").with_number("metres", walked_m.round());
         found.push(Finding {
@@ -150,8 +147,9 @@ fn spread(
             had = parts.len();
             flood.reorder(&key);
         }
-        if !goes_on() {
-            return false;
+        let is_near = flood.least_key().is_some_and(|it| it <= NEAR_M);
+        if !goes_on() || (parts.is_empty() && !is_near) {
+            return parts.is_empty();
         }
         if !flood.go_on(&key) {
             return true;
