@@ -287,6 +287,10 @@ fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), R
     let Some(name) = name else {
         return match &open.kept {
             Some(kept) if kept.shipped => Err(RoomError::Shipped(kept.name.clone())),
+            // What has a journal is saved with it.
+            Some(_) if open.scene.document().dir().is_some() => {
+                Ok(open.scene.document_mut().save_now()?)
+            }
             Some(kept) => dir.save(&kept.slug, open.scene.room()),
             None => Err(RoomError::Command(
                 "This room has no name, so it is not kept; say room save name=...".to_owned(),

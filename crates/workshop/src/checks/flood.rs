@@ -118,7 +118,9 @@ impl<'a> Flood<'a> {
         let far = ways.iter().filter(|w| self.go_far(&from, **w, key)).count();
         if far < ways.len() {
             // Something is near: here it matters where exactly one walks.
-            ways.iter().for_each(|w| self.go_near(&from, *w, key));
+            for w in ways {
+                self.go_near(&from, w, key);
+            }
         }
         true
     }

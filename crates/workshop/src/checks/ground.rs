@@ -130,12 +130,12 @@ impl Ground<'_> {
         let Some(there) = self.free(&chest.place, w, STRIDE_M) else {
             return Stride::Blocked;
         };
-        self.come_down(there)
+        self.come_down(&there)
     }
 
     /// From chest height to where one stands.
-    fn come_down(&self, way: Trace) -> Stride {
-        let mut passed: Vec<usize> = portals(&way).collect();
+    fn come_down(&self, way: &Trace) -> Stride {
+        let mut passed: Vec<usize> = portals(way).collect();
         let mut chest = way.place;
         let ahead = chest.turn * way.w;
         chest.straighten();
@@ -143,8 +143,7 @@ impl Ground<'_> {
         let (below, hit) = match self.under(&chest) {
             Under::Floor(below, hit) => (below, hit),
             Under::Void if self.is_rim(&chest, ahead) => return Stride::Void(chest.point),
-            Under::Void => return Stride::Blocked,
-            Under::Endless => return Stride::Blocked,
+            Under::Void | Under::Endless => return Stride::Blocked,
         };
         // A slope may rise faster than a step is high.
         let slope = STRIDE_M * self.shape.steepest_rad.tan();
@@ -160,9 +159,10 @@ impl Ground<'_> {
         passed.extend(portals(&fallen));
         let mut knee = fallen.place;
         knee.straighten();
-        match self.has_head_room(&knee) {
-            true => Stride::To(knee, passed),
-            false => Stride::Blocked,
+        if self.has_head_room(&knee) {
+            Stride::To(knee, passed)
+        } else {
+            Stride::Blocked
         }
     }
 

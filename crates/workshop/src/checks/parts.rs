@@ -46,6 +46,9 @@ pub(crate) fn find(
     let mut parts = parts(so_far, ground);
     let mut flood = Flood::new(ground, start);
     let is_everywhere = spread(ground, &mut flood, &mut parts, goes_on);
+    if !goes_on() {
+        return;
+    }
     if let Some((at, walked_m)) = flood.void.filter(|it| it.1 <= NEAR_M) {
         let said = Said::new("fall-out").with_number("metres", walked_m.round());
         found.push(Finding {
@@ -164,9 +167,10 @@ fn key(it: &Reached, parts: &[DVec3]) -> f64 {
         .iter()
         .map(|at| at.distance(it.place.point))
         .fold(f64::INFINITY, f64::min);
-    match nearest.is_finite() {
-        true => nearest + 0.5 * it.walked_m,
-        false => it.walked_m,
+    if nearest.is_finite() {
+        nearest + 0.5 * it.walked_m
+    } else {
+        it.walked_m
     }
 }
 
