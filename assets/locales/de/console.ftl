@@ -1,6 +1,7 @@
 ### Die Konsole, und das Zeichen der Welten, in denen ein Befehl benutzt wurde, der mogelt.
 
 action-console = Konsole
+action-workshop = Werkstatt: bauen oder gehen
 
 console-entry = Befehl
 console-hint = Ein Befehl; Tab ergänzt ihn, help nennt alle, Esc schließt

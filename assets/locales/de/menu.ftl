@@ -10,6 +10,7 @@ menu-new-game = Neues Spiel
 menu-load = Laden
 menu-delete = Löschen
 menu-rooms = Räume
+menu-workshop = Werkstatt
 menu-controls = Steuerung
 menu-quit = Beenden
 version = Version { $version }

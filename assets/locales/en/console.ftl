@@ -1,6 +1,7 @@
 ### The console, and the mark of worlds in which a command that cheats was used.
 
 action-console = Console
+action-workshop = Workshop: build or walk
 
 console-entry = Command
 console-hint = A command. Tab completes it, help lists all commands, Esc closes the console

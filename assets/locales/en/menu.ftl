@@ -10,6 +10,7 @@ menu-new-game = New Game
 menu-load = Load
 menu-delete = Delete
 menu-rooms = Rooms
+menu-workshop = Workshop
 menu-controls = Controls
 menu-quit = Quit
 version = Version { $version }

@@ -1,6 +1,7 @@
 ### La consola, y la marca de los mundos en los que se usó una orden tramposa.
 
 action-console = Consola
+action-workshop = Taller: construir o andar
 
 console-entry = Orden
 console-hint = Una orden; Tab la completa, help las enumera, Esc cierra

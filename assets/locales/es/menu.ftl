@@ -10,6 +10,7 @@ menu-new-game = Partida nueva
 menu-load = Cargar
 menu-delete = Borrar
 menu-rooms = Salas
+menu-workshop = Taller
 menu-controls = Controles
 menu-quit = Salir del juego
 version = Versión { $version }

@@ -1,6 +1,7 @@
 ### Konsola i znak światów, w których użyto polecenia oszukującego.
 
 action-console = Konsola
+action-workshop = Warsztat: buduj lub chodź
 
 console-entry = Polecenie
 console-hint = Polecenie; Tab uzupełnia, help wymienia wszystkie, Esc zamyka

@@ -10,6 +10,7 @@ menu-new-game = Nowa gra
 menu-load = Wczytaj
 menu-delete = Usuń
 menu-rooms = Pokoje
+menu-workshop = Warsztat
 menu-controls = Sterowanie
 menu-quit = Wyjdź z gry
 version = Wersja { $version }

@@ -1,6 +1,7 @@
 ### 控制台，以及用过作弊命令的世界的标记。
 
 action-console = 控制台
+action-workshop = 工坊：建造或行走
 
 console-entry = 命令
 console-hint = 输入命令；Tab 补全，help 列出全部，Esc 关闭

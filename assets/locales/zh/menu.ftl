@@ -10,6 +10,7 @@ menu-new-game = 新游戏
 menu-load = 载入
 menu-delete = 删除
 menu-rooms = 房间
+menu-workshop = 工坊
 menu-controls = 操作
 menu-quit = 退出游戏
 version = 版本 { $version }

@@ -164,6 +164,7 @@ impl Studio {
         with_hand: bool,
     ) -> Result<RgbaImage, Failure> {
         let view = RoomView {
+            tile: None,
             id,
             moment: room.shown(room.scene.now(), with_hand),
             options: room.picture_options(quality, self.options.samples),

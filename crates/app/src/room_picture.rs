@@ -112,16 +112,19 @@ impl RoomPainter {
         );
     }
 
-    /// Shows a picture in a target of any size.
+    /// Shows a picture in a target of any size, or in a tile of it.
     pub fn show(
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         picture: &Picture,
-        target: &wgpu::TextureView,
+        (target, tile): (&wgpu::TextureView, Option<Tile>),
     ) {
         let light = self.tonemap.bind(&gpu.device, &picture.light);
-        self.tonemap.draw(encoder, &light, target, None);
+        match tile {
+            Some(tile) => self.tonemap.draw_in(encoder, &light, target, &tile),
+            None => self.tonemap.draw(encoder, &light, target, None),
+        }
     }
 }
 
@@ -134,7 +137,12 @@ pub struct RoomView {
     pub moment: Moment,
     /// How it is made.
     pub options: antipode_rays::Options,
+    /// The part of the window that it is in, if that is not all of it.
+    pub tile: Option<Tile>,
 }
+
+/// A part of the window, pixels.
+pub type Tile = antipode_render::MirrorPlace;
 
 /// Pictures of rooms in memory, one after another.
 #[derive(Debug)]
@@ -179,7 +187,7 @@ impl RoomPictures {
             self.painter
                 .trace(gpu, &mut encoder, (drawable, &self.picture), view, rows);
             self.painter
-                .show(gpu, &mut encoder, &self.picture, target.view());
+                .show(gpu, &mut encoder, &self.picture, (target.view(), None));
         }
         gpu.queue.submit([encoder.finish()]);
         Ok(target.read(gpu)?)

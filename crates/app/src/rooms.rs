@@ -7,6 +7,7 @@ use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, roo
 use antipode_scene::Actions;
 use antipode_scene::frame::Quality;
 use antipode_settings::Settings;
+use antipode_workshop::{Document, WorkshopError};
 use glam::DVec3;
 
 use crate::common::Common;
@@ -52,6 +53,7 @@ fn steer(actions: &Actions) -> Steer {
         shoot: actions.primary,
         place: actions.secondary,
         throw: actions.drop_one,
+        grasp: actions.grasp,
     }
 }
 
@@ -97,6 +99,34 @@ impl OpenRoom {
     /// When it is not there any more, or not sound.
     pub fn enter(dir: &RoomsDir, kept: RoomSummary) -> Result<Self, RoomError> {
         Ok(Self::of(dir.open(&kept)?, Some(kept)))
+    }
+
+    /// Enters a room that is kept, so that it can be built in: one of the player's own has its journal, and all that was done to
+    /// it can be taken back. Waits for the disk.
+    ///
+    /// # Errors
+    /// When it is not there any more or not sound, or another game builds in it.
+    pub fn enter_with_journal(dir: &RoomsDir, kept: RoomSummary) -> Result<Self, RoomError> {
+        if kept.shipped {
+            return Self::enter(dir, kept);
+        }
+        let folder = dir.path().join(&kept.slug);
+        let opened = match Document::open(&folder) {
+            Ok(opened) => opened,
+            Err(WorkshopError::Room(why)) => return Err(why),
+            // It can be walked through.
+            Err(why) => {
+                tracing::warn!("the room has no journal: {why}");
+                return Self::enter(dir, kept);
+            }
+        };
+        let files = assets(&folder, opened.document.room())?;
+        Ok(Self {
+            scene: RoomScene::of(opened.document, files),
+            kept: Some(kept),
+            look: View::Exact,
+            outlines: Outlines::default(),
+        })
     }
 
     fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Self {
@@ -284,12 +314,13 @@ impl OpenRoom {
 
 fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), RoomError> {
     let Some(name) = name else {
+        let document = open.scene.document_mut();
+        if document.dir().is_some() {
+            let saved = document.save_now();
+            return saved.map_err(|why| RoomError::Command(why.to_string()));
+        }
         return match &open.kept {
             Some(kept) if kept.shipped => Err(RoomError::Shipped(kept.name.clone())),
-            // What has a journal is saved with it.
-            Some(_) if open.scene.document().dir().is_some() => {
-                Ok(open.scene.document_mut().save_now()?)
-            }
             Some(kept) => dir.save(&kept.slug, open.scene.room()),
             None => Err(RoomError::Command(
                 "This room has no name, so it is not kept; say room save name=...".to_owned(),
@@ -303,7 +334,13 @@ fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), R
         Some(kept) if !kept.shipped => copied(dir, kept, &room)?,
         _ => dir.make(&room)?,
     };
-    open.scene.rename(name)?;
+    if open.scene.document().dir().is_some() {
+        // The journal of the first stays with that.
+        let opened = Document::open(&dir.path().join(&slug))?;
+        open.scene.take_document(opened.document);
+    } else {
+        open.scene.rename(name)?;
+    }
     open.kept = Some(RoomSummary {
         slug,
         name: room.name,

@@ -4,7 +4,7 @@ use crate::Language;
 
 macro_rules! files {
     ($id:literal) => {
-        files!($id: "menu", "worlds", "settings", "controls", "display", "messages", "devices", "console", "photo", "about", "newcomer", "backpack", "rooms")
+        files!($id: "menu", "worlds", "settings", "controls", "display", "messages", "devices", "console", "photo", "about", "newcomer", "backpack", "rooms", "workshop")
     };
     ($id:literal: $($area:literal),+) => {
         &[$((

@@ -83,6 +83,24 @@ impl Tonemap {
         pass.draw(0..3, 0..1);
     }
 
+    /// Records the pass over a part of a target, the rest of which is black.
+    pub fn draw_in(
+        &self,
+        encoder: &mut CommandEncoder,
+        light: &BindGroup,
+        target: &TextureView,
+        place: &MirrorPlace,
+    ) {
+        let mut pass = begin(encoder, target, LoadOp::Clear(Color::BLACK), None);
+        let [x, y, width, height] = [place.corner.0, place.corner.1, place.size.0, place.size.1];
+        pass.set_scissor_rect(x, y, width, height);
+        let [x, y, width, height] = [x, y, width, height].map(|pixels| pixels as f32);
+        pass.set_viewport(x, y, width, height, 0.0, 1.0);
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, light, &[]);
+        pass.draw(0..3, 0..1);
+    }
+
     /// Records the pass over a part of a target, with left and right swapped.
     pub fn lay_mirror(
         &self,

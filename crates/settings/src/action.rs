@@ -69,6 +69,8 @@ pub enum Action {
     Screenshot,
     /// The photo mode.
     PhotoMode,
+    /// Builds in a room, or walks in it again.
+    Workshop,
     /// The console.
     Console,
     /// Go on to the next hint for newcomers.
@@ -159,7 +161,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 45] = {
+static ACTIONS: [ActionInfo; 46] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -248,6 +250,7 @@ static ACTIONS: [ActionInfo; 45] = {
         line(Action::FrameFigures, "frame-figures", View, &["F4"]),
         line(Action::PhotoMode, "photo-mode", View, &["KeyP"]),
         line(Action::Screenshot, "screenshot", View, &["F12"]),
+        line(Action::Workshop, "workshop", Game, &["F5"]),
         line(Action::Console, "console", Game, &["Backquote"]),
         line(Action::SkipHint, "skip-hint", Game, &["KeyN"]),
         line(Action::Fullscreen, "fullscreen", Game, &["F11"]),

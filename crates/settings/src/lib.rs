@@ -42,4 +42,6 @@ pub struct Config {
     pub profiles: Profiles,
     /// What a newcomer has done already of what the hints tell.
     pub learnt: BTreeSet<Lesson>,
+    /// How the panes of the workshop lie, as its interface writes it; empty for how they lie at first.
+    pub panes: String,
 }

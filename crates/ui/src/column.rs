@@ -82,13 +82,14 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen
         (texts.say("menu-load"), Screen::Load),
         (texts.say("menu-delete"), Screen::Delete),
         (texts.say("menu-rooms"), Screen::Rooms),
+        (texts.say("menu-workshop"), Screen::Workshop),
         (texts.say("menu-settings"), Screen::Settings),
         (texts.say("menu-controls"), Screen::Controls),
         (texts.say("menu-about"), Screen::About),
     ];
     // A pause menu has room for so many.
     let is_shown = |screen: &Screen| match screen {
-        Screen::About => !running,
+        Screen::About | Screen::Workshop => !running,
         Screen::Rooms => !running || pass.model.in_room,
         _ => true,
     };

@@ -29,6 +29,7 @@ mod theme;
 mod toasts;
 mod trail;
 mod widgets;
+pub mod workshop;
 mod worlds;
 
 pub use about::AboutModel;

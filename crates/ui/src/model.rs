@@ -142,6 +142,8 @@ pub enum Screen {
     Delete,
     /// The list of rooms.
     Rooms,
+    /// The list of rooms of one's own, to build in them.
+    Workshop,
     /// The settings.
     Settings,
     /// The key bindings.
@@ -207,6 +209,13 @@ pub enum Intent {
     Worlds(WorldsIntent),
     /// Make a room and enter it.
     NewRoom,
+    /// Make a room and build in it.
+    BuildNewRoom,
+    /// Build in a room of one's own.
+    BuildIn {
+        /// [`WorldRow::slug`].
+        slug: String,
+    },
     /// Enter a room.
     EnterRoom {
         /// [`WorldRow::slug`].

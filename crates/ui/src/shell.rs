@@ -152,6 +152,7 @@ impl Shell {
             | Screen::Load
             | Screen::Delete
             | Screen::Rooms
+            | Screen::Workshop
             | Screen::Settings
             | Screen::Controls
             | Screen::About => {
@@ -288,6 +289,7 @@ impl Shell {
                     | Screen::Load
                     | Screen::Delete
                     | Screen::Rooms
+                    | Screen::Workshop
                     | Screen::Settings
                     | Screen::Controls
                     | Screen::About
@@ -317,7 +319,7 @@ impl Shell {
             column::show(ui, pass, &self.screen);
         }
         let turned = match &self.screen {
-            Screen::Load | Screen::Rooms => self.worlds.load(ui, pass),
+            Screen::Load | Screen::Rooms | Screen::Workshop => self.worlds.load(ui, pass),
             Screen::Delete => self.worlds.delete(ui, pass),
             Screen::Controls => self.controls.show(ui, pass),
             Screen::NewGame => {

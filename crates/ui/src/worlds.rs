@@ -123,7 +123,10 @@ impl WorldScreens {
                 true
             }
             Some(Choice::New) => {
-                pass.intents.push(Intent::NewRoom);
+                pass.intents.push(match kind {
+                    Kind::Own => Intent::BuildNewRoom,
+                    _ => Intent::NewRoom,
+                });
                 false
             }
             None => false,
@@ -206,7 +209,7 @@ fn facts(pass: &Pass<'_>, row: &WorldRow) -> String {
 /// How much of a world was changed by hand; of a room, how much is in it.
 fn edits(pass: &Pass<'_>, kind: Kind, row: &WorldRow) -> String {
     let texts = pass.model.texts;
-    if kind == Kind::Room {
+    if kind != Kind::World {
         return texts.say_with("rooms-objects", &[("count", row.edits.unwrap_or(0).into())]);
     }
     match row.edits {

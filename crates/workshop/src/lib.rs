@@ -40,6 +40,7 @@ pub use journal::{FOLDER, Opened, Pace};
 pub use keeping::Trouble;
 pub use make::{MOST_COPIES, make};
 pub use marks::Marks;
+pub use place::turn_of;
 pub use plan::Plan;
 pub use room_fields::fields_of;
 pub use said::{Arg, Said};

@@ -68,7 +68,7 @@ pub(crate) fn tidy(v: DVec3) -> DVec3 {
 ///
 /// The front is where x goes, (cos yaw cos pitch, sin pitch, sin yaw cos pitch); what remains is a rotation about it. A front
 /// that is upright has no yaw, and the roll has all of it.
-pub(crate) fn turn_of(turn: DQuat) -> DVec3 {
+pub fn turn_of(turn: DQuat) -> DVec3 {
     let front = turn * DVec3::X;
     let level = front.x.hypot(front.z);
     let yaw = if level < 1e-9 {

@@ -35,7 +35,7 @@ impl Display {
         let fps = self.fps.value();
         let session = match &play.phase {
             Phase::Playing(session) if !self.hidden => session,
-            Phase::InRoom(visit) if !self.hidden => {
+            Phase::InRoom(visit) if !self.hidden && visit.workshop.is_none() => {
                 return Some(room_hud::model(texts, &config.profiles, visit, fps));
             }
             _ => return None,

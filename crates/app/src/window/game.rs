@@ -141,6 +141,9 @@ impl Game {
         if !gained && self.overlays.is_photographing() {
             // The world stands still there already, and the picture that was being composed is not given up.
             self.devices.release_all();
+        } else if !gained && self.play.phase.is_built() {
+            // Nothing happens there that would have to wait.
+            self.devices.release_all();
         } else if !gained {
             self.pause();
         }
@@ -223,6 +226,7 @@ impl Game {
                 let (devices, waits) = (&mut self.devices, &mut self.waits);
                 self.play.advance(passed, devices, feel, hints, waits);
             }
+            Phase::InRoom(visit) if visit.workshop.is_some() => self.tick_workshop(passed),
             Phase::InRoom(visit) if visit.is_drawn => {
                 let feel = (!self.overlays.are_up()).then(|| Feel::from(settings));
                 visit.advance(passed, &mut self.play.pace, &mut self.devices, feel);
@@ -292,6 +296,9 @@ impl Game {
         let visit = self.play.phase.visit_mut()?;
         visit.aspect = aspect;
         visit.room.fit(&self.options.config.settings);
+        if let Some(view) = visit.workshop_view() {
+            return Some(view);
+        }
         Some(visit.view(shutter, quality, with_hand))
     }
 

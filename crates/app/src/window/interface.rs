@@ -36,6 +36,7 @@ impl Game {
             let (naming, texts) = (&mut self.overlays.naming, &self.menus.texts);
             naming.show(context, texts, &mut self.play);
         }
+        self.show_workshop(context);
         let covered = self.overlays.covered(context.content_rect());
         self.menus.shell.keep_toasts_off(covered);
         let (config, phase) = (&self.options.config, &self.play.phase);
@@ -132,6 +133,7 @@ impl Game {
             }
             Intent::Delete { slug } => self.menus.list.delete(slug),
             Intent::Worlds(intent) => self.menus.list.follow(intent),
+            Intent::BuildNewRoom => self.leave(Next::Open(Request::BuildNew)),
             Intent::NewRoom => self.leave(Next::Open(Request::NewRoom(None))),
             Intent::EnterRoom { slug } => {
                 match self.menus.rooms.work_on(&self.menus.texts, &slug) {
@@ -139,6 +141,10 @@ impl Game {
                     None => self.leave(Next::Open(Request::Room(slug))),
                 }
             }
+            Intent::BuildIn { slug } => match self.menus.rooms.work_on(&self.menus.texts, &slug) {
+                Some(work) => self.menus.shell.toast(work, ToastKind::State),
+                None => self.leave(Next::Open(Request::Build(slug))),
+            },
             Intent::DeleteRoom { slug } => self.menus.rooms.delete(slug),
             Intent::Rooms(intent) => self.menus.rooms.follow(intent),
             Intent::Quit => self.leave(Next::Quit),

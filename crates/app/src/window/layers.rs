@@ -13,7 +13,7 @@ use crate::bindings::{Action, Input, wheel_input};
 type Layer = fn(&mut Game, &Press) -> Taken;
 
 /// All layers, the topmost first, each with what it needs of the game.
-const LAYERS: [Layer; 8] = [
+const LAYERS: [Layer; 9] = [
     |game, press| game.menus.press_to_bind(press),
     everywhere,
     |game, press| game.overlays.console.press(press, &game.devices.controls),
@@ -27,6 +27,7 @@ const LAYERS: [Layer; 8] = [
         let photo = &mut game.overlays.photo;
         photo.press(press, &mut game.devices, &mut game.play, &mut game.menus)
     },
+    Game::press_in_workshop,
     world,
     menu,
 ];
@@ -50,7 +51,7 @@ impl Game {
     }
 
     /// Does what concerns the game around the world.
-    fn act(&mut self, action: Action) {
+    pub(super) fn act(&mut self, action: Action) {
         let display = &mut self.display;
         match action {
             Action::Menu => self.pause(),
@@ -70,6 +71,7 @@ impl Game {
                 self.set_option("fullscreen", Value::Switch(value));
             }
             Action::Screenshot => self.shots.want_of(&self.play.phase),
+            Action::Workshop => self.toggle_workshop(),
             Action::Console => {
                 self.devices.release_all();
                 self.overlays.console.open(self.play.opened);

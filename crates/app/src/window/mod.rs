@@ -43,6 +43,7 @@ mod veil;
 mod visit;
 mod waits;
 mod wheel;
+mod workshop;
 
 use std::path::PathBuf;
 

@@ -78,6 +78,14 @@ impl Options {
         play.follow(settings, quality, chunks);
     }
 
+    /// Has the file keep how the panes of the workshop lie, where that is otherwise than before.
+    pub fn keep_panes(&mut self, panes: String) {
+        if panes != self.config.panes {
+            self.config.panes = panes;
+            self.keeper.save(&self.config);
+        }
+    }
+
     /// Has the file keep what was learnt, where that is something else than before.
     pub fn keep_learnt(&mut self, learnt: BTreeSet<Lesson>) {
         if learnt != self.config.learnt {

@@ -19,6 +19,10 @@ pub enum Request {
     Room(String),
     /// Enter a room, by its name.
     RoomNamed(String),
+    /// Build in a room, by what the menu knows it by.
+    Build(String),
+    /// Make a room of a name that nobody has, and build in it.
+    BuildNew,
 }
 
 /// What was opened.
@@ -26,8 +30,8 @@ pub enum Request {
 pub enum Opened {
     /// A world.
     World(Box<Session>),
-    /// A room.
-    Room(Box<OpenRoom>),
+    /// A room, and whether it is to be built in.
+    Room(Box<OpenRoom>, bool),
 }
 
 /// What follows when a world has been closed, or a room left.
@@ -111,9 +115,14 @@ impl Phase {
     pub fn is_played(&self) -> bool {
         match self {
             Self::Playing(_) => true,
-            Self::InRoom(visit) => visit.is_drawn,
+            Self::InRoom(visit) => visit.is_drawn && visit.workshop.is_none(),
             _ => false,
         }
+    }
+
+    /// Whether somebody builds in a room.
+    pub fn is_built(&self) -> bool {
+        matches!(self, Self::InRoom(visit) if visit.workshop.is_some())
     }
 
     /// Whether the pause menu is over a world or a room.

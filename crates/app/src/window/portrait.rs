@@ -28,6 +28,7 @@ pub fn portrait_of(frame: &Frame) -> View {
 pub fn room_portrait_of(view: &RoomView) -> RoomView {
     let mut view = view.clone();
     view.moment.hand = None;
+    view.tile = None;
     view.options.view = RoomLook::Exact;
     view
 }

@@ -23,7 +23,7 @@ impl Shown {
 }
 
 fn what_is_up(game: &Game) -> &'static str {
-    if !game.play.phase.is_played() {
+    if !game.play.phase.is_played() && !game.play.phase.is_built() {
         return screen_name(game.menus.shell.screen(), game.play.phase.is_paused());
     }
     let overlays = &game.overlays;
@@ -35,6 +35,8 @@ fn what_is_up(game: &Game) -> &'static str {
         "the backpack"
     } else if overlays.is_naming() {
         "the question for a name"
+    } else if game.play.phase.is_built() {
+        "the workshop"
     } else if matches!(game.play.phase, Phase::InRoom(_)) {
         "the room"
     } else if game.play.veil == Veil::Up {
@@ -53,6 +55,7 @@ fn screen_name(screen: &Screen, is_paused: bool) -> &'static str {
         Screen::Load => "the worlds to load",
         Screen::Delete => "the worlds to delete",
         Screen::Rooms => "the rooms",
+        Screen::Workshop => "the rooms to build in",
         Screen::Settings => "the settings",
         Screen::Controls => "the controls",
         Screen::About => "the about screen",

@@ -19,6 +19,7 @@ mod rooms;
 mod sprint;
 mod standing;
 mod views;
+mod workshop;
 
 use std::fs;
 use std::path::{Path, PathBuf};

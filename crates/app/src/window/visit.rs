@@ -14,6 +14,7 @@ use glam::DVec2;
 use super::devices::Devices;
 use super::pace::Pace;
 use super::placelist::ROOM_PICTURE;
+use super::workshop::Workshop;
 use crate::pad::Feel;
 use crate::room_picture::RoomView;
 use crate::rooms::OpenRoom;
@@ -36,9 +37,11 @@ pub struct Visit {
     pub(super) is_drawn: bool,
     /// In which language what is read in it is drawn, once it is known, and how often that was another one.
     language: Option<Language>,
-    reworded: u64,
+    pub(super) reworded: u64,
     /// Where rooms are.
-    dir: PathBuf,
+    pub(super) dir: PathBuf,
+    /// What it is built with, while it is.
+    pub(super) workshop: Option<Box<Workshop>>,
     /// Width over height of its pictures.
     pub(super) aspect: f64,
 }
@@ -49,6 +52,7 @@ impl Visit {
         Self {
             room,
             dir,
+            workshop: None,
             number,
             time_s: 0.0,
             is_drawn: false,
@@ -137,6 +141,7 @@ impl Visit {
             id: self.id(),
             moment: self.room.shown(moment, with_hand),
             options: self.room.picture_options(quality, 1),
+            tile: None,
         }
     }
 
@@ -148,6 +153,7 @@ impl Visit {
             RoomSound::Step(speed_m_s) => SoundEvent::Step { cover, speed_m_s },
             RoomSound::Landed(speed_m_s) => SoundEvent::Landed { cover, speed_m_s },
             RoomSound::Shot => SoundEvent::Shot,
+            RoomSound::Knocked(speed_m_s) => SoundEvent::Landed { cover, speed_m_s },
         });
         heard.collect()
     }

@@ -6,6 +6,8 @@
     reason = "tests fail by panicking"
 )]
 
+mod bodies;
+mod bodies_soak;
 mod difference;
 mod edits;
 mod eyes;
@@ -17,6 +19,7 @@ mod raster;
 mod soak;
 mod sounds;
 mod walking;
+mod workshop;
 
 use antipode_room_scene::{RoomScene, Steer};
 use antipode_rooms::{Assets, Loaded, Room, shipped};
@@ -49,4 +52,5 @@ const AHEAD: Steer = Steer {
     shoot: false,
     place: false,
     throw: false,
+    grasp: false,
 };

@@ -9,6 +9,8 @@ pub(super) struct Raw {
     pub settings: Vec<(String, Value)>,
     /// What was learnt.
     pub learnt: Option<Value>,
+    /// How the panes of the workshop lie.
+    pub panes: Option<Value>,
     /// The name of the profile in use.
     pub chosen: Option<Value>,
     pub profiles: Vec<RawProfile>,
@@ -32,6 +34,7 @@ pub(super) fn whole(text: &str) -> Option<Raw> {
             "schema" => raw.schema = Some(value),
             "profile" => raw.chosen = Some(value),
             "learnt" => raw.learnt = Some(value),
+            "panes" => raw.panes = Some(value),
             "settings" => raw.settings = entries(value)?,
             "profiles" => {
                 let Value::Seq(profiles) = value else {
@@ -79,6 +82,7 @@ pub(super) fn lines(text: &str) -> Raw {
                 ..RawProfile::default()
             }),
             ("learnt", Value::Seq(_)) => raw.learnt = Some(value),
+            ("panes", Value::String(_)) => raw.panes = Some(value),
             (_, Value::Seq(_)) => {
                 if let Some(profile) = raw.profiles.last_mut() {
                     profile.keys.push((name, value));

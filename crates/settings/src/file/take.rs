@@ -16,6 +16,8 @@ use crate::settings::Settings;
 
 /// Most notices of single values; a file that is all wrong need not be told line by line.
 const MOST_NOTICES: usize = 40;
+/// Longest text that says how panes lie, bytes.
+const MOST_PANES: usize = 2000;
 /// Most characters that are quoted from a file.
 const MOST_QUOTED: usize = 60;
 
@@ -75,6 +77,7 @@ pub fn read(bytes: &[u8]) -> Reading {
     take_settings(&mut config.settings, &raw.settings, &mut notices);
     take_profiles(&mut config, &raw, &mut notices);
     config.learnt = learnt(raw.learnt.as_ref());
+    config.panes = panes(raw.panes.as_ref());
     notices.extend(raw.others.iter().map(|(name, _)| unknown(name)));
     notices.truncate(MOST_NOTICES);
     Reading {
@@ -127,6 +130,14 @@ fn learnt(said: Option<&Value>) -> BTreeSet<Lesson> {
         _ => None,
     });
     named.collect()
+}
+
+/// How panes lie. Whoever draws them sees whether that can be.
+fn panes(said: Option<&Value>) -> String {
+    match said {
+        Some(Value::String(text)) if text.len() <= MOST_PANES => text.clone(),
+        _ => String::new(),
+    }
 }
 
 fn take_profiles(config: &mut Config, raw: &Raw, notices: &mut Vec<Notice>) {

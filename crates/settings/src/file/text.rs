@@ -19,6 +19,8 @@ struct File<'a> {
     settings: AllSettings<'a>,
     /// Names of lessons; before the profiles, so that it is no list of one's keys in a damaged file.
     learnt: Vec<&'static str>,
+    /// How the panes of the workshop lie.
+    panes: &'a str,
     profile: &'a str,
     profiles: Vec<OneProfile<'a>>,
 }
@@ -42,6 +44,7 @@ pub fn write(config: &Config) -> Result<String, String> {
         schema: SCHEMA,
         settings: AllSettings(&config.settings),
         learnt: config.learnt.iter().map(|lesson| lesson.id()).collect(),
+        panes: &config.panes,
         profile: profiles.chosen().name(),
         profiles: profiles
             .all()

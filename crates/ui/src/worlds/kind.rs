@@ -13,6 +13,14 @@ pub(crate) enum Kind {
     World,
     /// Rooms of deformed space.
     Room,
+    /// Rooms of the player's own, to build in them.
+    Own,
+}
+
+/// Those of the rooms that the player has made, which come first.
+fn own(rooms: &[WorldRow]) -> &[WorldRow] {
+    let count = rooms.iter().take_while(|row| !row.shipped).count();
+    &rooms[..count]
 }
 
 impl Kind {
@@ -20,6 +28,7 @@ impl Kind {
     pub(crate) fn of(screen: &Screen) -> Self {
         match screen {
             Screen::Rooms => Self::Room,
+            Screen::Workshop => Self::Own,
             _ => Self::World,
         }
     }
@@ -29,6 +38,7 @@ impl Kind {
         match self {
             Self::World => model.worlds,
             Self::Room => model.rooms,
+            Self::Own => own(model.rooms),
         }
     }
 
@@ -36,7 +46,7 @@ impl Kind {
     pub(super) fn files<'a>(self, model: &MenuModel<'a>) -> &'a WorldFiles {
         match self {
             Self::World => model.world_files,
-            Self::Room => model.room_files,
+            Self::Room | Self::Own => model.room_files,
         }
     }
 
@@ -49,7 +59,7 @@ impl Kind {
     ) -> Result<(), String> {
         match self {
             Self::World => (model.check_rename)(slug, name),
-            Self::Room => (model.check_room_rename)(slug, name),
+            Self::Room | Self::Own => (model.check_room_rename)(slug, name),
         }
     }
 
@@ -71,7 +81,10 @@ impl Kind {
     fn key(self, what: &str) -> String {
         match self {
             Self::World => format!("worlds-{what}"),
-            Self::Room => format!("rooms-{what}"),
+            Self::Own if matches!(what, "none" | "load" | "load-named") => {
+                format!("workshop-rooms-{what}")
+            }
+            Self::Room | Self::Own => format!("rooms-{what}"),
         }
     }
 
@@ -80,6 +93,7 @@ impl Kind {
         match self {
             Self::World => Intent::Load { slug },
             Self::Room => Intent::EnterRoom { slug },
+            Self::Own => Intent::BuildIn { slug },
         }
     }
 
@@ -87,7 +101,7 @@ impl Kind {
     pub(super) fn delete(self, slug: String) -> Intent {
         match self {
             Self::World => Intent::Delete { slug },
-            Self::Room => Intent::DeleteRoom { slug },
+            Self::Room | Self::Own => Intent::DeleteRoom { slug },
         }
     }
 
@@ -95,7 +109,7 @@ impl Kind {
     pub(super) fn ask(self, what: WorldsIntent) -> Intent {
         match self {
             Self::World => Intent::Worlds(what),
-            Self::Room => Intent::Rooms(what),
+            Self::Room | Self::Own => Intent::Rooms(what),
         }
     }
 }

@@ -68,7 +68,7 @@ pub(super) fn show<'a>(
             let choice = steady(ui, &row.slug, |ui| self::row(ui, pass, stops, row, shown));
             chosen = choice.or(chosen.take());
         }
-        if kind == Kind::Room {
+        if kind != Kind::World {
             let label = model.texts.say("rooms-new");
             let new = steady(ui, "new", |ui| column_button(ui, &label, false));
             stops.add(&new);
@@ -79,6 +79,7 @@ pub(super) fn show<'a>(
     };
     let title = model.texts.say(match (kind, purpose) {
         (Kind::Room, _) => "menu-rooms",
+        (Kind::Own, _) => "menu-workshop",
         (_, Purpose::Load) => "menu-load",
         (_, Purpose::Delete) => "menu-delete",
     });

@@ -30,7 +30,7 @@ pub(crate) fn paint(painter: &Painter, rect: Rect, kind: Kind, row: &WorldRow) {
         let inside = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
         match kind {
             Kind::World => placeholder(&inside, rect, &row.slug),
-            Kind::Room => passage(&inside, rect, &row.slug),
+            Kind::Room | Kind::Own => passage(&inside, rect, &row.slug),
         }
     }
     let corners = CornerRadius::same(ROUNDING / 2);

@@ -26,4 +26,5 @@ mod settings;
 mod sizes;
 mod speech;
 mod toasts;
+mod workshop;
 mod worlds;

@@ -46,11 +46,19 @@ impl Play {
             }
             Phase::Closing(task, _) => Phase::Closing(task, next),
             Phase::Menu => self.go_on(next, menus),
-            Phase::InRoom(_) | Phase::RoomPaused(_) => {
+            Phase::InRoom(mut visit) | Phase::RoomPaused(mut visit) => {
+                let builds = visit.workshop.is_some();
+                visit.keep_at_last();
+                // What is not written yet is waited for elsewhere.
+                Task::start("leave", move || drop(visit));
                 let phase = self.go_on(next, menus);
                 if matches!(phase, Phase::Menu) {
                     // The next room is chosen there.
-                    menus.shell.open(Screen::Rooms);
+                    menus.shell.open(if builds {
+                        Screen::Workshop
+                    } else {
+                        Screen::Rooms
+                    });
                 }
                 phase
             }
@@ -155,14 +163,15 @@ impl Play {
                 self.veil = Veil::Down;
                 return self.loading(*session, menus, elsewhere);
             }
-            Progress::Done(Ok(Opened::Room(room))) => {
+            Progress::Done(Ok(Opened::Room(room, builds))) => {
                 self.opened += 1;
                 self.pace.rest();
-                return Phase::InRoom(Box::new(Visit::new(
-                    *room,
-                    self.opened,
-                    self.worlds.rooms().path().to_path_buf(),
-                )));
+                let dir = self.worlds.rooms().path().to_path_buf();
+                let mut visit = Visit::new(*room, self.opened, dir);
+                if builds {
+                    visit.build();
+                }
+                return Phase::InRoom(Box::new(visit));
             }
             Progress::Done(Err(failure)) => {
                 tracing::error!("it could not be opened: {failure}");
@@ -278,6 +287,7 @@ fn free_room_name(rooms: &RoomsDir) -> Result<String, Failure> {
 
 /// Opens what was asked for. Waits for the disk.
 fn opened(worlds: &Worlds, request: Request) -> Result<Opened, Failure> {
+    let builds = matches!(request, Request::Build(_) | Request::BuildNew);
     let rooms = worlds.rooms();
     let room = match request {
         Request::New(wanted) => return Ok(Opened::World(Box::new(worlds.create(&wanted)?))),
@@ -286,10 +296,17 @@ fn opened(worlds: &Worlds, request: Request) -> Result<Opened, Failure> {
             let name = name.map_or_else(|| free_room_name(&rooms), Ok)?;
             OpenRoom::make(&rooms, Some(&name), None)?
         }
-        Request::Room(slug) => OpenRoom::enter(&rooms, room_of(&rooms, &slug)?)?,
-        Request::RoomNamed(name) => OpenRoom::enter(&rooms, rooms.find(&name)?)?,
+        Request::BuildNew => {
+            let name = free_room_name(&rooms)?;
+            drop(OpenRoom::make(&rooms, Some(&name), None)?);
+            OpenRoom::enter_with_journal(&rooms, rooms.find(&name)?)?
+        }
+        Request::Room(slug) | Request::Build(slug) => {
+            OpenRoom::enter_with_journal(&rooms, room_of(&rooms, &slug)?)?
+        }
+        Request::RoomNamed(name) => OpenRoom::enter_with_journal(&rooms, rooms.find(&name)?)?,
     };
-    Ok(Opened::Room(Box::new(room)))
+    Ok(Opened::Room(Box::new(room), builds))
 }
 
 /// What is said when the thread that saves has ended without a word.

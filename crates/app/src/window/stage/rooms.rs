@@ -128,6 +128,7 @@ impl Rooms {
         if id.0 != view.id.0 {
             return Ok(false);
         }
+        let size = view.tile.map_or(size, |tile| tile.size);
         let share = self.fineness.share(most, Instant::now());
         let mut tracer = Tracer {
             gpu,
@@ -139,7 +140,8 @@ impl Rooms {
             self.fineness.rest();
         }
         if let Some(picture) = self.pictures.best() {
-            painter.show(gpu, encoder, picture, target);
+            let tile = view.tile.filter(|tile| tile.size == size);
+            painter.show(gpu, encoder, picture, (target, tile));
         }
         Ok(true)
     }
@@ -167,7 +169,7 @@ impl Rooms {
         let mut encoder = gpu.encoder();
         let whole = (&*drawable, &picture);
         painter.trace(gpu, &mut encoder, whole, view, 0..picture.size.1);
-        painter.show(gpu, &mut encoder, &picture, target);
+        painter.show(gpu, &mut encoder, &picture, (target, None));
         gpu.queue.submit([encoder.finish()]);
         Ok(true)
     }
@@ -180,7 +182,8 @@ impl Rooms {
         target: &wgpu::TextureView,
     ) {
         if let (Some(painter), Some(picture)) = (&self.painter, self.pictures.best()) {
-            painter.show(gpu, encoder, picture, target);
+            let tile = self.pictures.view.as_ref().and_then(|view| view.tile);
+            painter.show(gpu, encoder, picture, (target, tile));
         }
     }
 }

@@ -1,0 +1,300 @@
+### Die Werkstatt, in der Räume gebaut werden.
+
+# Räume zum Bauen.
+workshop-rooms-none = Du hast noch keine eigenen Räume. Lege einen neuen an, oder kopiere einen des Spiels.
+workshop-rooms-load = Bauen
+workshop-rooms-load-named = In „{ $name }“ bauen
+workshop-not-own = Dieser Raum gehört zum Spiel. Kopiere ihn, und baue in der Kopie.
+workshop-not-kept = Der Raum konnte nicht gespeichert werden: { $reason }
+
+# Die Felder des Fensters.
+workshop-pane-view = Ansicht
+workshop-pane-list = Dinge
+workshop-pane-inspector = Eigenschaften
+workshop-pane-parts = Bauteile
+workshop-pane-messages = Meldungen
+workshop-pane-history = Verlauf
+workshop-search = Suchen
+workshop-none-found = Nichts heißt so.
+workshop-rename = Neuer Name
+workshop-hide = „{ $name }“ verbergen
+workshop-lock = „{ $name }“ sperren
+workshop-reset = { $name } zurücksetzen
+workshop-parts-hint = Ein Klick setzt ein Bauteil auf das, was du ansiehst.
+workshop-all-well = Mit diesem Raum ist alles in Ordnung.
+workshop-beginning = Der Anfang
+workshop-room-itself = Der Raum selbst
+workshop-one = { $name } ({ $kind })
+workshop-several = { $count ->
+    [one] { $count } Ding
+   *[other] { $count } Dinge
+}
+workshop-status-nothing = Klicke etwas an, oder fliege: rechte Taste halten und W A S D.
+workshop-status-chosen = Ziehe es oder einen Griff · Pfeiltasten: ein Schritt · F: ansehen · Alt: ohne Raster
+workshop-status-flies = W A S D, E und Q fliegen, Pfeiltasten drehen. V oder Esc beendet es.
+workshop-outside-inside = außen { $outside } m, innen { $inside } m
+
+# Was getan wird.
+workshop-do-play = Spielen
+workshop-do-undo = Zurück
+workshop-do-redo = Vor
+workshop-do-move = Schieben
+workshop-do-turn = Drehen
+workshop-do-scale = Größe
+workshop-do-own-axes = Eigene Achsen
+workshop-do-snaps = Raster
+workshop-do-on-surfaces = Auf Flächen
+workshop-do-copy = Kopieren
+workshop-do-cut = Ausschneiden
+workshop-do-paste = Einfügen
+workshop-do-duplicate = Verdoppeln
+workshop-do-array = In Reihe wiederholen
+workshop-do-group = Gruppieren
+workshop-do-ungroup = Gruppe auflösen
+workshop-do-delete = Löschen
+workshop-do-choose-all = Alles wählen
+workshop-do-focus = Auswahl ansehen
+workshop-do-top = Von oben
+workshop-do-front = Von vorn
+workshop-do-side = Von der Seite
+workshop-do-flies = Mit Tasten fliegen
+workshop-do-raster = Mit Raster beginnen
+workshop-grid = { $metres } m
+workshop-menu-edit = Bearbeiten
+workshop-menu-view = Ansicht
+workshop-key-ctrl = Strg
+workshop-key-shift = Umschalt
+
+# Einheiten.
+workshop-unit-metres = { $value } m
+workshop-unit-degrees = { $value }°
+workshop-unit-times = × { $value }
+workshop-unit-plain = { $value }
+
+# Arten von Dingen.
+workshop-kind-box = Quader
+workshop-kind-pyramid = Pyramide
+workshop-kind-ramp = Rampe
+workshop-kind-cylinder = Zylinder
+workshop-kind-ball = Kugel
+workshop-kind-stairs = Treppe
+workshop-kind-arch = Bogen
+workshop-kind-model = Modell
+workshop-kind-light = Lampe
+workshop-kind-aberration = Aberration
+workshop-kind-portal = Portal
+workshop-kind-sign = Schild
+workshop-kind-group = Gruppe
+
+# Bauteile.
+workshop-part-box = Quader
+workshop-about-box = Ein Block von einem Meter.
+workshop-part-wall = Wand
+workshop-about-wall = 4 m breit, 2,5 m hoch.
+workshop-part-floor = Boden
+workshop-about-floor = Eine Platte von 4 mal 4 m.
+workshop-part-pyramid = Pyramide
+workshop-about-pyramid = Ihre Spitze ist oben.
+workshop-part-ramp = Rampe
+workshop-about-ramp = Sie steigt nach vorn.
+workshop-part-stairs = Treppe
+workshop-about-stairs = Acht Stufen, 2 m hoch.
+workshop-part-arch = Bogen
+workshop-about-arch = Ein Block mit einem Tor darin.
+workshop-part-cylinder = Zylinder
+workshop-about-cylinder = Aufrecht, 2 m hoch.
+workshop-part-ball = Kugel
+workshop-about-ball = Eine Kugel von einem Meter.
+workshop-part-light = Lampe
+workshop-about-light = Licht aus einem Punkt; höchstens acht je Raum.
+workshop-part-sign = Schild
+workshop-about-sign = Eine Tafel zum Lesen.
+workshop-part-tunnel = Tunnel
+workshop-about-tunnel = Außen 4 m, innen 20 m, mit eigenen Wänden. Nichts wird darin gebogen.
+workshop-part-hall = Größerer Raum
+workshop-about-hall = Ein Kasten, der innen doppelt so groß ist. Wer eintritt, ist halb so groß.
+workshop-part-portals = Portalpaar
+workshop-about-portals = Wer in das eine geht, kommt aus dem anderen.
+
+# Eigenschaften.
+workshop-field-name = Name
+workshop-field-at = Ort
+workshop-field-turn = Drehung
+workshop-field-size = Größe
+workshop-field-radius = Radius
+workshop-field-height = Höhe
+workshop-field-steps = Stufen
+workshop-field-opening = Tor
+workshop-field-scale = Maßstab
+workshop-field-text = Text
+workshop-field-colour = Farbe
+workshop-field-power = Helligkeit
+workshop-field-checker = Karos
+workshop-field-checker-colour = Zweite Farbe
+workshop-field-checker-size = Seite eines Karos
+workshop-field-finish = Oberfläche
+workshop-field-glow = Leuchten
+workshop-field-box = Größe außen
+workshop-field-lengths = Was es dehnt
+workshop-field-axis = Achse
+workshop-field-felt = Länge innen
+workshop-field-times = Dehnung
+workshop-field-times-x = Dehnung entlang x
+workshop-field-times-y = Dehnung entlang y
+workshop-field-times-z = Dehnung entlang z
+workshop-field-thesis = Zahl d der Abschlussarbeit
+workshop-field-sides = Seiten
+workshop-field-ways = Für wen
+workshop-field-outline = Kanten sichtbar
+workshop-field-to = Führt zu
+workshop-field-sentence = Was hier seltsam ist
+workshop-field-spawn-at = Man beginnt bei
+workshop-field-spawn-look = Man blickt (Gier, Nick)
+workshop-field-gravity = Schwerkraft
+workshop-field-sky = Himmel
+workshop-field-light = Licht von überall
+workshop-field-has-sun = Sonne
+workshop-field-sun = Wo sie steht
+workshop-field-sun-colour = Farbe der Sonne
+workshop-field-sun-power = Helligkeit der Sonne
+workshop-field-has-fog = Nebel
+workshop-field-fog = Nichts zu sehen ab
+workshop-field-fog-colour = Farbe des Nebels
+workshop-choice-finish-matt = Matt
+workshop-choice-finish-mirror = Spiegel
+workshop-choice-finish-glass = Glas
+workshop-choice-lengths-felt = Eine Achse
+workshop-choice-lengths-stretch = Alle Achsen
+workshop-choice-axis-x = x: nach vorn
+workshop-choice-axis-y = y: nach oben
+workshop-choice-axis-z = z: nach rechts
+workshop-choice-sides-walls = Wände (exakt)
+workshop-choice-sides-soft = Weich
+workshop-choice-sides-snell = Brechend
+workshop-choice-sides-legacy = Regel der Abschlussarbeit
+workshop-choice-sides-1 = Eine Seite
+workshop-choice-sides-2 = Beide Seiten
+workshop-choice-ways-both = Alle
+workshop-choice-ways-forward = Wer entlang der Achse geht
+
+# Was der Raum tut.
+workshop-told-felt = Außen ist es { $outside } m lang und innen { $inside } m: { $seconds } s zu Fuß statt { $before }.
+workshop-told-smaller = Wer eintritt, ist { $times }-mal kleiner, also ist alles darin so viel größer. Der Blick wird davon nicht gebogen.
+workshop-told-larger = Wer eintritt, ist { $times }-mal größer, also ist alles darin so viel kleiner. Der Blick wird davon nicht gebogen.
+workshop-told-walls = Es hat eigene Wände; nichts wird gebogen, und die Türen sind innen so groß wie außen.
+workshop-told-soft = Richtungen bleiben durch jede Seite gleich: man geht zu dem, was man sieht.
+workshop-told-snell = Licht wird gebrochen wie in Glas und ab einem Winkel gespiegelt.
+workshop-told-legacy = Die Regel der Abschlussarbeit hat Fehler: was man sieht, hängt vom Blick ab, und man geht nicht dorthin.
+workshop-told-no-door = Wände lassen keine Tür, wo mehr als eine Achse gedehnt ist. Dehne nur eine, oder mache die Seiten weich.
+workshop-told-astigmatic = Astigmatisch: Seiten sind ungleich gedehnt, gerade Linien wirken durch sie gebogen.
+workshop-told-grazing = Streifende Blicke auf die Seiten werden gestaucht.
+workshop-told-unlinked = Es passt nicht zu seinem Partner oder hat keinen und ist geschlossen.
+workshop-told-itself = Es führt zu sich selbst: man sieht sich hineinschauen.
+workshop-told-alike = Es ist so groß wie „{ $name }“: wer durchgeht, behält seine Größe.
+workshop-told-grows = Wer zu „{ $name }“ geht, wird { $times }-mal so groß.
+workshop-told-shrinks = Wer zu „{ $name }“ geht, wird { $times }-mal kleiner.
+
+# Schritte im Verlauf.
+workshop-step-add = { $count ->
+    [one] „{ $name }“ hinzufügen
+   *[other] { $count } Dinge hinzufügen
+}
+workshop-step-remove = { $count ->
+    [one] „{ $name }“ löschen
+   *[other] { $count } Dinge löschen
+}
+workshop-step-move = { $count ->
+    [one] „{ $name }“ schieben
+   *[other] { $count } Dinge schieben
+}
+workshop-step-turn = { $count ->
+    [one] „{ $name }“ drehen
+   *[other] { $count } Dinge drehen
+}
+workshop-step-pose = { $count ->
+    [one] „{ $name }“ stellen
+   *[other] { $count } Dinge stellen
+}
+workshop-step-resize = { $count ->
+    [one] Größe von „{ $name }“
+   *[other] Größe von { $count } Dingen
+}
+workshop-step-stretch = { $count ->
+    [one] „{ $name }“ dehnen
+   *[other] { $count } Dinge dehnen
+}
+workshop-step-sides = { $count ->
+    [one] Seiten von „{ $name }“
+   *[other] Seiten von { $count } Dingen
+}
+workshop-step-surface = { $count ->
+    [one] Oberfläche von „{ $name }“
+   *[other] Oberfläche von { $count } Dingen
+}
+workshop-step-link = { $count ->
+    [one] „{ $name }“ verbinden
+   *[other] { $count } Portale verbinden
+}
+workshop-step-text = { $count ->
+    [one] Text von „{ $name }“
+   *[other] Text von { $count } Schildern
+}
+workshop-step-light = { $count ->
+    [one] Licht von „{ $name }“
+   *[other] Licht von { $count } Lampen
+}
+workshop-step-change = { $count ->
+    [one] „{ $name }“ ändern
+   *[other] { $count } Dinge ändern
+}
+workshop-step-rename = „{ $name }“ heißt jetzt „{ $new }“
+workshop-step-group = Gruppe „{ $name }“
+workshop-step-carry = { $count ->
+    [one] „{ $name }“ aus der Gruppe nehmen
+   *[other] { $count } Dinge aus Gruppen nehmen
+}
+workshop-step-ungroup = { $count ->
+    [one] Gruppe „{ $name }“ auflösen
+   *[other] { $count } Gruppen auflösen
+}
+workshop-step-duplicate = { $count ->
+    [one] „{ $name }“ verdoppeln
+   *[other] { $count } Dinge verdoppeln
+}
+workshop-step-array = { $count ->
+    [one] „{ $name }“ wiederholen
+   *[other] { $count } Dinge wiederholen
+}
+workshop-step-paste = { $count ->
+    [one] „{ $name }“ einfügen
+   *[other] { $count } Dinge einfügen
+}
+workshop-step-room = Der Raum selbst
+workshop-step-spawn = Wo man beginnt
+workshop-step-several = Mehrere Änderungen
+workshop-step-outside = Außerhalb des Spiels geändert
+workshop-step-version = Die Fassung von { $when }
+
+# Was nicht stimmen mag.
+workshop-finding-not-parallel = „{ $name }“ liegt teilweise in „{ $other }“ und ist anders gedreht; es bleibt zu, bis die Achsen parallel sind oder eines ganz im anderen liegt.
+workshop-finding-too-deep = „{ $name }“ liegt in zu vielen ineinander liegenden Aberrationen, darunter „{ $other }“; höchstens acht sind erlaubt.
+workshop-finding-tangled = „{ $name }“ liegt in so vielen anderen, dass die Tiefe unklar ist; rücke einige auseinander.
+workshop-finding-no-door = „{ $name }“ hat an allen sechs Seiten Wände, und niemand könnte eintreten.
+workshop-finding-out-of-range = „{ $name }“ hat eine Zahl außerhalb des Erlaubten.
+workshop-finding-no-partner = Das Portal „{ $name }“ führt nirgendwohin: es gibt kein Portal mit dem Namen seines Ziels.
+workshop-finding-one-way = Das Portal „{ $name }“ führt zu „{ $other }“, das nicht zurückführt.
+workshop-finding-other-sides = „{ $name }“ und „{ $other }“ haben nicht gleich viele Seiten.
+workshop-finding-not-similar = „{ $name }“ fühlt sich seinem Partner „{ $other }“ nicht ähnlich an: gib ihnen Größen im gleichen Verhältnis.
+workshop-finding-other-size = „{ $name }“ weicht in der Größe um mehr als das 32-Fache von „{ $other }“ ab.
+workshop-finding-portal-shape = Die Ecken von „{ $name }“ bilden keine konvexe Form.
+workshop-finding-over-side = Das Portal „{ $name }“ liegt über einer Seite von „{ $other }“; stelle es ganz hinein oder hinaus.
+workshop-finding-in-odd-box = Das Portal „{ $name }“ steht in „{ $other }“, wo keine Portale stehen können.
+workshop-finding-portals-touch = Die Portale „{ $name }“ und „{ $other }“ berühren sich; rücke sie mindestens einen Millimeter auseinander.
+workshop-finding-spawn-in-solid = Man beginnt in „{ $name }“.
+workshop-finding-spawn-in-air = { $metres ->
+    [0] Man beginnt über nichts und fällt aus dem Raum.
+   *[other] Man beginnt in der Luft und fällt { $metres } m.
+}
+workshop-finding-open-sides = Die Seiten von „{ $name }“ sind offen: dort wird Licht gebogen. Verdecke sie oder gib ihm Wände.
+workshop-finding-fall-out = Man kann aus dem Raum fallen, nach { $metres } m zu Fuß.
+workshop-finding-unreached = „{ $name }“ ist vom Anfang aus zu Fuß nicht zu erreichen.

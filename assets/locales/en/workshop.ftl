@@ -1,0 +1,300 @@
+### The workshop, in which rooms are built.
+
+# Rooms to build in.
+workshop-rooms-none = You have no rooms of your own yet. Make a new one, or duplicate one of the game.
+workshop-rooms-load = Build
+workshop-rooms-load-named = Build in “{ $name }”
+workshop-not-own = This room comes with the game. Duplicate it, and build in the copy.
+workshop-not-kept = The room could not be kept: { $reason }
+
+# Panes.
+workshop-pane-view = View
+workshop-pane-list = Objects
+workshop-pane-inspector = Inspector
+workshop-pane-parts = Parts
+workshop-pane-messages = Messages
+workshop-pane-history = History
+workshop-search = Search
+workshop-none-found = Nothing is called so.
+workshop-rename = New name
+workshop-hide = Hide “{ $name }”
+workshop-lock = Lock “{ $name }”
+workshop-reset = Reset { $name }
+workshop-parts-hint = A click puts a part on what you look at.
+workshop-all-well = Nothing is wrong with this room.
+workshop-beginning = The beginning
+workshop-room-itself = The room itself
+workshop-one = { $name } ({ $kind })
+workshop-several = { $count ->
+    [one] { $count } object
+   *[other] { $count } objects
+}
+workshop-status-nothing = Click something, or fly: hold the right button and W A S D.
+workshop-status-chosen = Drag it or a handle · arrow keys: one step · F: look at it · Alt: no steps
+workshop-status-flies = W A S D, E and Q fly, arrow keys turn. V or Esc ends it.
+workshop-outside-inside = { $outside } m outside, { $inside } m inside
+
+# What is done.
+workshop-do-play = Play
+workshop-do-undo = Undo
+workshop-do-redo = Redo
+workshop-do-move = Move
+workshop-do-turn = Turn
+workshop-do-scale = Scale
+workshop-do-own-axes = Own axes
+workshop-do-snaps = Snap
+workshop-do-on-surfaces = On surfaces
+workshop-do-copy = Copy
+workshop-do-cut = Cut
+workshop-do-paste = Paste
+workshop-do-duplicate = Duplicate
+workshop-do-array = Repeat in a row
+workshop-do-group = Group
+workshop-do-ungroup = Ungroup
+workshop-do-delete = Delete
+workshop-do-choose-all = Select all
+workshop-do-focus = Look at the selection
+workshop-do-top = From above
+workshop-do-front = From the front
+workshop-do-side = From the side
+workshop-do-flies = Fly by keys
+workshop-do-raster = Begin with a raster
+workshop-grid = { $metres } m
+workshop-menu-edit = Edit
+workshop-menu-view = View
+workshop-key-ctrl = Ctrl
+workshop-key-shift = Shift
+
+# Units.
+workshop-unit-metres = { $value } m
+workshop-unit-degrees = { $value }°
+workshop-unit-times = × { $value }
+workshop-unit-plain = { $value }
+
+# Kinds of things.
+workshop-kind-box = box
+workshop-kind-pyramid = pyramid
+workshop-kind-ramp = ramp
+workshop-kind-cylinder = cylinder
+workshop-kind-ball = ball
+workshop-kind-stairs = stairs
+workshop-kind-arch = arch
+workshop-kind-model = model
+workshop-kind-light = lamp
+workshop-kind-aberration = aberration
+workshop-kind-portal = portal
+workshop-kind-sign = sign
+workshop-kind-group = group
+
+# Parts.
+workshop-part-box = Box
+workshop-about-box = A block of one metre.
+workshop-part-wall = Wall
+workshop-about-wall = 4 m wide, 2.5 m high.
+workshop-part-floor = Floor
+workshop-about-floor = A slab of 4 by 4 m.
+workshop-part-pyramid = Pyramid
+workshop-about-pyramid = Its tip is up.
+workshop-part-ramp = Ramp
+workshop-about-ramp = It rises to its front.
+workshop-part-stairs = Stairs
+workshop-about-stairs = Eight steps up 2 m.
+workshop-part-arch = Arch
+workshop-about-arch = A block with a gate through it.
+workshop-part-cylinder = Cylinder
+workshop-about-cylinder = Upright, 2 m high.
+workshop-part-ball = Ball
+workshop-about-ball = A ball of one metre.
+workshop-part-light = Lamp
+workshop-about-light = Light from one point; a room has eight at most.
+workshop-part-sign = Sign
+workshop-about-sign = A board to read.
+workshop-part-tunnel = Tunnel
+workshop-about-tunnel = 4 m outside, 20 m inside, with walls of its own. Nothing is bent in it.
+workshop-part-hall = Larger space
+workshop-about-hall = A box that is twice as large inside. Who enters is half as large.
+workshop-part-portals = Pair of portals
+workshop-about-portals = Who goes into one comes out of the other.
+
+# Fields.
+workshop-field-name = Name
+workshop-field-at = Place
+workshop-field-turn = Turn
+workshop-field-size = Size
+workshop-field-radius = Radius
+workshop-field-height = Height
+workshop-field-steps = Steps
+workshop-field-opening = Gate
+workshop-field-scale = Scale
+workshop-field-text = Text
+workshop-field-colour = Colour
+workshop-field-power = Brightness
+workshop-field-checker = Squares
+workshop-field-checker-colour = Second colour
+workshop-field-checker-size = Side of a square
+workshop-field-finish = Finish
+workshop-field-glow = Glow
+workshop-field-box = Size outside
+workshop-field-lengths = What it stretches
+workshop-field-axis = Axis
+workshop-field-felt = Length inside
+workshop-field-times = Stretch
+workshop-field-times-x = Stretch along x
+workshop-field-times-y = Stretch along y
+workshop-field-times-z = Stretch along z
+workshop-field-thesis = The thesis's number d
+workshop-field-sides = Sides
+workshop-field-ways = For whom
+workshop-field-outline = Edges are seen
+workshop-field-to = Leads to
+workshop-field-sentence = What is strange here
+workshop-field-spawn-at = One begins at
+workshop-field-spawn-look = One looks (yaw, pitch)
+workshop-field-gravity = Gravity
+workshop-field-sky = Sky
+workshop-field-light = Light from everywhere
+workshop-field-has-sun = Sun
+workshop-field-sun = Where it stands
+workshop-field-sun-colour = Colour of the sun
+workshop-field-sun-power = Brightness of the sun
+workshop-field-has-fog = Fog
+workshop-field-fog = Nothing is seen from
+workshop-field-fog-colour = Colour of the fog
+workshop-choice-finish-matt = Matt
+workshop-choice-finish-mirror = Mirror
+workshop-choice-finish-glass = Glass
+workshop-choice-lengths-felt = One axis
+workshop-choice-lengths-stretch = All axes
+workshop-choice-axis-x = x: to its front
+workshop-choice-axis-y = y: up
+workshop-choice-axis-z = z: to its right
+workshop-choice-sides-walls = Walls (exact)
+workshop-choice-sides-soft = Soft
+workshop-choice-sides-snell = Refracting
+workshop-choice-sides-legacy = The thesis's rule
+workshop-choice-sides-1 = One side
+workshop-choice-sides-2 = Both sides
+workshop-choice-ways-both = Everybody
+workshop-choice-ways-forward = Who goes along the axis
+
+# What space does.
+workshop-told-felt = It is { $outside } m long outside and feels { $inside } m long inside: { $seconds } s at a walk, in place of { $before }.
+workshop-told-smaller = Who enters is { $times } times smaller, so everything in it is as many times larger. The view is not bent by that.
+workshop-told-larger = Who enters is { $times } times larger, so everything in it is as many times smaller. The view is not bent by that.
+workshop-told-walls = It has walls of its own; nothing is bent, and its doors are as large inside as outside.
+workshop-told-soft = Directions stay the same through every face: one walks to what one sees.
+workshop-told-snell = Light is refracted as in glass, and beyond an angle reflected.
+workshop-told-legacy = The thesis's rule has faults: what is seen depends on where one looks, and one does not walk to it.
+workshop-told-no-door = Walls leave no door where more than one axis is stretched. Stretch one axis, or make the sides soft.
+workshop-told-astigmatic = Astigmatic: its sides are stretched unequally, so straight lines look bent through them.
+workshop-told-grazing = Views that graze its sides are compressed.
+workshop-told-unlinked = It does not fit its partner, or has none, and is closed.
+workshop-told-itself = It leads to itself: it shows who looks in.
+workshop-told-alike = It is as large as “{ $name }”: who passes keeps their size.
+workshop-told-grows = Who goes to “{ $name }” becomes { $times } times as large.
+workshop-told-shrinks = Who goes to “{ $name }” becomes { $times } times smaller.
+
+# Steps of the history.
+workshop-step-add = { $count ->
+    [one] Add “{ $name }”
+   *[other] Add { $count } objects
+}
+workshop-step-remove = { $count ->
+    [one] Delete “{ $name }”
+   *[other] Delete { $count } objects
+}
+workshop-step-move = { $count ->
+    [one] Move “{ $name }”
+   *[other] Move { $count } objects
+}
+workshop-step-turn = { $count ->
+    [one] Turn “{ $name }”
+   *[other] Turn { $count } objects
+}
+workshop-step-pose = { $count ->
+    [one] Place “{ $name }”
+   *[other] Place { $count } objects
+}
+workshop-step-resize = { $count ->
+    [one] Size “{ $name }”
+   *[other] Size { $count } objects
+}
+workshop-step-stretch = { $count ->
+    [one] Stretch “{ $name }”
+   *[other] Stretch { $count } objects
+}
+workshop-step-sides = { $count ->
+    [one] Sides of “{ $name }”
+   *[other] Sides of { $count } objects
+}
+workshop-step-surface = { $count ->
+    [one] Surface of “{ $name }”
+   *[other] Surface of { $count } objects
+}
+workshop-step-link = { $count ->
+    [one] Link “{ $name }”
+   *[other] Link { $count } portals
+}
+workshop-step-text = { $count ->
+    [one] Text of “{ $name }”
+   *[other] Text of { $count } signs
+}
+workshop-step-light = { $count ->
+    [one] Light of “{ $name }”
+   *[other] Light of { $count } lamps
+}
+workshop-step-change = { $count ->
+    [one] Change “{ $name }”
+   *[other] Change { $count } objects
+}
+workshop-step-rename = Rename “{ $name }” to “{ $new }”
+workshop-step-group = Group “{ $name }”
+workshop-step-carry = { $count ->
+    [one] Take “{ $name }” out of its group
+   *[other] Take { $count } objects out of groups
+}
+workshop-step-ungroup = { $count ->
+    [one] Ungroup “{ $name }”
+   *[other] Ungroup { $count } groups
+}
+workshop-step-duplicate = { $count ->
+    [one] Duplicate “{ $name }”
+   *[other] Duplicate { $count } objects
+}
+workshop-step-array = { $count ->
+    [one] Repeat “{ $name }”
+   *[other] Repeat { $count } objects
+}
+workshop-step-paste = { $count ->
+    [one] Paste “{ $name }”
+   *[other] Paste { $count } objects
+}
+workshop-step-room = The room itself
+workshop-step-spawn = Where one begins
+workshop-step-several = Several changes
+workshop-step-outside = Changed outside of the game
+workshop-step-version = The version of { $when }
+
+# What may be wrong.
+workshop-finding-not-parallel = “{ $name }” lies partly in “{ $other }” and is turned another way; it is closed until their axes are parallel, or one lies wholly in the other.
+workshop-finding-too-deep = “{ $name }” lies in too many aberrations in one another, “{ $other }” among them; eight is the most.
+workshop-finding-tangled = “{ $name }” lies in so many others that it cannot be told how deep; move some apart.
+workshop-finding-no-door = “{ $name }” has walls on all six sides, and nobody could enter.
+workshop-finding-out-of-range = “{ $name }” has a number that is out of range.
+workshop-finding-no-partner = The portal “{ $name }” leads nowhere: there is no portal of the name that it leads to.
+workshop-finding-one-way = The portal “{ $name }” leads to “{ $other }”, which does not lead back.
+workshop-finding-other-sides = “{ $name }” and “{ $other }” do not have as many sides.
+workshop-finding-not-similar = “{ $name }” does not feel similar to its partner “{ $other }”: give them sizes in proportion.
+workshop-finding-other-size = “{ $name }” differs in size from its partner “{ $other }” by more than 32 times.
+workshop-finding-portal-shape = The corners of “{ $name }” are no convex shape.
+workshop-finding-over-side = The portal “{ $name }” lies over a side of “{ $other }”; put it wholly in or out.
+workshop-finding-in-odd-box = The portal “{ $name }” stands in “{ $other }”, in which portals cannot stand.
+workshop-finding-portals-touch = The portals “{ $name }” and “{ $other }” touch; move them apart by a millimetre at least.
+workshop-finding-spawn-in-solid = One begins inside of “{ $name }”.
+workshop-finding-spawn-in-air = { $metres ->
+    [0] One begins over nothing, and falls out of the room.
+   *[other] One begins in the air and falls { $metres } m.
+}
+workshop-finding-open-sides = The sides of “{ $name }” are open: light is bent there. Cover them, or give it walls.
+workshop-finding-fall-out = One can fall out of the room, after { $metres } m of walking.
+workshop-finding-unreached = “{ $name }” cannot be reached on foot from where one begins.

@@ -1,0 +1,300 @@
+### El taller, en el que se construyen salas.
+
+# Salas para construir.
+workshop-rooms-none = Aún no tienes salas propias. Crea una nueva o duplica una del juego.
+workshop-rooms-load = Construir
+workshop-rooms-load-named = Construir en «{ $name }»
+workshop-not-own = Esta sala viene con el juego. Duplícala y construye en la copia.
+workshop-not-kept = No se pudo guardar la sala: { $reason }
+
+# Paneles.
+workshop-pane-view = Vista
+workshop-pane-list = Objetos
+workshop-pane-inspector = Propiedades
+workshop-pane-parts = Piezas
+workshop-pane-messages = Mensajes
+workshop-pane-history = Historial
+workshop-search = Buscar
+workshop-none-found = Nada se llama así.
+workshop-rename = Nombre nuevo
+workshop-hide = Ocultar «{ $name }»
+workshop-lock = Bloquear «{ $name }»
+workshop-reset = Restablecer { $name }
+workshop-parts-hint = Un clic pone una pieza sobre lo que miras.
+workshop-all-well = Esta sala no tiene ningún problema.
+workshop-beginning = El comienzo
+workshop-room-itself = La sala misma
+workshop-one = { $name } ({ $kind })
+workshop-several = { $count ->
+    [one] { $count } objeto
+   *[other] { $count } objetos
+}
+workshop-status-nothing = Haz clic en algo, o vuela: mantén el botón derecho y W A S D.
+workshop-status-chosen = Arrástralo o un tirador · flechas: un paso · F: mirarlo · Alt: sin rejilla
+workshop-status-flies = W A S D, E y Q vuelan, las flechas giran. V o Esc termina.
+workshop-outside-inside = { $outside } m por fuera, { $inside } m por dentro
+
+# Lo que se hace.
+workshop-do-play = Jugar
+workshop-do-undo = Deshacer
+workshop-do-redo = Rehacer
+workshop-do-move = Mover
+workshop-do-turn = Girar
+workshop-do-scale = Escalar
+workshop-do-own-axes = Ejes propios
+workshop-do-snaps = Rejilla
+workshop-do-on-surfaces = En superficies
+workshop-do-copy = Copiar
+workshop-do-cut = Cortar
+workshop-do-paste = Pegar
+workshop-do-duplicate = Duplicar
+workshop-do-array = Repetir en fila
+workshop-do-group = Agrupar
+workshop-do-ungroup = Desagrupar
+workshop-do-delete = Eliminar
+workshop-do-choose-all = Seleccionar todo
+workshop-do-focus = Mirar la selección
+workshop-do-top = Desde arriba
+workshop-do-front = De frente
+workshop-do-side = De lado
+workshop-do-flies = Volar con teclas
+workshop-do-raster = Empezar por ráster
+workshop-grid = { $metres } m
+workshop-menu-edit = Editar
+workshop-menu-view = Vista
+workshop-key-ctrl = Ctrl
+workshop-key-shift = Mayús
+
+# Unidades.
+workshop-unit-metres = { $value } m
+workshop-unit-degrees = { $value }°
+workshop-unit-times = × { $value }
+workshop-unit-plain = { $value }
+
+# Clases de objetos.
+workshop-kind-box = caja
+workshop-kind-pyramid = pirámide
+workshop-kind-ramp = rampa
+workshop-kind-cylinder = cilindro
+workshop-kind-ball = bola
+workshop-kind-stairs = escalera
+workshop-kind-arch = arco
+workshop-kind-model = modelo
+workshop-kind-light = lámpara
+workshop-kind-aberration = aberración
+workshop-kind-portal = portal
+workshop-kind-sign = letrero
+workshop-kind-group = grupo
+
+# Piezas.
+workshop-part-box = Caja
+workshop-about-box = Un bloque de un metro.
+workshop-part-wall = Pared
+workshop-about-wall = 4 m de ancho, 2,5 m de alto.
+workshop-part-floor = Suelo
+workshop-about-floor = Una losa de 4 por 4 m.
+workshop-part-pyramid = Pirámide
+workshop-about-pyramid = Con la punta hacia arriba.
+workshop-part-ramp = Rampa
+workshop-about-ramp = Sube hacia delante.
+workshop-part-stairs = Escalera
+workshop-about-stairs = Ocho peldaños hasta 2 m.
+workshop-part-arch = Arco
+workshop-about-arch = Un bloque con una puerta.
+workshop-part-cylinder = Cilindro
+workshop-about-cylinder = De pie, 2 m de alto.
+workshop-part-ball = Bola
+workshop-about-ball = Una bola de un metro.
+workshop-part-light = Lámpara
+workshop-about-light = Luz desde un punto; como máximo ocho por sala.
+workshop-part-sign = Letrero
+workshop-about-sign = Un tablero para leer.
+workshop-part-tunnel = Túnel
+workshop-about-tunnel = 4 m por fuera, 20 m por dentro, con paredes propias. Dentro nada se curva.
+workshop-part-hall = Espacio mayor
+workshop-about-hall = Una caja el doble de grande por dentro. Quien entra es la mitad de grande.
+workshop-part-portals = Par de portales
+workshop-about-portals = Quien entra por uno sale por el otro.
+
+# Propiedades.
+workshop-field-name = Nombre
+workshop-field-at = Lugar
+workshop-field-turn = Giro
+workshop-field-size = Tamaño
+workshop-field-radius = Radio
+workshop-field-height = Altura
+workshop-field-steps = Peldaños
+workshop-field-opening = Puerta
+workshop-field-scale = Escala
+workshop-field-text = Texto
+workshop-field-colour = Color
+workshop-field-power = Brillo
+workshop-field-checker = Cuadros
+workshop-field-checker-colour = Segundo color
+workshop-field-checker-size = Lado del cuadro
+workshop-field-finish = Acabado
+workshop-field-glow = Brillo propio
+workshop-field-box = Tamaño por fuera
+workshop-field-lengths = Qué estira
+workshop-field-axis = Eje
+workshop-field-felt = Longitud por dentro
+workshop-field-times = Estiramiento
+workshop-field-times-x = Estiramiento en x
+workshop-field-times-y = Estiramiento en y
+workshop-field-times-z = Estiramiento en z
+workshop-field-thesis = Número d de la tesis
+workshop-field-sides = Lados
+workshop-field-ways = Para quién
+workshop-field-outline = Se ven los bordes
+workshop-field-to = Lleva a
+workshop-field-sentence = Qué hay de extraño
+workshop-field-spawn-at = Se empieza en
+workshop-field-spawn-look = Se mira (giro, inclinación)
+workshop-field-gravity = Gravedad
+workshop-field-sky = Cielo
+workshop-field-light = Luz ambiental
+workshop-field-has-sun = Sol
+workshop-field-sun = Dónde está
+workshop-field-sun-colour = Color del sol
+workshop-field-sun-power = Brillo del sol
+workshop-field-has-fog = Niebla
+workshop-field-fog = No se ve nada desde
+workshop-field-fog-colour = Color de la niebla
+workshop-choice-finish-matt = Mate
+workshop-choice-finish-mirror = Espejo
+workshop-choice-finish-glass = Vidrio
+workshop-choice-lengths-felt = Un eje
+workshop-choice-lengths-stretch = Todos los ejes
+workshop-choice-axis-x = x: hacia delante
+workshop-choice-axis-y = y: hacia arriba
+workshop-choice-axis-z = z: a la derecha
+workshop-choice-sides-walls = Paredes (exacto)
+workshop-choice-sides-soft = Suave
+workshop-choice-sides-snell = Refractante
+workshop-choice-sides-legacy = Regla de la tesis
+workshop-choice-sides-1 = Un lado
+workshop-choice-sides-2 = Ambos lados
+workshop-choice-ways-both = Todos
+workshop-choice-ways-forward = Quien va según el eje
+
+# Lo que hace el espacio.
+workshop-told-felt = Por fuera mide { $outside } m y por dentro { $inside } m: { $seconds } s a pie en vez de { $before }.
+workshop-told-smaller = Quien entra es { $times } veces menor, así que todo es otras tantas veces mayor. Eso no curva la vista.
+workshop-told-larger = Quien entra es { $times } veces mayor, así que todo es otras tantas veces menor. Eso no curva la vista.
+workshop-told-walls = Tiene paredes propias; nada se curva y sus puertas son iguales por dentro y por fuera.
+workshop-told-soft = Las direcciones no cambian al cruzar una cara: se llega a lo que se ve.
+workshop-told-snell = La luz se refracta como en el vidrio y, pasado un ángulo, se refleja.
+workshop-told-legacy = La regla de la tesis tiene fallos: lo que se ve depende de hacia dónde se mira, y no se llega a ello.
+workshop-told-no-door = Las paredes no dejan puerta si se estira más de un eje. Estira uno solo o haz los lados suaves.
+workshop-told-astigmatic = Astigmático: los lados se estiran de forma desigual y las rectas se ven curvas.
+workshop-told-grazing = Las vistas rasantes por los lados se comprimen.
+workshop-told-unlinked = No encaja con su pareja o no tiene, y está cerrado.
+workshop-told-itself = Lleva a sí mismo: muestra a quien mira.
+workshop-told-alike = Es tan grande como «{ $name }»: quien pasa conserva su tamaño.
+workshop-told-grows = Quien va a «{ $name }» se hace { $times } veces mayor.
+workshop-told-shrinks = Quien va a «{ $name }» se hace { $times } veces menor.
+
+# Pasos del historial.
+workshop-step-add = { $count ->
+    [one] Añadir «{ $name }»
+   *[other] Añadir { $count } objetos
+}
+workshop-step-remove = { $count ->
+    [one] Eliminar «{ $name }»
+   *[other] Eliminar { $count } objetos
+}
+workshop-step-move = { $count ->
+    [one] Mover «{ $name }»
+   *[other] Mover { $count } objetos
+}
+workshop-step-turn = { $count ->
+    [one] Girar «{ $name }»
+   *[other] Girar { $count } objetos
+}
+workshop-step-pose = { $count ->
+    [one] Colocar «{ $name }»
+   *[other] Colocar { $count } objetos
+}
+workshop-step-resize = { $count ->
+    [one] Tamaño de «{ $name }»
+   *[other] Tamaño de { $count } objetos
+}
+workshop-step-stretch = { $count ->
+    [one] Estirar «{ $name }»
+   *[other] Estirar { $count } objetos
+}
+workshop-step-sides = { $count ->
+    [one] Lados de «{ $name }»
+   *[other] Lados de { $count } objetos
+}
+workshop-step-surface = { $count ->
+    [one] Superficie de «{ $name }»
+   *[other] Superficie de { $count } objetos
+}
+workshop-step-link = { $count ->
+    [one] Enlazar «{ $name }»
+   *[other] Enlazar { $count } portales
+}
+workshop-step-text = { $count ->
+    [one] Texto de «{ $name }»
+   *[other] Texto de { $count } letreros
+}
+workshop-step-light = { $count ->
+    [one] Luz de «{ $name }»
+   *[other] Luz de { $count } lámparas
+}
+workshop-step-change = { $count ->
+    [one] Cambiar «{ $name }»
+   *[other] Cambiar { $count } objetos
+}
+workshop-step-rename = Renombrar «{ $name }» a «{ $new }»
+workshop-step-group = Agrupar «{ $name }»
+workshop-step-carry = { $count ->
+    [one] Sacar «{ $name }» del grupo
+   *[other] Sacar { $count } objetos de grupos
+}
+workshop-step-ungroup = { $count ->
+    [one] Desagrupar «{ $name }»
+   *[other] Desagrupar { $count } grupos
+}
+workshop-step-duplicate = { $count ->
+    [one] Duplicar «{ $name }»
+   *[other] Duplicar { $count } objetos
+}
+workshop-step-array = { $count ->
+    [one] Repetir «{ $name }»
+   *[other] Repetir { $count } objetos
+}
+workshop-step-paste = { $count ->
+    [one] Pegar «{ $name }»
+   *[other] Pegar { $count } objetos
+}
+workshop-step-room = La sala misma
+workshop-step-spawn = Dónde se empieza
+workshop-step-several = Varios cambios
+workshop-step-outside = Cambiada fuera del juego
+workshop-step-version = La versión de { $when }
+
+# Lo que puede estar mal.
+workshop-finding-not-parallel = «{ $name }» está en parte dentro de «{ $other }» y girada de otro modo; está cerrada hasta que sus ejes sean paralelos o una esté del todo en la otra.
+workshop-finding-too-deep = «{ $name }» está en demasiadas aberraciones anidadas, entre ellas «{ $other }»; ocho es el máximo.
+workshop-finding-tangled = «{ $name }» está en tantas otras que no se sabe a qué profundidad; separa algunas.
+workshop-finding-no-door = «{ $name }» tiene paredes en los seis lados y nadie podría entrar.
+workshop-finding-out-of-range = «{ $name }» tiene un número fuera de rango.
+workshop-finding-no-partner = El portal «{ $name }» no lleva a ninguna parte: no existe el portal al que lleva.
+workshop-finding-one-way = El portal «{ $name }» lleva a «{ $other }», que no lleva de vuelta.
+workshop-finding-other-sides = «{ $name }» y «{ $other }» no tienen los mismos lados.
+workshop-finding-not-similar = «{ $name }» no es semejante a su pareja «{ $other }»: dales tamaños proporcionales.
+workshop-finding-other-size = «{ $name }» difiere de su pareja «{ $other }» en más de 32 veces.
+workshop-finding-portal-shape = Las esquinas de «{ $name }» no forman una figura convexa.
+workshop-finding-over-side = El portal «{ $name }» está sobre un lado de «{ $other }»; ponlo del todo dentro o fuera.
+workshop-finding-in-odd-box = El portal «{ $name }» está en «{ $other }», donde no puede haber portales.
+workshop-finding-portals-touch = Los portales «{ $name }» y «{ $other }» se tocan; sepáralos al menos un milímetro.
+workshop-finding-spawn-in-solid = Se empieza dentro de «{ $name }».
+workshop-finding-spawn-in-air = { $metres ->
+    [0] Se empieza sobre la nada y se cae de la sala.
+   *[other] Se empieza en el aire y se caen { $metres } m.
+}
+workshop-finding-open-sides = Los lados de «{ $name }» están abiertos: allí la luz se curva. Cúbrelos o ponle paredes.
+workshop-finding-fall-out = Se puede caer de la sala tras andar { $metres } m.
+workshop-finding-unreached = No se puede llegar a pie a «{ $name }» desde donde se empieza.

@@ -1,0 +1,338 @@
+### Warsztat, w którym buduje się pokoje.
+
+# Pokoje do budowania.
+workshop-rooms-none = Nie masz jeszcze własnych pokoi. Utwórz nowy albo zduplikuj jeden z gry.
+workshop-rooms-load = Buduj
+workshop-rooms-load-named = Buduj w „{ $name }”
+workshop-not-own = Ten pokój należy do gry. Zduplikuj go i buduj w kopii.
+workshop-not-kept = Nie udało się zapisać pokoju: { $reason }
+
+# Panele.
+workshop-pane-view = Widok
+workshop-pane-list = Obiekty
+workshop-pane-inspector = Właściwości
+workshop-pane-parts = Części
+workshop-pane-messages = Komunikaty
+workshop-pane-history = Historia
+workshop-search = Szukaj
+workshop-none-found = Nic się tak nie nazywa.
+workshop-rename = Nowa nazwa
+workshop-hide = Ukryj „{ $name }”
+workshop-lock = Zablokuj „{ $name }”
+workshop-reset = Przywróć: { $name }
+workshop-parts-hint = Kliknięcie stawia część na tym, na co patrzysz.
+workshop-all-well = Z tym pokojem wszystko w porządku.
+workshop-beginning = Początek
+workshop-room-itself = Sam pokój
+workshop-one = { $name } ({ $kind })
+workshop-several = { $count ->
+    [one] { $count } obiekt
+    [few] { $count } obiekty
+    [many] { $count } obiektów
+   *[other] { $count } obiektu
+}
+workshop-status-nothing = Kliknij coś albo leć: przytrzymaj prawy przycisk i W A S D.
+workshop-status-chosen = Przeciągnij go lub uchwyt · strzałki: jeden krok · F: spójrz · Alt: bez siatki
+workshop-status-flies = W A S D, E i Q lecą, strzałki obracają. V lub Esc kończy.
+workshop-outside-inside = { $outside } m na zewnątrz, { $inside } m w środku
+
+# Co się robi.
+workshop-do-play = Graj
+workshop-do-undo = Cofnij
+workshop-do-redo = Ponów
+workshop-do-move = Przesuń
+workshop-do-turn = Obróć
+workshop-do-scale = Skaluj
+workshop-do-own-axes = Własne osie
+workshop-do-snaps = Siatka
+workshop-do-on-surfaces = Na powierzchni
+workshop-do-copy = Kopiuj
+workshop-do-cut = Wytnij
+workshop-do-paste = Wklej
+workshop-do-duplicate = Duplikuj
+workshop-do-array = Powtórz w rzędzie
+workshop-do-group = Grupuj
+workshop-do-ungroup = Rozgrupuj
+workshop-do-delete = Usuń
+workshop-do-choose-all = Zaznacz wszystko
+workshop-do-focus = Pokaż zaznaczenie
+workshop-do-top = Z góry
+workshop-do-front = Z przodu
+workshop-do-side = Z boku
+workshop-do-flies = Leć klawiszami
+workshop-do-raster = Zacznij rastrem
+workshop-grid = { $metres } m
+workshop-menu-edit = Edycja
+workshop-menu-view = Widok
+workshop-key-ctrl = Ctrl
+workshop-key-shift = Shift
+
+# Jednostki.
+workshop-unit-metres = { $value } m
+workshop-unit-degrees = { $value }°
+workshop-unit-times = × { $value }
+workshop-unit-plain = { $value }
+
+# Rodzaje obiektów.
+workshop-kind-box = pudło
+workshop-kind-pyramid = piramida
+workshop-kind-ramp = rampa
+workshop-kind-cylinder = walec
+workshop-kind-ball = kula
+workshop-kind-stairs = schody
+workshop-kind-arch = łuk
+workshop-kind-model = model
+workshop-kind-light = lampa
+workshop-kind-aberration = aberracja
+workshop-kind-portal = portal
+workshop-kind-sign = znak
+workshop-kind-group = grupa
+
+# Części.
+workshop-part-box = Pudło
+workshop-about-box = Blok o boku jednego metra.
+workshop-part-wall = Ściana
+workshop-about-wall = 4 m szerokości, 2,5 m wysokości.
+workshop-part-floor = Podłoga
+workshop-about-floor = Płyta 4 na 4 m.
+workshop-part-pyramid = Piramida
+workshop-about-pyramid = Wierzchołkiem do góry.
+workshop-part-ramp = Rampa
+workshop-about-ramp = Wznosi się ku przodowi.
+workshop-part-stairs = Schody
+workshop-about-stairs = Osiem stopni na 2 m.
+workshop-part-arch = Łuk
+workshop-about-arch = Blok z bramą.
+workshop-part-cylinder = Walec
+workshop-about-cylinder = Pionowy, 2 m wysokości.
+workshop-part-ball = Kula
+workshop-about-ball = Kula o średnicy metra.
+workshop-part-light = Lampa
+workshop-about-light = Światło z jednego punktu; najwyżej osiem w pokoju.
+workshop-part-sign = Znak
+workshop-about-sign = Tablica do czytania.
+workshop-part-tunnel = Tunel
+workshop-about-tunnel = 4 m na zewnątrz, 20 m w środku, z własnymi ścianami. Nic się w nim nie wygina.
+workshop-part-hall = Większa przestrzeń
+workshop-about-hall = Pudło dwa razy większe w środku. Kto wchodzi, jest o połowę mniejszy.
+workshop-part-portals = Para portali
+workshop-about-portals = Kto wejdzie w jeden, wyjdzie drugim.
+
+# Właściwości.
+workshop-field-name = Nazwa
+workshop-field-at = Miejsce
+workshop-field-turn = Obrót
+workshop-field-size = Rozmiar
+workshop-field-radius = Promień
+workshop-field-height = Wysokość
+workshop-field-steps = Stopnie
+workshop-field-opening = Brama
+workshop-field-scale = Skala
+workshop-field-text = Tekst
+workshop-field-colour = Kolor
+workshop-field-power = Jasność
+workshop-field-checker = Kratka
+workshop-field-checker-colour = Drugi kolor
+workshop-field-checker-size = Bok kratki
+workshop-field-finish = Powierzchnia
+workshop-field-glow = Poświata
+workshop-field-box = Rozmiar z zewnątrz
+workshop-field-lengths = Co rozciąga
+workshop-field-axis = Oś
+workshop-field-felt = Długość w środku
+workshop-field-times = Rozciągnięcie
+workshop-field-times-x = Rozciągnięcie wzdłuż x
+workshop-field-times-y = Rozciągnięcie wzdłuż y
+workshop-field-times-z = Rozciągnięcie wzdłuż z
+workshop-field-thesis = Liczba d z pracy
+workshop-field-sides = Boki
+workshop-field-ways = Dla kogo
+workshop-field-outline = Widoczne krawędzie
+workshop-field-to = Prowadzi do
+workshop-field-sentence = Co tu jest dziwne
+workshop-field-spawn-at = Zaczyna się w
+workshop-field-spawn-look = Patrzy się (obrót, pochylenie)
+workshop-field-gravity = Grawitacja
+workshop-field-sky = Niebo
+workshop-field-light = Światło zewsząd
+workshop-field-has-sun = Słońce
+workshop-field-sun = Gdzie stoi
+workshop-field-sun-colour = Kolor słońca
+workshop-field-sun-power = Jasność słońca
+workshop-field-has-fog = Mgła
+workshop-field-fog = Nic nie widać od
+workshop-field-fog-colour = Kolor mgły
+workshop-choice-finish-matt = Mat
+workshop-choice-finish-mirror = Lustro
+workshop-choice-finish-glass = Szkło
+workshop-choice-lengths-felt = Jedna oś
+workshop-choice-lengths-stretch = Wszystkie osie
+workshop-choice-axis-x = x: do przodu
+workshop-choice-axis-y = y: w górę
+workshop-choice-axis-z = z: w prawo
+workshop-choice-sides-walls = Ściany (dokładne)
+workshop-choice-sides-soft = Miękkie
+workshop-choice-sides-snell = Załamujące
+workshop-choice-sides-legacy = Reguła z pracy
+workshop-choice-sides-1 = Jedna strona
+workshop-choice-sides-2 = Obie strony
+workshop-choice-ways-both = Wszyscy
+workshop-choice-ways-forward = Kto idzie wzdłuż osi
+
+# Co robi przestrzeń.
+workshop-told-felt = Na zewnątrz ma { $outside } m, a w środku { $inside } m: { $seconds } s pieszo zamiast { $before }.
+workshop-told-smaller = Kto wchodzi, jest { $times } raza mniejszy, więc wszystko jest tyle razy większe. Widoku to nie wygina.
+workshop-told-larger = Kto wchodzi, jest { $times } raza większy, więc wszystko jest tyle razy mniejsze. Widoku to nie wygina.
+workshop-told-walls = Ma własne ściany; nic się nie wygina, a drzwi są w środku takie jak na zewnątrz.
+workshop-told-soft = Kierunki nie zmieniają się na ściankach: idzie się do tego, co się widzi.
+workshop-told-snell = Światło załamuje się jak w szkle, a od pewnego kąta odbija.
+workshop-told-legacy = Reguła z pracy ma błędy: widok zależy od kierunku patrzenia i nie dochodzi się do tego, co widać.
+workshop-told-no-door = Ściany nie zostawiają drzwi, gdy rozciąga się więcej osi. Rozciągnij jedną albo daj miękkie boki.
+workshop-told-astigmatic = Astygmatyczne: boki rozciągnięte nierówno, więc proste linie wyglądają na krzywe.
+workshop-told-grazing = Widoki pod małym kątem do boków są ściśnięte.
+workshop-told-unlinked = Nie pasuje do partnera albo go nie ma i jest zamknięty.
+workshop-told-itself = Prowadzi do siebie: pokazuje, kto zagląda.
+workshop-told-alike = Jest tak duży jak „{ $name }”: kto przejdzie, zachowa rozmiar.
+workshop-told-grows = Kto idzie do „{ $name }”, staje się { $times } raza większy.
+workshop-told-shrinks = Kto idzie do „{ $name }”, staje się { $times } raza mniejszy.
+
+# Kroki historii.
+workshop-step-add = { $count ->
+    [one] Dodaj „{ $name }”
+    [few] Dodaj obiekty ({ $count })
+    [many] Dodaj obiekty ({ $count })
+   *[other] Dodaj obiekty ({ $count })
+}
+workshop-step-remove = { $count ->
+    [one] Usuń „{ $name }”
+    [few] Usuń obiekty ({ $count })
+    [many] Usuń obiekty ({ $count })
+   *[other] Usuń obiekty ({ $count })
+}
+workshop-step-move = { $count ->
+    [one] Przesuń „{ $name }”
+    [few] Przesuń obiekty ({ $count })
+    [many] Przesuń obiekty ({ $count })
+   *[other] Przesuń obiekty ({ $count })
+}
+workshop-step-turn = { $count ->
+    [one] Obróć „{ $name }”
+    [few] Obróć obiekty ({ $count })
+    [many] Obróć obiekty ({ $count })
+   *[other] Obróć obiekty ({ $count })
+}
+workshop-step-pose = { $count ->
+    [one] Ustaw „{ $name }”
+    [few] Ustaw obiekty ({ $count })
+    [many] Ustaw obiekty ({ $count })
+   *[other] Ustaw obiekty ({ $count })
+}
+workshop-step-resize = { $count ->
+    [one] Rozmiar „{ $name }”
+    [few] Rozmiar obiektów ({ $count })
+    [many] Rozmiar obiektów ({ $count })
+   *[other] Rozmiar obiektów ({ $count })
+}
+workshop-step-stretch = { $count ->
+    [one] Rozciągnij „{ $name }”
+    [few] Rozciągnij obiekty ({ $count })
+    [many] Rozciągnij obiekty ({ $count })
+   *[other] Rozciągnij obiekty ({ $count })
+}
+workshop-step-sides = { $count ->
+    [one] Boki „{ $name }”
+    [few] Boki obiektów ({ $count })
+    [many] Boki obiektów ({ $count })
+   *[other] Boki obiektów ({ $count })
+}
+workshop-step-surface = { $count ->
+    [one] Powierzchnia „{ $name }”
+    [few] Powierzchnia obiektów ({ $count })
+    [many] Powierzchnia obiektów ({ $count })
+   *[other] Powierzchnia obiektów ({ $count })
+}
+workshop-step-link = { $count ->
+    [one] Połącz „{ $name }”
+    [few] Połącz portale ({ $count })
+    [many] Połącz portale ({ $count })
+   *[other] Połącz portale ({ $count })
+}
+workshop-step-text = { $count ->
+    [one] Tekst „{ $name }”
+    [few] Tekst znaków ({ $count })
+    [many] Tekst znaków ({ $count })
+   *[other] Tekst znaków ({ $count })
+}
+workshop-step-light = { $count ->
+    [one] Światło „{ $name }”
+    [few] Światło lamp ({ $count })
+    [many] Światło lamp ({ $count })
+   *[other] Światło lamp ({ $count })
+}
+workshop-step-change = { $count ->
+    [one] Zmień „{ $name }”
+    [few] Zmień obiekty ({ $count })
+    [many] Zmień obiekty ({ $count })
+   *[other] Zmień obiekty ({ $count })
+}
+workshop-step-rename = Zmień nazwę „{ $name }” na „{ $new }”
+workshop-step-group = Grupa „{ $name }”
+workshop-step-carry = { $count ->
+    [one] Wyjmij „{ $name }” z grupy
+    [few] Wyjmij obiekty z grup ({ $count })
+    [many] Wyjmij obiekty z grup ({ $count })
+   *[other] Wyjmij obiekty z grup ({ $count })
+}
+workshop-step-ungroup = { $count ->
+    [one] Rozgrupuj „{ $name }”
+    [few] Rozgrupuj grupy ({ $count })
+    [many] Rozgrupuj grupy ({ $count })
+   *[other] Rozgrupuj grupy ({ $count })
+}
+workshop-step-duplicate = { $count ->
+    [one] Duplikuj „{ $name }”
+    [few] Duplikuj obiekty ({ $count })
+    [many] Duplikuj obiekty ({ $count })
+   *[other] Duplikuj obiekty ({ $count })
+}
+workshop-step-array = { $count ->
+    [one] Powtórz „{ $name }”
+    [few] Powtórz obiekty ({ $count })
+    [many] Powtórz obiekty ({ $count })
+   *[other] Powtórz obiekty ({ $count })
+}
+workshop-step-paste = { $count ->
+    [one] Wklej „{ $name }”
+    [few] Wklej obiekty ({ $count })
+    [many] Wklej obiekty ({ $count })
+   *[other] Wklej obiekty ({ $count })
+}
+workshop-step-room = Sam pokój
+workshop-step-spawn = Gdzie się zaczyna
+workshop-step-several = Kilka zmian
+workshop-step-outside = Zmieniono poza grą
+workshop-step-version = Wersja z { $when }
+
+# Co może być nie tak.
+workshop-finding-not-parallel = „{ $name }” leży częściowo w „{ $other }” i jest inaczej obrócone; jest zamknięte, dopóki osie nie będą równoległe albo jedno nie znajdzie się w całości w drugim.
+workshop-finding-too-deep = „{ $name }” leży w zbyt wielu zagnieżdżonych aberracjach, między nimi „{ $other }”; najwyżej osiem.
+workshop-finding-tangled = „{ $name }” leży w tylu innych, że nie wiadomo jak głęboko; rozsuń niektóre.
+workshop-finding-no-door = „{ $name }” ma ściany ze wszystkich sześciu stron i nikt nie wejdzie.
+workshop-finding-out-of-range = „{ $name }” ma liczbę spoza zakresu.
+workshop-finding-no-partner = Portal „{ $name }” nigdzie nie prowadzi: nie ma portalu o nazwie jego celu.
+workshop-finding-one-way = Portal „{ $name }” prowadzi do „{ $other }”, który nie prowadzi z powrotem.
+workshop-finding-other-sides = „{ $name }” i „{ $other }” nie mają tylu samych stron.
+workshop-finding-not-similar = „{ $name }” nie jest podobny do partnera „{ $other }”: nadaj im proporcjonalne rozmiary.
+workshop-finding-other-size = „{ $name }” różni się rozmiarem od „{ $other }” ponad 32 razy.
+workshop-finding-portal-shape = Rogi „{ $name }” nie tworzą figury wypukłej.
+workshop-finding-over-side = Portal „{ $name }” leży na boku „{ $other }”; postaw go całkiem w środku lub na zewnątrz.
+workshop-finding-in-odd-box = Portal „{ $name }” stoi w „{ $other }”, gdzie portale nie mogą stać.
+workshop-finding-portals-touch = Portale „{ $name }” i „{ $other }” się stykają; rozsuń je co najmniej o milimetr.
+workshop-finding-spawn-in-solid = Zaczyna się wewnątrz „{ $name }”.
+workshop-finding-spawn-in-air = { $metres ->
+    [0] Zaczyna się nad pustką i wypada z pokoju.
+   *[other] Zaczyna się w powietrzu i spada { $metres } m.
+}
+workshop-finding-open-sides = Boki „{ $name }” są otwarte: światło się tam wygina. Zasłoń je albo daj ściany.
+workshop-finding-fall-out = Można wypaść z pokoju po { $metres } m marszu.
+workshop-finding-unreached = Do „{ $name }” nie da się dojść pieszo od początku.

@@ -1,0 +1,243 @@
+### 工坊：在其中建造房间。
+
+# 可以建造的房间。
+workshop-rooms-none = 你还没有自己的房间。新建一个，或复制一个游戏自带的房间。
+workshop-rooms-load = 建造
+workshop-rooms-load-named = 在“{ $name }”中建造
+workshop-not-own = 这个房间是游戏自带的。请复制它，然后在副本中建造。
+workshop-not-kept = 房间无法保存：{ $reason }
+
+# 面板。
+workshop-pane-view = 视图
+workshop-pane-list = 物体
+workshop-pane-inspector = 属性
+workshop-pane-parts = 部件
+workshop-pane-messages = 消息
+workshop-pane-history = 历史
+workshop-search = 搜索
+workshop-none-found = 没有这样的名称。
+workshop-rename = 新名称
+workshop-hide = 隐藏“{ $name }”
+workshop-lock = 锁定“{ $name }”
+workshop-reset = 重置{ $name }
+workshop-parts-hint = 点击即可把部件放在你所看之处。
+workshop-all-well = 这个房间没有问题。
+workshop-beginning = 开始
+workshop-room-itself = 房间本身
+workshop-one = { $name }（{ $kind }）
+workshop-several = { $count } 个物体
+workshop-status-nothing = 点击物体；或按住右键并用 W A S D 飞行。
+workshop-status-chosen = 拖动物体或手柄 · 方向键：一步 · F：对准 · Alt：不吸附
+workshop-status-flies = W A S D、E 和 Q 飞行，方向键转动。V 或 Esc 结束。
+workshop-outside-inside = 外 { $outside } 米，内 { $inside } 米
+
+# 操作。
+workshop-do-play = 游玩
+workshop-do-undo = 撤销
+workshop-do-redo = 重做
+workshop-do-move = 移动
+workshop-do-turn = 旋转
+workshop-do-scale = 缩放
+workshop-do-own-axes = 自身轴
+workshop-do-snaps = 吸附
+workshop-do-on-surfaces = 贴面
+workshop-do-copy = 复制
+workshop-do-cut = 剪切
+workshop-do-paste = 粘贴
+workshop-do-duplicate = 重复
+workshop-do-array = 排成一行
+workshop-do-group = 编组
+workshop-do-ungroup = 取消编组
+workshop-do-delete = 删除
+workshop-do-choose-all = 全选
+workshop-do-focus = 对准所选
+workshop-do-top = 俯视
+workshop-do-front = 正视
+workshop-do-side = 侧视
+workshop-do-flies = 按键飞行
+workshop-do-raster = 先光栅化
+workshop-grid = { $metres } 米
+workshop-menu-edit = 编辑
+workshop-menu-view = 视图
+workshop-key-ctrl = Ctrl
+workshop-key-shift = Shift
+
+# 单位。
+workshop-unit-metres = { $value } 米
+workshop-unit-degrees = { $value }°
+workshop-unit-times = × { $value }
+workshop-unit-plain = { $value }
+
+# 物体种类。
+workshop-kind-box = 方块
+workshop-kind-pyramid = 棱锥
+workshop-kind-ramp = 斜坡
+workshop-kind-cylinder = 圆柱
+workshop-kind-ball = 球
+workshop-kind-stairs = 楼梯
+workshop-kind-arch = 拱门
+workshop-kind-model = 模型
+workshop-kind-light = 灯
+workshop-kind-aberration = 畸变
+workshop-kind-portal = 传送门
+workshop-kind-sign = 牌子
+workshop-kind-group = 组
+
+# 部件。
+workshop-part-box = 方块
+workshop-about-box = 一米见方的块。
+workshop-part-wall = 墙
+workshop-about-wall = 宽 4 米，高 2.5 米。
+workshop-part-floor = 地板
+workshop-about-floor = 4 乘 4 米的板。
+workshop-part-pyramid = 棱锥
+workshop-about-pyramid = 尖端朝上。
+workshop-part-ramp = 斜坡
+workshop-about-ramp = 向前方升高。
+workshop-part-stairs = 楼梯
+workshop-about-stairs = 八级，升高 2 米。
+workshop-part-arch = 拱门
+workshop-about-arch = 开有门洞的块。
+workshop-part-cylinder = 圆柱
+workshop-about-cylinder = 直立，高 2 米。
+workshop-part-ball = 球
+workshop-about-ball = 直径一米的球。
+workshop-part-light = 灯
+workshop-about-light = 点光源；每个房间最多八盏。
+workshop-part-sign = 牌子
+workshop-about-sign = 可以阅读的牌子。
+workshop-part-tunnel = 隧道
+workshop-about-tunnel = 外 4 米，内 20 米，自带墙壁。里面没有弯曲。
+workshop-part-hall = 更大的空间
+workshop-about-hall = 内部大一倍的盒子。进入者会缩小一半。
+workshop-part-portals = 一对传送门
+workshop-about-portals = 走进一个，从另一个走出。
+
+# 属性。
+workshop-field-name = 名称
+workshop-field-at = 位置
+workshop-field-turn = 转向
+workshop-field-size = 尺寸
+workshop-field-radius = 半径
+workshop-field-height = 高度
+workshop-field-steps = 级数
+workshop-field-opening = 门洞
+workshop-field-scale = 比例
+workshop-field-text = 文字
+workshop-field-colour = 颜色
+workshop-field-power = 亮度
+workshop-field-checker = 方格
+workshop-field-checker-colour = 第二种颜色
+workshop-field-checker-size = 方格边长
+workshop-field-finish = 表面
+workshop-field-glow = 自发光
+workshop-field-box = 外部尺寸
+workshop-field-lengths = 拉伸方式
+workshop-field-axis = 轴
+workshop-field-felt = 内部长度
+workshop-field-times = 拉伸
+workshop-field-times-x = 沿 x 拉伸
+workshop-field-times-y = 沿 y 拉伸
+workshop-field-times-z = 沿 z 拉伸
+workshop-field-thesis = 论文的数 d
+workshop-field-sides = 侧面
+workshop-field-ways = 对谁有效
+workshop-field-outline = 显示边线
+workshop-field-to = 通向
+workshop-field-sentence = 奇特之处
+workshop-field-spawn-at = 起点
+workshop-field-spawn-look = 视线（偏航，俯仰）
+workshop-field-gravity = 重力
+workshop-field-sky = 天空
+workshop-field-light = 环境光
+workshop-field-has-sun = 太阳
+workshop-field-sun = 太阳方位
+workshop-field-sun-colour = 太阳颜色
+workshop-field-sun-power = 太阳亮度
+workshop-field-has-fog = 雾
+workshop-field-fog = 能见距离
+workshop-field-fog-colour = 雾的颜色
+workshop-choice-finish-matt = 哑光
+workshop-choice-finish-mirror = 镜面
+workshop-choice-finish-glass = 玻璃
+workshop-choice-lengths-felt = 一条轴
+workshop-choice-lengths-stretch = 所有轴
+workshop-choice-axis-x = x：前方
+workshop-choice-axis-y = y：上方
+workshop-choice-axis-z = z：右方
+workshop-choice-sides-walls = 墙壁（精确）
+workshop-choice-sides-soft = 柔和
+workshop-choice-sides-snell = 折射
+workshop-choice-sides-legacy = 论文的规则
+workshop-choice-sides-1 = 单面
+workshop-choice-sides-2 = 双面
+workshop-choice-ways-both = 所有人
+workshop-choice-ways-forward = 沿轴前进者
+
+# 空间的作用。
+workshop-told-felt = 外部长 { $outside } 米，内部感觉长 { $inside } 米：步行 { $seconds } 秒，而不是 { $before } 秒。
+workshop-told-smaller = 进入者缩小 { $times } 倍，因此里面的一切大同样倍数。视线不会因此弯曲。
+workshop-told-larger = 进入者放大 { $times } 倍，因此里面的一切小同样倍数。视线不会因此弯曲。
+workshop-told-walls = 自带墙壁；没有弯曲，门内外一样大。
+workshop-told-soft = 穿过每个面时方向不变：看到哪里就走到哪里。
+workshop-told-snell = 光像在玻璃中一样折射，超过某角度则反射。
+workshop-told-legacy = 论文的规则有缺陷：所见取决于看的方向，也走不到所见之处。
+workshop-told-no-door = 拉伸多于一条轴时墙上没有门。只拉伸一条轴，或把侧面改为柔和。
+workshop-told-astigmatic = 像散：侧面拉伸不均，直线透过它看起来是弯的。
+workshop-told-grazing = 掠过侧面的视线会被压缩。
+workshop-told-unlinked = 它与另一端不相配或没有另一端，处于关闭状态。
+workshop-told-itself = 它通向自己：照见观看者。
+workshop-told-alike = 与“{ $name }”一样大：通过者大小不变。
+workshop-told-grows = 前往“{ $name }”者变大 { $times } 倍。
+workshop-told-shrinks = 前往“{ $name }”者缩小 { $times } 倍。
+
+# 历史步骤。
+workshop-step-add = 添加“{ $name }”等 { $count } 个
+workshop-step-remove = 删除“{ $name }”等 { $count } 个
+workshop-step-move = 移动“{ $name }”等 { $count } 个
+workshop-step-turn = 旋转“{ $name }”等 { $count } 个
+workshop-step-pose = 摆放“{ $name }”等 { $count } 个
+workshop-step-resize = 改变“{ $name }”等 { $count } 个的尺寸
+workshop-step-stretch = 拉伸“{ $name }”等 { $count } 个
+workshop-step-sides = “{ $name }”等 { $count } 个的侧面
+workshop-step-surface = “{ $name }”等 { $count } 个的表面
+workshop-step-link = 连接“{ $name }”等 { $count } 个
+workshop-step-text = “{ $name }”等 { $count } 个的文字
+workshop-step-light = “{ $name }”等 { $count } 个的光
+workshop-step-change = 更改“{ $name }”等 { $count } 个
+workshop-step-rename = 将“{ $name }”改名为“{ $new }”
+workshop-step-group = 编组“{ $name }”
+workshop-step-carry = 将“{ $name }”等 { $count } 个移出组
+workshop-step-ungroup = 取消编组“{ $name }”等 { $count } 个
+workshop-step-duplicate = 重复“{ $name }”等 { $count } 个
+workshop-step-array = 排列“{ $name }”等 { $count } 个
+workshop-step-paste = 粘贴“{ $name }”等 { $count } 个
+workshop-step-room = 房间本身
+workshop-step-spawn = 起点
+workshop-step-several = 多项更改
+workshop-step-outside = 在游戏外更改
+workshop-step-version = { $when } 的版本
+
+# 可能的问题。
+workshop-finding-not-parallel = “{ $name }”部分位于“{ $other }”之中且转向不同；在两者的轴平行或一个完全位于另一个之内以前，它是关闭的。
+workshop-finding-too-deep = “{ $name }”嵌套的畸变过多（其中有“{ $other }”），最多八层。
+workshop-finding-tangled = “{ $name }”与太多其他物体重叠，无法判断深度；请移开一些。
+workshop-finding-no-door = “{ $name }”六面都是墙，没人能进去。
+workshop-finding-out-of-range = “{ $name }”有超出范围的数值。
+workshop-finding-no-partner = 传送门“{ $name }”无处可去：没有它所通向的传送门。
+workshop-finding-one-way = 传送门“{ $name }”通向“{ $other }”，但后者不通回。
+workshop-finding-other-sides = “{ $name }”与“{ $other }”的面数不同。
+workshop-finding-not-similar = “{ $name }”与另一端“{ $other }”不相似：请让两者尺寸成比例。
+workshop-finding-other-size = “{ $name }”与“{ $other }”的尺寸相差超过 32 倍。
+workshop-finding-portal-shape = “{ $name }”的角不构成凸形。
+workshop-finding-over-side = 传送门“{ $name }”横跨“{ $other }”的侧面；请完全放入或移出。
+workshop-finding-in-odd-box = 传送门“{ $name }”位于“{ $other }”中，那里不能放传送门。
+workshop-finding-portals-touch = 传送门“{ $name }”与“{ $other }”相接；请至少分开一毫米。
+workshop-finding-spawn-in-solid = 起点在“{ $name }”内部。
+workshop-finding-spawn-in-air = { $metres ->
+    [0] 起点下方空无一物，会掉出房间。
+   *[other] 起点在空中，会下落 { $metres } 米。
+}
+workshop-finding-open-sides = “{ $name }”的侧面敞开：光线会在那里弯曲。请遮住它们或加上墙壁。
+workshop-finding-fall-out = 步行 { $metres } 米后可能掉出房间。
+workshop-finding-unreached = 从起点步行到不了“{ $name }”。

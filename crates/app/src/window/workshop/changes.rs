@@ -1,0 +1,212 @@
+//! What a drag, or a step of the arrow keys, makes of what is chosen: an edit that counts from the room before the drag.
+
+use antipode_room_scene::workshop::Change;
+use antipode_rooms::aberration::{Aberration, Lengths};
+use antipode_rooms::bounds::{HALVES_M, SIZES_M, STRETCHES};
+use antipode_rooms::portal::Opening;
+use antipode_rooms::{Object, Room, What, poses};
+use antipode_workshop::{Edit, Field, turn_of};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
+
+use super::chosen::roots;
+
+/// The edit; none where it would change nothing.
+pub fn edit(room: &Room, chosen: &[String], origin: DVec3, change: &Change) -> Option<Edit> {
+    let poses = poses(room);
+    let edits: Vec<_> = roots(room, chosen)
+        .into_iter()
+        .filter_map(|index| {
+            let object = &room.objects[index];
+            let fields = fields(object, &poses[index], origin, change);
+            (!fields.is_empty()).then(|| Edit::Change(object.name.clone(), fields))
+        })
+        .collect();
+    (!edits.is_empty()).then_some(Edit::Several(edits))
+}
+
+fn fields(object: &Object, pose: &DAffine3, origin: DVec3, change: &Change) -> Vec<Field> {
+    // What carries it.
+    let parent = *pose * antipode_rooms::own_pose(object).inverse();
+    let at = |point: DVec3| Field::three("at", tidy(parent.inverse().transform_point3(point)));
+    match change {
+        Change::Move(way) if *way == DVec3::ZERO => Vec::new(),
+        Change::Move(way) => vec![at(pose.translation + *way)],
+        Change::Turn(_, rad) if *rad == 0.0 => Vec::new(),
+        Change::Turn(axis, rad) => {
+            let turn = DQuat::from_axis_angle(*axis, *rad);
+            let place = origin + turn * (pose.translation - origin);
+            let own = DMat3::from_quat(turn) * pose.matrix3;
+            let within = parent.matrix3.inverse() * own;
+            let mut fields = vec![Field::three("turn", turn_of(DQuat::from_mat3(&within)))];
+            if place.distance(pose.translation) > 1e-9 {
+                fields.push(at(place));
+            }
+            fields
+        }
+        Change::Scale(times) => scaled(&object.what, *times),
+        Change::Feel(times) => felt(&object.what, *times).into_iter().collect(),
+    }
+}
+
+/// Rounded to a thousandth of a millimetre, so that files stay readable.
+fn tidy(v: DVec3) -> DVec3 {
+    v.map(|one| (one * 1e6).round() / 1e6 + 0.0)
+}
+
+fn size3(size: DVec3, times: DVec3) -> DVec3 {
+    tidy((size * times).map(|one| one.clamp(*SIZES_M.start(), *SIZES_M.end())))
+}
+
+fn size1(size: f64, times: f64) -> f64 {
+    size3(DVec3::splat(size), DVec3::splat(times)).x
+}
+
+/// A board's: its width lies along z, its height along y.
+fn size2(size: DVec2, times: DVec3) -> DVec2 {
+    DVec2::new(size1(size.x, times.z), size1(size.y, times.y))
+}
+
+/// The factor of a thing that is round: that of the axis which changes most.
+fn most(times: DVec3) -> f64 {
+    let all = times.to_array();
+    let by = |it: &f64| (it.ln()).abs();
+    all.into_iter()
+        .max_by(|a, b| by(a).total_cmp(&by(b)))
+        .unwrap_or(1.0)
+}
+
+fn scaled(what: &What, times: DVec3) -> Vec<Field> {
+    match what {
+        What::Box { size }
+        | What::Pyramid { size }
+        | What::Ramp { size }
+        | What::Stairs { size, .. } => vec![Field::three("size", size3(*size, times))],
+        What::Arch { size, opening } => vec![
+            Field::three("size", size3(*size, times)),
+            Field::two("opening", size2(*opening, times)),
+        ],
+        What::Cylinder { radius, height } => vec![
+            Field::number(
+                "radius",
+                size1(*radius, most(DVec3::new(times.x, 1.0, times.z))),
+            ),
+            Field::number("height", size1(*height, times.y)),
+        ],
+        What::Ball { radius } => vec![Field::number("radius", size1(*radius, most(times)))],
+        What::Model { scale, .. } => vec![Field::number("scale", size1(*scale, most(times)))],
+        What::Sign { size, .. } => vec![Field::two("size", size2(*size, times))],
+        What::Portal(it) => match &it.opening {
+            Opening::Size(size) => vec![Field::two("size", size2(*size, times))],
+            Opening::Polygon(_) => Vec::new(),
+        },
+        What::Aberration(it) => aberration(it, times),
+        What::Light { .. } | What::Group => Vec::new(),
+    }
+}
+
+/// A box that grows feels as many times as long as before.
+fn aberration(it: &Aberration, times: DVec3) -> Vec<Field> {
+    let clamped = |one: f64| one.clamp(*HALVES_M.start(), *HALVES_M.end());
+    let half = tidy((it.half * times).map(clamped));
+    let mut fields = vec![Field::three("half", half)];
+    if let Lengths::Felt { axis, felt_m } = it.lengths {
+        let grown = half[axis.index()] / it.half[axis.index()];
+        fields.push(Field::number("felt", round(felt_m * grown)));
+    }
+    fields
+}
+
+fn round(metres: f64) -> f64 {
+    (metres * 1e4).round() / 1e4
+}
+
+/// Its felt length times so many, as far as that may be.
+pub fn felt(what: &What, times: f64) -> Option<Field> {
+    let What::Aberration(it) = what else {
+        return None;
+    };
+    let Lengths::Felt { axis, felt_m } = it.lengths else {
+        return None;
+    };
+    let length = 2.0 * it.half[axis.index()];
+    let felt = (felt_m * times).clamp(length * STRETCHES.start(), length * STRETCHES.end());
+    // A felt length is told in centimetres, or finer where it is short.
+    let step = if felt > 2.0 { 100.0 } else { 1e4 };
+    let nearest = (felt * step).round() / step;
+    let is_within = STRETCHES.contains(&(nearest / length));
+    Some(Field::number(
+        "felt",
+        if is_within { nearest } else { felt },
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
+
+    use antipode_workshop::make;
+
+    use super::*;
+
+    fn room() -> Room {
+        let mut room = Room::new("a");
+        let mut group = Object::new("group", DVec3::new(10.0, 0.0, 0.0), What::Group);
+        group.turn.x = 90.0;
+        let mut block = Object::new(
+            "block",
+            DVec3::new(1.0, 2.0, 3.0),
+            What::Box { size: DVec3::ONE },
+        );
+        block.group = Some("group".to_owned());
+        room.objects.extend([group, block]);
+        room
+    }
+
+    fn changed(change: &Change, origin: DVec3) -> DAffine3 {
+        let room = room();
+        let edit = edit(&room, &["block".to_owned()], origin, change).unwrap();
+        poses(&make(&room, &edit).unwrap())[2]
+    }
+
+    #[test]
+    fn what_a_turned_group_carries_moves_along_the_axes_of_the_room() {
+        let before = poses(&room())[2].translation;
+        let way = DVec3::new(0.5, 1.0, -2.0);
+        let after = changed(&Change::Move(way), before).translation;
+        assert!(after.distance(before + way) < 1e-9, "{before} {after}");
+    }
+
+    #[test]
+    fn what_is_turned_goes_round_where_the_handles_are() {
+        let pose = poses(&room())[2];
+        let origin = pose.translation + DVec3::X;
+        let after = changed(&Change::Turn(DVec3::Y, 0.5), origin);
+        let turn = DQuat::from_rotation_y(0.5);
+        let there = origin + turn * (pose.translation - origin);
+        assert!(after.translation.distance(there) < 1e-5);
+        let front = after.matrix3 * DVec3::X;
+        assert!(
+            front.distance(turn * (pose.matrix3 * DVec3::X)) < 1e-5,
+            "{front}"
+        );
+    }
+
+    #[test]
+    fn a_felt_length_stays_within_what_space_can_be_stretched() {
+        let what = What::Aberration(Aberration {
+            half: DVec3::new(1.0, 1.0, 39.5),
+            lengths: Lengths::Felt {
+                axis: antipode_rooms::aberration::Axis::Z,
+                felt_m: 395.0,
+            },
+            sides: antipode_rooms::aberration::Sides::Walls,
+            ways: antipode_rooms::aberration::Ways::Both,
+            outline: false,
+        });
+        assert_eq!(felt(&what, 2.0), Some(Field::number("felt", 790.0)));
+        let Field { value, .. } = felt(&what, 1000.0).unwrap();
+        assert_eq!(value.parse::<f64>().unwrap(), 79.0 * 32.0);
+        let grown = scaled(&what, DVec3::new(1.0, 1.0, 2.0));
+        assert_eq!(grown[1], Field::number("felt", 790.0));
+    }
+}

@@ -1,0 +1,112 @@
+//! What is chosen: where it is, how large, and by which axes it is held.
+
+use antipode_room_scene::RoomScene;
+use antipode_room_scene::workshop::Held;
+use antipode_rooms::aberration::Lengths;
+use antipode_rooms::portal::Opening;
+use antipode_rooms::{Object, Room, What, poses};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+
+/// Half sizes of what has none of its own, metres.
+const POINT_M: f64 = 0.3;
+
+/// Where handles of what is chosen begin, and their axes: its own, or the room's.
+pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
+    let room = scene.room();
+    let poses = poses(room);
+    let chosen = indices(scene);
+    let last = *chosen.last()?;
+    let sum: DVec3 = chosen.iter().map(|it| poses[*it].translation).sum();
+    let object = &room.objects[last];
+    let axes = if own_axes {
+        rotation_of(&poses[last])
+    } else {
+        DMat3::IDENTITY
+    };
+    let is_own = axes.abs_diff_eq(rotation_of(&poses[last]), 1e-9);
+    let felt = match &object.what {
+        What::Aberration(it) if chosen.len() == 1 && is_own => match it.lengths {
+            Lengths::Felt { axis, .. } => Some(axis.index()),
+            Lengths::Stretch(_) => None,
+        },
+        _ => None,
+    };
+    Some(Held {
+        origin: sum / chosen.len() as f64,
+        axes,
+        half: half(&object.what),
+        felt,
+    })
+}
+
+/// The places of what is chosen among all objects, in the order in which it was chosen.
+pub fn indices(scene: &RoomScene) -> Vec<usize> {
+    let names = scene.document().selection().iter();
+    let found = names.filter_map(|name| scene.room().find(name));
+    found.map(|(index, _)| index).collect()
+}
+
+/// What is chosen and not carried by something else that is.
+pub fn roots(room: &Room, chosen: &[String]) -> Vec<usize> {
+    let carries = |object: &Object| {
+        let mut group = object.group.as_deref();
+        for _ in 0..antipode_rooms::bounds::MOST_DEEP {
+            let Some(name) = group else { return false };
+            if chosen.iter().any(|it| it == name) {
+                return true;
+            }
+            group = room.find(name).and_then(|(_, it)| it.group.as_deref());
+        }
+        false
+    };
+    let all = chosen.iter().filter_map(|name| room.find(name));
+    let free = all.filter(|(_, object)| !carries(object));
+    free.map(|(index, _)| index).collect()
+}
+
+/// The axes of a pose, of length 1.
+pub fn rotation_of(pose: &DAffine3) -> DMat3 {
+    let m = pose.matrix3;
+    DMat3::from_cols(
+        m.x_axis.normalize_or(DVec3::X),
+        m.y_axis.normalize_or(DVec3::Y),
+        m.z_axis.normalize_or(DVec3::Z),
+    )
+}
+
+/// Half sizes along its own axes, metres.
+pub fn half(what: &What) -> DVec3 {
+    let flat = |size: DVec2| DVec3::new(0.04, size.y, size.x) / 2.0;
+    match what {
+        What::Box { size }
+        | What::Pyramid { size }
+        | What::Ramp { size }
+        | What::Stairs { size, .. }
+        | What::Arch { size, .. } => *size / 2.0,
+        What::Cylinder { radius, height } => DVec3::new(*radius, height / 2.0, *radius),
+        What::Ball { radius } => DVec3::splat(*radius),
+        What::Aberration(it) => it.half,
+        What::Sign { size, .. } => flat(*size),
+        What::Portal(it) => match &it.opening {
+            Opening::Size(size) => flat(*size),
+            Opening::Polygon(corners) => {
+                let most = corners
+                    .iter()
+                    .fold(DVec2::ZERO, |most, it| most.max(it.abs()));
+                flat(2.0 * most)
+            }
+        },
+        What::Model { scale, .. } => DVec3::splat(*scale),
+        What::Light { .. } | What::Group => DVec3::splat(POINT_M),
+    }
+}
+
+/// How far what is chosen reaches from its middle, metres.
+pub fn reach_m(scene: &RoomScene, origin: DVec3) -> f64 {
+    let room = scene.room();
+    let poses = poses(room);
+    let reach = indices(scene).into_iter().map(|index| {
+        half(&room.objects[index].what).length() + poses[index].translation.distance(origin)
+    });
+    reach.fold(0.5, f64::max)
+}

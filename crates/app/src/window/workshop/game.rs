@@ -1,0 +1,278 @@
+//! The workshop in the game: when it is up, its keys, and what of the rest of the game it asks.
+
+use std::time::Duration;
+
+use antipode_rooms::RoomsDir;
+use antipode_ui::ToastKind;
+use antipode_ui::workshop::{BarModel, WorkshopModel, WorkshopPanes, WorkshopWish};
+
+use super::wishes::{Bench, Outcome};
+use super::{Workshop, chosen, fields, lines, parts, rows};
+use crate::bindings::Action;
+use crate::room_picture::Tile;
+use crate::window::game::Game;
+use crate::window::phase::Phase;
+use crate::window::press::{ESCAPE, Press, Taken};
+use crate::window::visit::Visit;
+
+impl Game {
+    /// Builds in the open room, or walks in it again. Rooms of the game are copied first.
+    pub fn toggle_workshop(&mut self) {
+        self.devices.release_all();
+        let Phase::InRoom(visit) = &mut self.play.phase else {
+            return;
+        };
+        if visit.workshop.is_some() {
+            visit.keep_at_last();
+            visit.walk();
+            self.play.pace.rest();
+            return;
+        }
+        let kept = visit.room.kept.as_ref();
+        if kept.is_none_or(|kept| kept.shipped) {
+            self.menus.toast(ToastKind::State, "workshop-not-own", &[]);
+            return;
+        }
+        visit.build();
+    }
+
+    /// The layer of the workshop: the key that leads out of it, Esc, and what works everywhere.
+    pub(in crate::window) fn press_in_workshop(&mut self, press: &Press) -> Taken {
+        if !self.play.phase.is_built() || self.menus.shell.is_open() {
+            return Taken::Not;
+        }
+        let Some(key) = press.fresh_key() else {
+            return Taken::Not;
+        };
+        let does = |action| self.devices.controls.does(key, action);
+        if does(Action::Workshop) {
+            self.toggle_workshop();
+        } else if key == ESCAPE {
+            // Whoever types, and menus that are down, hear of it themselves.
+            if !press.into_text {
+                self.leave_off();
+            }
+            return Taken::AndHeard;
+        } else if does(Action::Console) && !press.into_text {
+            self.act(Action::Console);
+        } else {
+            return Taken::Not;
+        }
+        Taken::Wholly
+    }
+
+    /// Esc: gives up what is being done, then what is chosen, and then leads to the menu.
+    fn leave_off(&mut self) {
+        let Phase::InRoom(visit) = &mut self.play.phase else {
+            return;
+        };
+        let Some(workshop) = &mut visit.workshop else {
+            return;
+        };
+        let scene = &mut visit.room.scene;
+        if workshop.is_dropped || workshop.give_up(scene) {
+            return;
+        }
+        if std::mem::take(&mut workshop.bar.flies) {
+            return;
+        }
+        if scene.document().selection().is_empty() {
+            visit.keep_at_last();
+            self.pause();
+        } else {
+            scene.document_mut().select([]);
+        }
+    }
+
+    /// Lets time pass: what has changed is kept.
+    pub(in crate::window) fn tick_workshop(&mut self, passed: Duration) {
+        let Phase::InRoom(visit) = &mut self.play.phase else {
+            return;
+        };
+        let Some(workshop) = &mut visit.workshop else {
+            return;
+        };
+        let scene = &mut visit.room.scene;
+        workshop.findings.pass(scene);
+        if let Some(why) = workshop.keeping.pass(scene, passed.as_secs_f64()) {
+            let values = [("reason", why.into())];
+            self.menus
+                .toast(ToastKind::Problem, "workshop-not-kept", &values);
+        }
+    }
+
+    /// Draws the panes of the workshop, if it is up, and does what is asked for there.
+    pub(in crate::window) fn show_workshop(&mut self, context: &egui::Context) {
+        let is_free = !self.menus.shell.is_open();
+        let Phase::InRoom(visit) = &mut self.play.phase else {
+            return;
+        };
+        if !visit.is_drawn || !is_free {
+            return;
+        }
+        let Some(mut workshop) = visit.workshop.take() else {
+            return;
+        };
+        let layout = &self.options.config.panes;
+        let wishes = workshop.show(context, &self.menus.texts, visit, layout);
+        let lies = workshop.layout();
+        visit.workshop = Some(workshop);
+        if let Some(lies) = lies {
+            self.options.keep_panes(lies);
+        }
+        self.follow_workshop(wishes);
+    }
+
+    /// Does what is asked for in the workshop.
+    pub(in crate::window) fn follow_workshop(&mut self, wishes: Vec<WorkshopWish>) {
+        let Phase::InRoom(visit) = &mut self.play.phase else {
+            return;
+        };
+        let Some(mut workshop) = visit.workshop.take() else {
+            return;
+        };
+        let (dir, slug) = (RoomsDir::new(visit.dir.clone()), visit.own_slug());
+        let mut bench = Bench {
+            scene: &mut visit.room.scene,
+            dir: &dir,
+            slug: &slug,
+        };
+        let mut plays = false;
+        let mut refused = None;
+        for wish in wishes {
+            match workshop.follow(&mut bench, wish) {
+                Some(Outcome::Play) => plays = true,
+                Some(Outcome::Refused(why)) => refused = Some(why),
+                None => {}
+            }
+        }
+        visit.workshop = Some(workshop);
+        if let Some(why) = refused {
+            self.menus.shell.toast(why, ToastKind::State);
+        }
+        if plays {
+            self.toggle_workshop();
+        }
+    }
+}
+
+impl Visit {
+    /// The folder of a room of the player's own; empty for one that is kept nowhere.
+    fn own_slug(&self) -> String {
+        let kept = self.room.kept.as_ref().filter(|kept| !kept.shipped);
+        kept.map_or_else(String::new, |kept| kept.slug.clone())
+    }
+
+    /// The workshop is left: what has changed is written.
+    pub(in crate::window) fn keep_at_last(&mut self) {
+        if let Some(workshop) = &mut self.workshop {
+            let scene = &mut self.room.scene;
+            scene.document_mut().end_drag();
+            workshop.keeping.save(scene);
+        }
+    }
+}
+
+impl Workshop {
+    /// How the panes lie, if that is otherwise than it was kept.
+    fn layout(&self) -> Option<String> {
+        self.panes.as_ref().map(WorkshopPanes::layout)
+    }
+
+    /// Draws the panes.
+    fn show(
+        &mut self,
+        context: &egui::Context,
+        texts: &antipode_language::Texts,
+        visit: &Visit,
+        layout: &str,
+    ) -> Vec<WorkshopWish> {
+        let scene = visit.scene();
+        let document = scene.document();
+        let chosen = chosen_words(texts, scene);
+        let (objects, fields) = (rows::objects(texts, scene), fields::rows(texts, scene));
+        let (parts, history) = (parts::rows(texts), rows::history(texts, scene));
+        let (steps, made) = (history.len(), document.history().made());
+        let bar = BarModel {
+            can_undo: made > 0,
+            can_redo: made < steps,
+            has_chosen: !document.selection().is_empty(),
+            has_copied: !document.clipboard().is_empty(),
+            ..self.bar
+        };
+        let status = self.status(texts, scene);
+        let model = WorkshopModel {
+            texts,
+            room: &scene.room().name,
+            objects: &objects,
+            chosen: &chosen,
+            fields: &fields,
+            parts: &parts,
+            messages: &self.findings.rows(texts),
+            history: &history,
+            done: made,
+            bar,
+            lines: &lines::lines(self, scene, texts),
+            status: &status,
+        };
+        let width = context.content_rect().width();
+        let panes = self
+            .panes
+            .get_or_insert_with(|| WorkshopPanes::new(layout, width));
+        let wishes = panes.show(context, &model);
+        self.is_dropped = egui::Popup::is_any_open(context);
+        let rect = panes.view_rect();
+        self.tile = tile(rect, context).map(|tile| (tile, f64::from(rect.height())));
+        wishes
+    }
+
+    /// What stands at the lower end of the view: what keys do just now.
+    fn status(
+        &self,
+        texts: &antipode_language::Texts,
+        scene: &antipode_room_scene::RoomScene,
+    ) -> String {
+        if self.bar.flies {
+            texts.say("workshop-status-flies")
+        } else if scene.document().selection().is_empty() {
+            texts.say("workshop-status-nothing")
+        } else {
+            texts.say("workshop-status-chosen")
+        }
+    }
+}
+
+/// What is told of what is chosen.
+fn chosen_words(
+    texts: &antipode_language::Texts,
+    scene: &antipode_room_scene::RoomScene,
+) -> String {
+    match chosen::indices(scene)[..] {
+        [] => texts.say("workshop-room-itself"),
+        [index] => {
+            let object = &scene.room().objects[index];
+            let values = [
+                ("name", object.name.as_str().into()),
+                ("kind", rows::kind(texts, &object.what).into()),
+            ];
+            texts.say_with("workshop-one", &values)
+        }
+        ref several => texts.say_with("workshop-several", &[("count", several.len().into())]),
+    }
+}
+
+/// A part of the window in pixels, if there is any of it.
+fn tile(rect: egui::Rect, context: &egui::Context) -> Option<Tile> {
+    let scale = context.pixels_per_point();
+    let whole = context.content_rect();
+    let inside = rect.intersect(whole);
+    if !inside.is_finite() || inside.width() < 2.0 || inside.height() < 2.0 {
+        return None;
+    }
+    let pixels = |points: f32| (points * scale).round().max(0.0) as u32;
+    let (left, top) = (pixels(inside.min.x), pixels(inside.min.y));
+    Some(Tile {
+        corner: (left, top),
+        size: (pixels(inside.max.x) - left, pixels(inside.max.y) - top),
+    })
+}

@@ -1,0 +1,357 @@
+//! What the pointer does in the view: it chooses what is seen under it, and drags handles and things.
+
+use antipode_deformation::Chain;
+use antipode_room_scene::RoomScene;
+use antipode_room_scene::workshop::{Change, Drag, Handle, Held, Sight, Viewpoint};
+use antipode_rooms::{Room, What, poses};
+use antipode_ui::workshop::ViewEvent;
+use antipode_workshop::{Edit, Field};
+use glam::{DVec2, DVec3};
+
+use super::{GRIP_POINTS, Seen, Workshop, changes, chosen};
+
+/// Radians for a point of a drag that turns the view.
+const TURN_PER_POINT: f64 = 0.005;
+/// How much nearer a notch of the wheel brings what is looked at.
+const ZOOM: f64 = 0.88;
+/// Felt speed of flight, metres a second, and how many times that is at most.
+const FLIGHT_M_S: (f64, f64) = (5.0, 4.0);
+/// How near to the click before another is one at the same place, points.
+const SAME_POINTS: f64 = 4.0;
+
+/// A drag that goes on.
+#[derive(Clone, Debug)]
+pub struct Dragging {
+    drag: Drag,
+    /// What is held, by name.
+    names: Vec<String>,
+    /// Where handles of it were at the beginning.
+    origin: DVec3,
+    /// Half its height, metres: what lies on a surface stands on its lower end.
+    half: DVec3,
+    /// Whether anything was done yet.
+    pub begun: bool,
+}
+
+/// What could be meant by the last click: clicks at the same place go through it.
+#[derive(Clone, Debug)]
+pub struct Meant {
+    at: DVec2,
+    all: Vec<usize>,
+    number: usize,
+}
+
+impl Workshop {
+    /// The handle that is dragged or under the pointer.
+    pub fn active_handle(&self) -> Option<Handle> {
+        let dragged = self.dragging.as_ref().map(|it| it.drag.handle);
+        dragged.or(self.hover)
+    }
+
+    /// Lets go of what is dragged, and takes back what that did. Returns whether anything was.
+    pub fn give_up(&mut self, scene: &mut RoomScene) -> bool {
+        let was_framing = self.frame.take().is_some_and(|[from, to]| from != to);
+        let given_up = self.dragging.take().is_some();
+        if given_up {
+            scene.cancel_drag();
+        }
+        given_up || was_framing
+    }
+
+    /// Something was done in the view. Returns an edit that is a moment of a drag, if it was one.
+    pub fn view_event(&mut self, scene: &mut RoomScene, event: ViewEvent) -> Option<Edit> {
+        match event {
+            ViewEvent::Hover(at) => self.hover_at(scene, DVec2::from_array(at)),
+            ViewEvent::Grab(at) => self.grab(scene, DVec2::from_array(at)),
+            ViewEvent::Pull { at, free } => {
+                return self.pull(scene, DVec2::from_array(at), free);
+            }
+            ViewEvent::Let {
+                at, adds, is_click, ..
+            } => self.let_go(scene, DVec2::from_array(at), adds, is_click),
+            ViewEvent::Look([x, y]) => {
+                self.camera.look(x * TURN_PER_POINT, -y * TURN_PER_POINT);
+            }
+            ViewEvent::Orbit([x, y]) => {
+                let (right, up) = (x * TURN_PER_POINT, -y * TURN_PER_POINT);
+                self.camera.orbit(scene.space(), right, up);
+            }
+            ViewEvent::Pan([x, y]) => {
+                let metres = self.camera.pivot_m * self.half_heights(1.0) * 0.7;
+                let by = DVec3::new(0.0, -x * metres, y * metres);
+                self.camera.fly(scene.space(), by);
+            }
+            ViewEvent::Zoom(notches) => {
+                self.camera.zoom(scene.space(), ZOOM.powf(notches));
+            }
+            ViewEvent::Fly(by, time_s, fast) => {
+                let speed = FLIGHT_M_S.0 * if fast { FLIGHT_M_S.1 } else { 1.0 };
+                let by = DVec3::from_array(by).clamp_length_max(1.0) * speed * time_s;
+                self.camera.fly(scene.space(), by);
+            }
+        }
+        None
+    }
+
+    fn hover_at(&mut self, scene: &RoomScene, at: DVec2) {
+        let within = self.half_heights(GRIP_POINTS);
+        let handles = self.handles(scene);
+        self.hover =
+            handles.and_then(|(through, handles)| handles.under(&through.view, at, within));
+    }
+
+    /// Takes hold of the handle there, or of what is chosen if that is seen there.
+    fn grab(&mut self, scene: &RoomScene, at: DVec2) {
+        (self.dragging, self.frame) = (None, Some([at; 2]));
+        let names = scene.document().selection().to_vec();
+        let within = self.half_heights(GRIP_POINTS);
+        let Some(held) = chosen::held(scene, self.bar.own_axes) else {
+            return;
+        };
+        let taken = |drag: Drag| Dragging {
+            drag,
+            names: names.clone(),
+            origin: held.origin,
+            half: held.half,
+            begun: false,
+        };
+        if let Some((through, handles)) = self.handles(scene)
+            && let Some(handle) = handles.under(&through.view, at, within)
+        {
+            self.dragging = Drag::begin(&through, &handles, handle, at).map(taken);
+            self.frame = None;
+            return;
+        }
+        let view = self.viewpoint(scene);
+        let Some(seen) = scene.seen(&view, at) else {
+            return;
+        };
+        if is_held(scene.room(), seen.object, &names) {
+            let drag = body_drag(scene, &view, held, &seen, at);
+            self.dragging = drag.map(taken);
+            self.frame = None;
+        }
+    }
+
+    /// What a drag to there makes of what is held.
+    fn pull(&mut self, scene: &mut RoomScene, at: DVec2, free: bool) -> Option<Edit> {
+        if let Some([_, to]) = &mut self.frame {
+            *to = at;
+            return None;
+        }
+        let snap = self.snap(free);
+        let on_surfaces = self.bar.on_surfaces && !free;
+        let view = self.viewpoint(scene);
+        let dragging = self.dragging.as_mut()?;
+        let on_surface = on_surfaces && dragging.drag.handle == Handle::Body;
+        let change = if on_surface {
+            dragging.on_surface(scene, &view, at)?
+        } else {
+            let through = scene.through(&view, dragging.drag.chain.clone());
+            dragging.drag.change(&through, at, &snap)?
+        };
+        if !std::mem::replace(&mut dragging.begun, true) {
+            scene.document_mut().begin_drag();
+        }
+        let before = scene.document().room_before_drag();
+        changes::edit(before, &dragging.names, dragging.origin, &change)
+    }
+
+    /// Ends a drag, or chooses what was clicked.
+    fn let_go(&mut self, scene: &mut RoomScene, at: DVec2, adds: bool, is_click: bool) {
+        if let Some(dragging) = self.dragging.take()
+            && dragging.begun
+        {
+            scene.document_mut().end_drag();
+            // What is behind the way by which it was dragged is sought anew from where it is now.
+            self.seen = self.seen.take().filter(|it| it.chain.has_portal());
+            if let Some(seen) = &mut self.seen {
+                seen.at = at;
+            }
+            return;
+        }
+        let frame = self.frame.take();
+        if is_click {
+            self.choose_at(scene, at, adds);
+        } else if let Some(frame) = frame {
+            self.choose_within(scene, frame, adds);
+        }
+    }
+
+    /// Chooses what is seen there; at the same place again the aberrations and portals through which it is seen, one after
+    /// another.
+    fn choose_at(&mut self, scene: &mut RoomScene, at: DVec2, adds: bool) {
+        let view = self.viewpoint(scene);
+        let is_free = |index: &usize| {
+            let name = &scene.room().objects[*index].name;
+            !scene.document().is_locked(name) && !scene.document().is_hidden(name)
+        };
+        let all: Vec<usize> = scene.meant(&view, at).into_iter().filter(is_free).collect();
+        let near = self.half_heights(SAME_POINTS);
+        let number = match &self.meant {
+            Some(last) if view.apart(last.at, at) < near && last.all == all && !adds => {
+                (last.number + 1) % all.len().max(1)
+            }
+            _ => 0,
+        };
+        let found = all.get(number).copied();
+        self.meant = Some(Meant { at, all, number });
+        // Aberrations are held from outside, by the straight way.
+        let is_box = |it: &Sight| {
+            let what = &scene.room().objects[it.object].what;
+            matches!(what, What::Aberration(_))
+        };
+        let chain = scene
+            .seen(&view, at)
+            .filter(|it| Some(it.object) == found && !is_box(it));
+        self.seen = chain.map(|it| Seen {
+            chain: it.chain,
+            at,
+        });
+        let name = found.map(|index| scene.room().objects[index].name.clone());
+        let document = scene.document_mut();
+        match name {
+            Some(name) if adds => document.toggle(&name),
+            Some(name) => document.select([name]),
+            None if !adds => document.select([]),
+            None => {}
+        }
+    }
+
+    /// Chooses all whose middles are seen within a frame.
+    fn choose_within(&mut self, scene: &mut RoomScene, [a, b]: [DVec2; 2], adds: bool) {
+        self.forget_chain();
+        let view = self.viewpoint(scene);
+        let (low, high) = (a.min(b), a.max(b));
+        let (room, document) = (scene.room(), scene.document());
+        let is_within = |(index, point): (usize, DVec3)| {
+            let seen = scene.way_to(&view, point, Some(index));
+            seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
+        };
+        let mut names: Vec<String> = room
+            .objects
+            .iter()
+            .zip(poses(room).into_iter().enumerate())
+            .filter(|(it, _)| !document.is_locked(&it.name) && !document.is_hidden(&it.name))
+            .filter(|(_, (index, pose))| is_within((*index, pose.translation)))
+            .map(|(it, _)| it.name.clone())
+            .collect();
+        if adds {
+            let before = document.selection().iter().cloned();
+            names = before.chain(names).collect();
+        }
+        scene.document_mut().select(names);
+    }
+
+    /// The chain by which things were chosen holds no more, since others are chosen.
+    pub fn forget_chain(&mut self) {
+        (self.seen, self.meant) = (None, None);
+    }
+
+    /// What the middle of the picture shows: where a part is put, and the way out of the surface there.
+    pub fn before_camera(&self, scene: &RoomScene) -> (DVec3, DVec3) {
+        let view = self.viewpoint(scene);
+        // A little below the middle, where the ground is.
+        let at = DVec2::new(0.0, -0.42);
+        if let Some(seen) = scene.seen(&view, at).filter(|it| it.felt_m < 60.0) {
+            return (seen.place.point, seen.normal);
+        }
+        let through = scene.through(&view, Chain::default());
+        let ahead = through
+            .leg(at)
+            .map(|leg| leg.place.point + leg.velocity * 6.0);
+        (ahead.unwrap_or(view.eye.place.point), DVec3::Y)
+    }
+}
+
+impl Dragging {
+    /// Moves what is held onto what is seen under the pointer, itself left out.
+    fn on_surface(&self, scene: &RoomScene, view: &Viewpoint, at: DVec2) -> Option<Change> {
+        let hidden: Vec<usize> = (0..scene.room().objects.len())
+            .filter(|index| is_held(scene.room(), *index, &self.names))
+            .collect();
+        let seen = scene.seen_beside(view, at, &hidden)?;
+        let out = seen.normal.abs().dot(self.half);
+        Some(Change::Move(
+            seen.place.point + seen.normal * out - self.origin,
+        ))
+    }
+}
+
+/// A drag of a thing by what is seen of it. An aberration is held from outside, whatever of it is seen from within.
+fn body_drag(
+    scene: &RoomScene,
+    view: &Viewpoint,
+    held: Held,
+    seen: &Sight,
+    at: DVec2,
+) -> Option<Drag> {
+    let is_box = matches!(scene.room().objects[seen.object].what, What::Aberration(_));
+    if !is_box {
+        let through = scene.through(view, seen.chain.clone());
+        return Drag::begin_body(&through, held, seen.place.point, at);
+    }
+    let (through, _) = scene.way_to(view, held.origin, Some(seen.object))?;
+    let leg = through.leg(at)?;
+    let way = (held.origin - leg.place.point).dot(leg.velocity) / leg.velocity.length_squared();
+    let nearest = leg.place.point + leg.velocity * way;
+    Drag::begin_body(&through, held, nearest, at)
+}
+
+/// Whether an object is one of these, or carried by one.
+fn is_held(room: &Room, index: usize, names: &[String]) -> bool {
+    let mut object = &room.objects[index];
+    for _ in 0..=antipode_rooms::bounds::MOST_DEEP {
+        if names.contains(&object.name) {
+            return true;
+        }
+        let Some((_, group)) = object.group.as_ref().and_then(|it| room.find(it)) else {
+            return false;
+        };
+        object = group;
+    }
+    false
+}
+
+/// A step of the arrow keys: to the right, up, and towards who looks, along the axis of the room that is nearest to that.
+pub fn nudge(scene: &RoomScene, workshop: &Workshop, by: [i8; 3]) -> Option<Edit> {
+    let (front, right, _) = workshop.camera.axes();
+    let level = |way: DVec3| {
+        let flat = DVec3::new(way.x, 0.0, way.z);
+        if flat.x.abs() > flat.z.abs() {
+            DVec3::X * flat.x.signum()
+        } else {
+            DVec3::Z * flat.z.signum()
+        }
+    };
+    let step = if workshop.bar.snaps {
+        workshop.bar.grid_m
+    } else {
+        0.01
+    };
+    let [x, y, z] = by.map(f64::from);
+    let way = level(right) * x + DVec3::Y * y - level(front) * z;
+    let names = scene.document().selection();
+    let change = Change::Move(way * step);
+    changes::edit(scene.room(), names, DVec3::ZERO, &change)
+}
+
+/// The names of portals that are linked to each other by one edit.
+pub fn link(a: &str, b: &str) -> Edit {
+    let to = |from: &str, to: &str| Edit::Change(from.to_owned(), vec![Field::new("to", to)]);
+    if a == b {
+        return to(a, b);
+    }
+    Edit::Several(vec![to(a, b), to(b, a)])
+}
+
+/// Where the middles of objects are.
+pub fn middle(room: &Room, names: &[String]) -> DVec3 {
+    let poses = poses(room);
+    let found: Vec<_> = names.iter().filter_map(|it| room.find(it)).collect();
+    let sum: DVec3 = found
+        .iter()
+        .map(|(index, _)| poses[*index].translation)
+        .sum();
+    sum / found.len().max(1) as f64
+}

@@ -1,0 +1,161 @@
+//! Lines over the view: the handles, the edges of what is chosen, and what a felt length is pulled to.
+
+use antipode_language::{Texts, Value};
+use antipode_room_scene::RoomScene;
+use antipode_room_scene::workshop::{Handle, Handles, Through};
+use antipode_rooms::aberration::Lengths;
+use antipode_rooms::{What, poses};
+use antipode_ui::workshop::ViewLine;
+use egui::Color32;
+use glam::{DVec2, DVec3};
+
+use super::{Workshop, chosen};
+
+/// Colours of the axes: x, y and z.
+const AXES: [Color32; 3] = [
+    Color32::from_rgb(0xF0, 0x6A, 0x5E),
+    Color32::from_rgb(0x7F, 0xD1, 0x6B),
+    Color32::from_rgb(0x6E, 0xA8, 0xF7),
+];
+/// Of what is chosen.
+const CHOSEN: Color32 = Color32::from_rgb(0xF2, 0x99, 0x4A);
+/// Of what is under the pointer.
+const HOT: Color32 = Color32::from_rgb(0xFF, 0xF0, 0xC8);
+/// Most things whose edges are drawn.
+const MOST: usize = 24;
+/// Pieces of an edge.
+const PIECES: usize = 8;
+
+/// All of them.
+pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewLine> {
+    let mut all = Vec::new();
+    for index in chosen::indices(scene).into_iter().take(MOST) {
+        edges(workshop, scene, index, &mut all);
+    }
+    if let Some([a, b]) = workshop.frame
+        && a != b
+    {
+        let corners = [a, DVec2::new(b.x, a.y), b, DVec2::new(a.x, b.y), a];
+        all.push(ViewLine {
+            points: corners.iter().map(flat).collect(),
+            colour: HOT,
+            width: 1.0,
+            label: None,
+            knob: false,
+        });
+    }
+    if let Some((_, handles)) = workshop.handles(scene) {
+        add_handles(workshop, scene, &handles, texts, &mut all);
+    }
+    all
+}
+
+fn flat(at: &DVec2) -> [f32; 2] {
+    at.as_vec2().to_array()
+}
+
+fn add_handles(
+    workshop: &Workshop,
+    scene: &RoomScene,
+    handles: &Handles,
+    texts: &Texts,
+    all: &mut Vec<ViewLine>,
+) {
+    let active = workshop.active_handle();
+    for line in &handles.lines {
+        let axis = match line.handle {
+            Handle::Along(axis)
+            | Handle::Across(axis)
+            | Handle::About(axis)
+            | Handle::Size(axis)
+            | Handle::Felt(axis) => axis,
+            Handle::Whole | Handle::Body => 1,
+        };
+        let is_felt = matches!(line.handle, Handle::Felt(_));
+        let is_hot = active == Some(line.handle);
+        let colour = match (is_hot, is_felt) {
+            (true, _) => HOT,
+            (false, true) => CHOSEN,
+            (false, false) => AXES[axis],
+        };
+        let knob = matches!(
+            line.handle,
+            Handle::Along(_) | Handle::Size(_) | Handle::Felt(_)
+        );
+        all.push(ViewLine {
+            points: line.points.iter().map(flat).collect(),
+            colour,
+            width: if is_hot { 4.0 } else { 2.5 },
+            label: is_felt.then(|| lengths(scene, texts)).flatten(),
+            knob,
+        });
+    }
+    // Once is enough.
+    let mut told = false;
+    for line in all {
+        if line.label.is_some() && std::mem::replace(&mut told, true) {
+            line.label = None;
+        }
+    }
+}
+
+/// How long the chosen aberration is outside and inside, in words.
+fn lengths(scene: &RoomScene, texts: &Texts) -> Option<String> {
+    let index = *chosen::indices(scene).last()?;
+    let What::Aberration(it) = &scene.room().objects[index].what else {
+        return None;
+    };
+    let Lengths::Felt { axis, felt_m } = it.lengths else {
+        return None;
+    };
+    let outside = 2.0 * it.half[axis.index()];
+    let metres = |length: f64| Value::decimals(length, usize::from(length < 10.0));
+    let values = [("outside", metres(outside)), ("inside", metres(felt_m))];
+    Some(texts.say_with("workshop-outside-inside", &values))
+}
+
+/// The edges of the box about a thing, as they are seen.
+fn edges(workshop: &Workshop, scene: &RoomScene, index: usize, all: &mut Vec<ViewLine>) {
+    let room = scene.room();
+    let object = &room.objects[index];
+    let pose = poses(room)[index];
+    let half = chosen::half(&object.what);
+    // A box that space is stretched in is seen from outside, and so are its edges.
+    let Some((through, at)) = workshop.through(scene, pose.translation, Some(index)) else {
+        return;
+    };
+    for axis in 0..3 {
+        let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
+        for (side_b, side_c) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+            let point = |share: f64| {
+                let mut local = DVec3::ZERO;
+                local[axis] = half[axis] * share;
+                local[b] = half[b] * side_b;
+                local[c] = half[c] * side_c;
+                pose.transform_point3(local)
+            };
+            edge(&through, at, point, all);
+        }
+    }
+}
+
+fn edge(through: &Through<'_>, from: DVec2, point: impl Fn(f64) -> DVec3, all: &mut Vec<ViewLine>) {
+    let mut at = from;
+    let mut points = Vec::with_capacity(PIECES + 1);
+    for piece in 0..=PIECES {
+        let share = 2.0 * piece as f64 / PIECES as f64 - 1.0;
+        if let Some(seen) = through.seen_at(point(share), at) {
+            at = seen;
+            points.push(flat(&seen));
+        }
+    }
+    if points.len() > 1 {
+        all.push(ViewLine {
+            points,
+            colour: CHOSEN,
+            width: 1.5,
+            label: None,
+            knob: false,
+        });
+    }
+}

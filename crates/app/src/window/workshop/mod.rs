@@ -1,0 +1,198 @@
+//! The workshop: a room of one's own is built in, in place of being walked through. It has a free camera, what is taken hold of,
+//! and the panes; the room and its history are the document's.
+
+mod bent;
+mod changes;
+mod chosen;
+mod fields;
+mod findings;
+mod game;
+mod hand;
+mod keeping;
+mod lines;
+mod parts;
+mod rows;
+mod set;
+mod wishes;
+
+use antipode_rays::{Options, Outlines, View};
+use antipode_room_scene::RoomScene;
+use antipode_room_scene::workshop::{FreeCamera, Handle, Handles, Snap, Through, Tool, Viewpoint};
+use antipode_ui::workshop::{BarModel, ToolChoice, WorkshopPanes};
+use glam::DVec2;
+
+use super::background::Task;
+use super::visit::Visit;
+use crate::room_picture::{RoomView, Tile};
+use findings::Findings;
+use hand::{Dragging, Meant};
+use keeping::Keeping;
+
+/// Turns that are held while one drags, degrees.
+const TURN_STEP_DEG: f64 = 15.0;
+/// How near to a handle the pointer takes hold of it, points.
+const GRIP_POINTS: f64 = 9.0;
+/// The grid at first, metres.
+const GRID_M: f64 = 0.25;
+
+/// What a room is built with.
+pub struct Workshop {
+    panes: Option<WorkshopPanes>,
+    camera: FreeCamera,
+    /// Where the picture is in the window, pixels, and its height in points.
+    tile: Option<(Tile, f64)>,
+    bar: BarModel,
+    /// Where what is chosen is seen, and through what; as it was chosen or has been found since.
+    seen: Option<Seen>,
+    hover: Option<Handle>,
+    dragging: Option<Dragging>,
+    meant: Option<Meant>,
+    /// Two corners of a frame that is being drawn about what is to be chosen.
+    frame: Option<[DVec2; 2]>,
+    /// The field that is being dragged.
+    field: Option<String>,
+    keeping: Keeping,
+    findings: Findings,
+    /// Whether a menu or a list is down.
+    is_dropped: bool,
+}
+
+/// Through what the chosen things are seen, and where.
+#[derive(Clone, Debug)]
+struct Seen {
+    chain: antipode_deformation::Chain,
+    at: DVec2,
+}
+
+impl std::fmt::Debug for Workshop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Workshop")
+            .field("camera", &self.camera)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Workshop {
+    /// It looks at a room as who is in it does.
+    pub fn new(scene: &RoomScene) -> Self {
+        Self {
+            panes: None,
+            camera: FreeCamera::of(&scene.eye()),
+            tile: None,
+            bar: BarModel {
+                snaps: true,
+                grid_m: GRID_M,
+                raster: true,
+                ..BarModel::default()
+            },
+            seen: None,
+            hover: None,
+            dragging: None,
+            meant: None,
+            frame: None,
+            field: None,
+            keeping: Keeping::of(scene),
+            findings: Findings::begin(),
+            is_dropped: false,
+        }
+    }
+
+    /// Width over height of the picture.
+    fn aspect(&self) -> f64 {
+        self.tile.map_or(16.0 / 9.0, |(tile, _)| {
+            f64::from(tile.size.0) / f64::from(tile.size.1.max(1))
+        })
+    }
+
+    fn viewpoint(&self, scene: &RoomScene) -> Viewpoint {
+        scene.viewpoint(&self.camera, self.aspect())
+    }
+
+    /// A length in points of the picture, in its half heights.
+    fn half_heights(&self, points: f64) -> f64 {
+        let height = self.tile.map_or(720.0, |(_, height)| height);
+        2.0 * points / height.max(1.0)
+    }
+
+    fn snap(&self, free: bool) -> Snap {
+        if free || !self.bar.snaps {
+            return Snap::default();
+        }
+        Snap {
+            grid_m: self.bar.grid_m,
+            turn_deg: TURN_STEP_DEG,
+        }
+    }
+
+    fn tool(&self) -> Tool {
+        match self.bar.tool {
+            ToolChoice::Move => Tool::Move,
+            ToolChoice::Turn => Tool::Turn,
+            ToolChoice::Scale => Tool::Scale,
+        }
+    }
+
+    /// The picture through what the chosen things are seen through: as they were chosen, or the straight way to them.
+    fn through<'s>(
+        &self,
+        scene: &'s RoomScene,
+        origin: glam::DVec3,
+        beside: Option<usize>,
+    ) -> Option<(Through<'s>, DVec2)> {
+        let view = self.viewpoint(scene);
+        if let Some(seen) = &self.seen {
+            let through = scene.through(&view, seen.chain.clone());
+            if let Some(at) = through.seen_at(origin, seen.at) {
+                return Some((through, at));
+            }
+        }
+        scene.way_to(&view, origin, beside)
+    }
+
+    /// The handles of what is chosen, and through what they are seen.
+    fn handles<'s>(&self, scene: &'s RoomScene) -> Option<(Through<'s>, Handles)> {
+        let held = chosen::held(scene, self.bar.own_axes || self.tool() == Tool::Scale)?;
+        let last = chosen::indices(scene).last().copied();
+        let (through, at) = self.through(scene, held.origin, last)?;
+        let handles = Handles::of(&through, at, held, self.tool())?;
+        Some((through, handles))
+    }
+}
+
+impl Visit {
+    /// The room is built in from now on.
+    pub fn build(&mut self) {
+        self.room.look = View::Exact;
+        self.workshop = Some(Box::new(Workshop::new(self.scene())));
+        self.room.scene.leave_out_hidden(true);
+    }
+
+    /// It is walked through again, from where it was looked at last.
+    pub fn walk(&mut self) {
+        let Some(workshop) = self.workshop.take() else {
+            return;
+        };
+        self.room.scene.document_mut().end_drag();
+        self.room.scene.leave_out_hidden(false);
+        self.room.scene.walk_from(&workshop.camera);
+        // The thread of the checks is waited for elsewhere.
+        Task::start("leave", move || drop(workshop));
+    }
+
+    /// What a picture of it is of while it is built in.
+    pub fn workshop_view(&self) -> Option<RoomView> {
+        let workshop = self.workshop.as_ref()?;
+        let scene = self.scene();
+        let aspect = workshop.aspect();
+        Some(RoomView {
+            id: self.id(),
+            moment: scene.still(&scene.viewpoint(&workshop.camera, aspect).eye),
+            options: Options {
+                outlines: Outlines::All,
+                raster: workshop.bar.raster,
+                ..Options::default()
+            },
+            tile: workshop.tile.map(|(tile, _)| tile),
+        })
+    }
+}

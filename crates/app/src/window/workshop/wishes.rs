@@ -1,0 +1,308 @@
+//! What the player asks for in the workshop, done.
+
+use antipode_room_scene::RoomScene;
+use antipode_room_scene::workshop::Facing;
+use antipode_rooms::{Room, RoomsDir, folder};
+use antipode_ui::workshop::{ViewSide, WorkshopWish};
+use antipode_workshop::{Array, Edit, WorkshopError};
+use glam::DVec3;
+
+use super::hand::{middle, nudge};
+use super::rows::free_name;
+use super::{Workshop, chosen, parts, set};
+
+/// How far about the place of a finding one looks, metres.
+const FINDING_M: f64 = 2.0;
+/// How many copies an array makes.
+const ARRAY: u32 = 4;
+
+/// What is left for the game to do.
+#[derive(Debug, PartialEq)]
+pub enum Outcome {
+    /// The room is walked through.
+    Play,
+    /// Something could not be done, for that reason.
+    Refused(String),
+}
+
+/// The room, and where its files are.
+pub struct Bench<'a> {
+    /// The room.
+    pub scene: &'a mut RoomScene,
+    /// Where rooms are.
+    pub dir: &'a RoomsDir,
+    /// The room's own folder.
+    pub slug: &'a str,
+}
+
+impl Bench<'_> {
+    /// Makes an edit as one step.
+    fn make(&mut self, edit: &Edit) -> Result<(), WorkshopError> {
+        self.scene.document_mut().end_drag();
+        let plan = self.scene.document().plan(edit)?;
+        self.commit(plan)?;
+        if edit.puts_in() {
+            self.scene.document_mut().select_made();
+        }
+        Ok(())
+    }
+
+    /// Makes an edit that is a moment of a drag.
+    pub fn drag(&mut self, edit: &Edit) -> Result<(), WorkshopError> {
+        if !self.scene.document().is_dragging() {
+            self.scene.document_mut().begin_drag();
+        }
+        let plan = self.scene.document().plan_drag(edit)?;
+        self.commit(plan)
+    }
+
+    fn commit(&mut self, plan: antipode_workshop::Plan) -> Result<(), WorkshopError> {
+        let dir = self.dir.path().join(self.slug);
+        let read = |room: &Room| folder::assets(&dir, room);
+        self.scene.make(plan, read).map_err(WorkshopError::Room)
+    }
+}
+
+impl Workshop {
+    /// Does what is asked for. Returns what is left for the game to do.
+    pub fn follow(&mut self, bench: &mut Bench<'_>, wish: WorkshopWish) -> Option<Outcome> {
+        if wish == WorkshopWish::Play {
+            return Some(Outcome::Play);
+        }
+        let is_choice = matches!(
+            wish,
+            WorkshopWish::Choose { .. } | WorkshopWish::ChooseTo(_) | WorkshopWish::ChooseAll(_)
+        );
+        if is_choice {
+            self.forget_chain();
+        }
+        let done = self.done(bench, wish);
+        done.err().map(|why| Outcome::Refused(why.to_string()))
+    }
+
+    fn done(&mut self, bench: &mut Bench<'_>, wish: WorkshopWish) -> Result<(), WorkshopError> {
+        match wish {
+            WorkshopWish::View(event) => {
+                if let Some(edit) = self.view_event(bench.scene, event) {
+                    // Where it may not stand it does not go.
+                    bench.drag(&edit)?;
+                }
+                return Ok(());
+            }
+            WorkshopWish::Set { key, value, done } => {
+                return self.set(bench, &key, &value, done);
+            }
+            _ => {}
+        }
+        self.field = None;
+        let names = bench.scene.document().selection().to_vec();
+        if let Some(edit) = self.edit_of(bench.scene, &names, &wish) {
+            return bench.make(&edit);
+        }
+        let document = bench.scene.document_mut();
+        match wish {
+            WorkshopWish::Undo => {
+                document.end_drag();
+                let plan = document.plan_undo(1)?;
+                bench.commit(plan)?;
+            }
+            WorkshopWish::Redo => {
+                document.end_drag();
+                let plan = document.plan_redo(1)?;
+                bench.commit(plan)?;
+            }
+            WorkshopWish::GoTo(step) => {
+                document.end_drag();
+                let plan = document.plan_jump(step);
+                bench.commit(plan)?;
+            }
+            WorkshopWish::Copy if !names.is_empty() => {
+                document.copy();
+            }
+            WorkshopWish::Cut if !names.is_empty() => {
+                document.copy();
+                bench.make(&Edit::Remove(names))?;
+            }
+            WorkshopWish::Hide(name, hidden) => {
+                document.hide(&name, hidden);
+                bench.scene.look_again();
+            }
+            WorkshopWish::Lock(name, locked) => document.lock(&name, locked),
+            WorkshopWish::Choose { name, adds: true } => document.toggle(&name),
+            WorkshopWish::Choose { name, adds: false } => document.select([name]),
+            WorkshopWish::ChooseTo(name) => choose_to(bench.scene, &name),
+            WorkshopWish::ChooseAll(all) => choose_all(bench.scene, all),
+            WorkshopWish::ShowMessage(number) => self.show_finding(bench.scene, number),
+            wish => self.arrange(bench.scene, &wish),
+        }
+        Ok(())
+    }
+
+    /// The edit that is asked for, if it is one.
+    fn edit_of(&self, scene: &RoomScene, names: &[String], wish: &WorkshopWish) -> Option<Edit> {
+        let room = scene.room();
+        let all = || (!names.is_empty()).then(|| names.to_vec());
+        let step = self.bar.grid_m.max(0.25);
+        let aside = DVec3::new(step, 0.0, step);
+        Some(match wish {
+            WorkshopWish::Rename(from, to) => Edit::rename(from, to),
+            WorkshopWish::Carry(name, group) => Edit::Carry {
+                group: group.clone(),
+                members: if names.contains(name) {
+                    names
+                        .iter()
+                        .filter(|it| Some(*it) != group.as_ref())
+                        .cloned()
+                        .collect()
+                } else {
+                    vec![name.clone()]
+                },
+            },
+            WorkshopWish::Reset(key) => set::reset(room, &chosen::indices(scene), key)?,
+            WorkshopWish::Put(id) => {
+                let snap = self.snap(false);
+                let place = self.before_camera(scene);
+                parts::put(room, id, place, |metres| snap.length(metres))?
+            }
+            WorkshopWish::Paste if !scene.document().clipboard().is_empty() => Edit::Paste {
+                clip: scene.document().clipboard().clone(),
+                by: aside,
+            },
+            WorkshopWish::Duplicate => Edit::Duplicate {
+                names: all()?,
+                by: aside,
+            },
+            WorkshopWish::Array => {
+                let held = chosen::held(scene, false)?;
+                Edit::Array(Array {
+                    names: all()?,
+                    count: ARRAY,
+                    step: DVec3::X * (2.0 * held.half.x + step),
+                    turn_deg: 0.0,
+                    about: None,
+                })
+            }
+            WorkshopWish::Group => Edit::Group {
+                name: free_name(room, "group"),
+                at: middle(room, &all()?),
+                members: all()?,
+            },
+            WorkshopWish::Ungroup => Edit::Ungroup(all()?),
+            WorkshopWish::Delete => Edit::Remove(all()?),
+            WorkshopWish::Nudge(by) => nudge(scene, self, *by)?,
+            _ => return None,
+        })
+    }
+
+    /// Sets a field; all of a drag of a number is one step.
+    fn set(
+        &mut self,
+        bench: &mut Bench<'_>,
+        key: &str,
+        value: &antipode_ui::workshop::FieldValue,
+        done: bool,
+    ) -> Result<(), WorkshopError> {
+        let goes_on = self.field.as_deref() == Some(key) && bench.scene.document().is_dragging();
+        let chosen = chosen::indices(bench.scene);
+        if done && !goes_on {
+            return match set::edit(bench.scene.room(), &chosen, key, value) {
+                Some(edit) => bench.make(&edit),
+                None => Ok(()),
+            };
+        }
+        if !goes_on {
+            bench.scene.document_mut().begin_drag();
+            self.field = Some(key.to_owned());
+        }
+        let edit = set::edit(
+            bench.scene.document().room_before_drag(),
+            &chosen,
+            key,
+            value,
+        );
+        let made = match edit {
+            Some(edit) => bench.drag(&edit),
+            None => Ok(()),
+        };
+        if done {
+            self.field = None;
+            bench.scene.document_mut().end_drag();
+        }
+        made
+    }
+
+    /// What concerns how one looks and takes hold.
+    fn arrange(&mut self, scene: &RoomScene, wish: &WorkshopWish) {
+        match wish {
+            WorkshopWish::Tool(tool) => self.bar.tool = *tool,
+            WorkshopWish::OwnAxes(own) => self.bar.own_axes = *own,
+            WorkshopWish::Snaps(snaps) => self.bar.snaps = *snaps,
+            WorkshopWish::Grid(metres) => self.bar.grid_m = *metres,
+            WorkshopWish::OnSurfaces(on) => self.bar.on_surfaces = *on,
+            WorkshopWish::Raster(raster) => self.bar.raster = *raster,
+            WorkshopWish::Flies(flies) => self.bar.flies = *flies,
+            WorkshopWish::Face(side) => {
+                let facing = match side {
+                    ViewSide::Top => Facing::Top,
+                    ViewSide::Front => Facing::Front,
+                    ViewSide::Side => Facing::Side,
+                };
+                self.camera.face(scene.space(), facing);
+            }
+            WorkshopWish::Focus => self.focus(scene),
+            _ => {}
+        }
+    }
+
+    /// Chooses what a finding is about, and looks at it.
+    fn show_finding(&mut self, scene: &mut RoomScene, number: usize) {
+        let Some(finding) = self.findings.get(number).cloned() else {
+            return;
+        };
+        self.forget_chain();
+        scene.document_mut().select(finding.objects);
+        let fov_y_rad = self.viewpoint(scene).eye.fov_y_rad;
+        self.camera
+            .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
+    }
+
+    /// Looks at what is chosen.
+    pub fn focus(&mut self, scene: &RoomScene) {
+        let Some(held) = chosen::held(scene, false) else {
+            return;
+        };
+        self.forget_chain();
+        let reach_m = chosen::reach_m(scene, held.origin);
+        let fov_y_rad = self.viewpoint(scene).eye.fov_y_rad;
+        self.camera
+            .focus(scene.space(), held.origin, reach_m, fov_y_rad);
+    }
+}
+
+/// All from the one that was chosen last to that one.
+fn choose_to(scene: &mut RoomScene, name: &str) {
+    let room = scene.room();
+    let last = scene.document().selection().last().cloned();
+    let place = |name: &str| room.find(name).map(|(index, _)| index);
+    let (Some(from), Some(to)) = (last.as_deref().and_then(place), place(name)) else {
+        scene.document_mut().select([name.to_owned()]);
+        return;
+    };
+    let between = from.min(to)..=from.max(to);
+    let mut names: Vec<_> = room.objects[between]
+        .iter()
+        .map(|it| it.name.clone())
+        .collect();
+    if from > to {
+        names.reverse();
+    }
+    scene.document_mut().select(names);
+}
+
+fn choose_all(scene: &mut RoomScene, all: bool) {
+    let document = scene.document();
+    let objects = scene.room().objects.iter();
+    let free = objects.filter(|it| all && !document.is_locked(&it.name));
+    let names: Vec<_> = free.map(|it| it.name.clone()).collect();
+    scene.document_mut().select(names);
+}

@@ -1,0 +1,200 @@
+//! A camera that flies: no solid and no wall stops it, and faces and portals take it where they lead.
+
+use antipode_deformation::{Place, Space, Traveller, Void, trace};
+use antipode_rays::Eye;
+use antipode_rooms::direction;
+use glam::{DQuat, DVec2, DVec3};
+
+use super::sight::Viewpoint;
+use crate::moment::Moment;
+use crate::scene::RoomScene;
+use crate::tuning::PITCH_LIMIT_RAD;
+
+/// How far behind a wall it goes on, metres of the scene.
+const BEHIND_WALL_M: f64 = 1e-3;
+/// Where nobody is seen who does not walk while a room is changed, metres.
+const AWAY_M: f32 = -5000.0;
+/// Most walls that one flight goes through.
+const MOST_WALLS: u32 = 16;
+
+/// A camera that flies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeCamera {
+    /// Where it is, in the axes of the scene.
+    pub place: Place,
+    /// Where it looks: (yaw, pitch), degrees.
+    pub aim_deg: DVec2,
+    /// Felt metres ahead to what it turns about.
+    pub pivot_m: f64,
+}
+
+/// A side from which a room is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Facing {
+    /// From above; -z is up in the picture.
+    Top,
+    /// From the front: along -z.
+    Front,
+    /// From the side: along -x.
+    Side,
+}
+
+impl Facing {
+    /// Where one looks then: (yaw, pitch), degrees.
+    pub fn aim_deg(self) -> DVec2 {
+        match self {
+            Self::Top => DVec2::new(-90.0, -PITCH_LIMIT_RAD.to_degrees()),
+            Self::Front => DVec2::new(-90.0, 0.0),
+            Self::Side => DVec2::new(180.0, 0.0),
+        }
+    }
+}
+
+impl FreeCamera {
+    /// A camera where an eye is.
+    pub fn of(eye: &Eye) -> Self {
+        let mut place = eye.place;
+        let turn = place.straighten();
+        place.scale = 1.0;
+        let front = turn * eye.front;
+        Self {
+            place,
+            aim_deg: aim(front),
+            pivot_m: 6.0,
+        }
+    }
+
+    /// Into the picture, to its right and to its top, of length 1.
+    pub fn axes(&self) -> (DVec3, DVec3, DVec3) {
+        let front = direction(self.aim_deg);
+        let right = front.cross(DVec3::Y).normalize_or(DVec3::X);
+        (front, right, right.cross(front))
+    }
+
+    /// The eye of its pictures.
+    pub fn eye(&self, fov_y_rad: f64) -> Eye {
+        let (front, _, _) = self.axes();
+        Eye::looking(self.place, front, DVec3::Y, fov_y_rad)
+    }
+
+    /// Turns it where it is, radians to the right and upwards.
+    pub fn look(&mut self, right_rad: f64, up_rad: f64) {
+        self.aim_deg.x += right_rad.to_degrees();
+        self.aim_deg.y = pitch(self.aim_deg.y + up_rad.to_degrees());
+    }
+
+    /// Flies by so many felt metres along its axes: ahead, to the right, up in its picture.
+    pub fn fly(&mut self, space: &Space, by: DVec3) {
+        let (front, right, up) = self.axes();
+        let way = front * by.x + right * by.y + up * by.z;
+        let Some(w) = way.try_normalize() else { return };
+        let (place, turn) = go(space, &self.place, w, way.length());
+        self.place = place;
+        self.aim_deg = aim(turn * front);
+    }
+
+    /// Goes about what it turns about, radians to the right and upwards.
+    pub fn orbit(&mut self, space: &Space, right_rad: f64, up_rad: f64) {
+        let (pivot, turn) = go(space, &self.place, self.axes().0, self.pivot_m);
+        self.aim_deg = aim(turn * self.axes().0);
+        self.look(right_rad, up_rad);
+        self.stand_off(space, &pivot);
+    }
+
+    /// Nearer by a factor to what it turns about, or farther off.
+    pub fn zoom(&mut self, space: &Space, factor: f64) {
+        let pivot_m = (self.pivot_m * factor).clamp(0.05, 2000.0);
+        self.fly(space, DVec3::new(self.pivot_m - pivot_m, 0.0, 0.0));
+        self.pivot_m = pivot_m;
+    }
+
+    /// Looks at what is about a point of the scene and reaches so far from it, metres.
+    pub fn focus(&mut self, space: &Space, point: DVec3, reach_m: f64, fov_y_rad: f64) {
+        self.pivot_m = (1.3 * reach_m / (0.5 * fov_y_rad).sin()).clamp(0.2, 2000.0);
+        self.stand_off(space, &Place::at(space, point));
+    }
+
+    /// Looks from that side at what it turns about.
+    pub fn face(&mut self, space: &Space, facing: Facing) {
+        let (pivot, _) = go(space, &self.place, self.axes().0, self.pivot_m);
+        self.aim_deg = facing.aim_deg();
+        self.stand_off(space, &pivot);
+    }
+
+    /// Goes back from a place, against where it looks.
+    fn stand_off(&mut self, space: &Space, pivot: &Place) {
+        let front = self.axes().0;
+        let (place, turn) = go(space, pivot, -front, self.pivot_m);
+        self.place = place;
+        self.aim_deg = aim(turn * front);
+    }
+}
+
+/// Flies from a place in felt direction w of the scene's axes; the end in these axes, and the turn that portals have made.
+fn go(space: &Space, from: &Place, w: DVec3, length_m: f64) -> (Place, DQuat) {
+    let (mut place, mut w, mut left_m) = (*from, w, length_m);
+    let mut turn = DQuat::IDENTITY;
+    for _ in 0..MOST_WALLS {
+        let path = trace(space, &place, w, left_m, &Void, &Traveller::Body);
+        left_m -= path.length;
+        let ahead = path.place.turn * path.w;
+        place = path.place;
+        turn = place.straighten() * turn;
+        place.scale = 1.0;
+        w = ahead;
+        if path.hit().is_none() || left_m <= 0.0 {
+            break;
+        }
+        let v = space.carry(&place, w, &Traveller::Body) * w;
+        let beyond = place.point + v.normalize_or(w) * BEHIND_WALL_M;
+        place = Place::at(space, beyond);
+    }
+    (place, turn)
+}
+
+fn aim(front: DVec3) -> DVec2 {
+    let yaw = front.z.atan2(front.x).to_degrees();
+    DVec2::new(yaw, pitch(front.y.clamp(-1.0, 1.0).asin().to_degrees()))
+}
+
+fn pitch(degrees: f64) -> f64 {
+    let most = PITCH_LIMIT_RAD.to_degrees();
+    degrees.clamp(-most, most)
+}
+
+impl RoomScene {
+    /// The space of its aberrations and portals.
+    pub fn space(&self) -> &Space {
+        &self.space
+    }
+
+    /// From where a free camera sees it, in pictures of that width over height.
+    pub fn viewpoint(&self, camera: &FreeCamera, aspect: f64) -> Viewpoint {
+        Viewpoint {
+            eye: camera.eye(self.viewing.fov_y_rad),
+            aspect,
+        }
+    }
+
+    /// What pictures show while it is changed: what stands in it, and nobody who walks.
+    pub fn still(&self, eye: &Eye) -> Moment {
+        let mut figure = self.figure_between(1.0);
+        figure.pose.translation = glam::Vec3A::new(0.0, AWAY_M, 0.0);
+        figure.unseen_by_eye = true;
+        Moment {
+            eye: *eye,
+            figure,
+            hand: None,
+            things: Vec::new(),
+            lamps: crate::light::lamps(self.room(), &self.space),
+        }
+    }
+
+    /// Puts who walks where a free camera is, so that they look as it does.
+    pub fn walk_from(&mut self, camera: &FreeCamera) {
+        let eye_m = crate::tuning::EYE_M;
+        let (feet, _) = go(&self.space, &camera.place, DVec3::NEG_Y, eye_m);
+        self.stand_at(feet.point);
+        self.aim(camera.aim_deg.x, camera.aim_deg.y);
+    }
+}

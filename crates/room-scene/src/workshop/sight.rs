@@ -1,0 +1,150 @@
+//! What a place of a picture shows, found by the path that its light has taken.
+
+use antipode_deformation::{
+    Chain, EventKind, Place, SceneHit, SceneQuery, Trace, Traveller, Triangles, trace,
+};
+use antipode_rays::Eye;
+use glam::{DVec2, DVec3};
+
+use crate::scene::RoomScene;
+use crate::tuning::PICK_M;
+
+/// Surfaces in a row that are left out at most.
+const MOST_LEFT_OUT: u32 = 256;
+
+/// An eye and the shape of its picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewpoint {
+    /// The eye.
+    pub eye: Eye,
+    /// Width over height.
+    pub aspect: f64,
+}
+
+impl Viewpoint {
+    /// The felt direction of a place of the picture, of length 1.
+    pub fn direction(&self, at: DVec2) -> DVec3 {
+        self.eye.direction(at.x, at.y, self.aspect)
+    }
+
+    /// Where a felt direction is in the picture; none behind the eye.
+    pub fn place_of(&self, w: DVec3) -> Option<DVec2> {
+        let depth = self.eye.front.dot(w);
+        let half = (0.5 * self.eye.fov_y_rad).tan();
+        let at = DVec2::new(self.eye.right.dot(w) / self.aspect, self.eye.up.dot(w));
+        (depth > 1e-9 * w.length()).then(|| at / (depth * half))
+    }
+
+    /// How far apart two places of the picture are, in its half heights.
+    pub fn apart(&self, a: DVec2, b: DVec2) -> f64 {
+        self.spread(a - b).length()
+    }
+
+    /// A way in the picture in its half heights along both axes.
+    pub(super) fn spread(&self, way: DVec2) -> DVec2 {
+        DVec2::new(way.x * self.aspect, way.y)
+    }
+}
+
+/// What is seen at a place of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sight {
+    /// The object, by its place among all.
+    pub object: usize,
+    /// Where it is seen, metres of the scene.
+    pub place: Place,
+    /// Its normal there in the scene, of length 1, towards the eye.
+    pub normal: DVec3,
+    /// How far off it feels, metres.
+    pub felt_m: f64,
+    /// What the light has come through.
+    pub chain: Chain,
+}
+
+/// Solids without some of the objects.
+struct Beside<'a> {
+    solids: &'a Triangles,
+    hidden: &'a [usize],
+}
+
+impl SceneQuery for Beside<'_> {
+    fn first(&self, x: DVec3, v: DVec3, longest: f64) -> Option<SceneHit> {
+        let mut from = 0.0;
+        // Whatever is left out is gone through, one surface after another.
+        for _ in 0..MOST_LEFT_OUT {
+            let hit = self.solids.first(x + v * from, v, longest - from)?;
+            let time = from + hit.time;
+            if !self.hidden.contains(&(hit.object as usize)) {
+                return Some(SceneHit { time, ..hit });
+            }
+            from = time + 1e-9 * (1.0 + time);
+            if from >= longest {
+                return None;
+            }
+        }
+        None
+    }
+
+    fn near(&self, low: DVec3, high: DVec3, show: &mut dyn FnMut([DVec3; 3])) {
+        self.solids.near(low, high, show);
+    }
+}
+
+impl RoomScene {
+    /// What is seen at a place of the picture; none where that is the sky.
+    pub fn seen(&self, view: &Viewpoint, at: DVec2) -> Option<Sight> {
+        let path = self.path_of(view, at);
+        let hit = path.hit()?;
+        Some(Sight {
+            object: self.object_of(hit.what),
+            place: path.place,
+            normal: hit.normal,
+            felt_m: path.length,
+            chain: Chain::of(&self.space, &view.eye.place, &path),
+        })
+    }
+
+    /// The same as if these objects were not there, by their places among all.
+    pub fn seen_beside(&self, view: &Viewpoint, at: DVec2, hidden: &[usize]) -> Option<Sight> {
+        let solids = Beside {
+            solids: &self.solids,
+            hidden,
+        };
+        let start = &view.eye.place;
+        let who = Traveller::Body;
+        let w = view.direction(at);
+        let path = trace(&self.space, start, w, PICK_M, &solids, &who);
+        let hit = path.hit()?;
+        Some(Sight {
+            object: self.object_of(hit.what),
+            place: path.place,
+            normal: hit.normal,
+            felt_m: path.length,
+            chain: Chain::of(&self.space, start, &path),
+        })
+    }
+
+    /// All that can be meant by a place of the picture, by their places among the objects: what is seen, then the aberrations
+    /// and portals that its light has come through, the last first.
+    pub fn meant(&self, view: &Viewpoint, at: DVec2) -> Vec<usize> {
+        let path = self.path_of(view, at);
+        let seen = path.hit().map(|hit| self.object_of(hit.what));
+        let through = path.events.iter().rev().map(|event| match event.kind {
+            EventKind::Passed => self.portals[event.number],
+            _ => self.boxes[event.number],
+        });
+        let mut all = Vec::new();
+        for object in seen.into_iter().chain(through) {
+            if !all.contains(&object) {
+                all.push(object);
+            }
+        }
+        all
+    }
+
+    fn path_of(&self, view: &Viewpoint, at: DVec2) -> Trace {
+        let w = view.direction(at);
+        let who = Traveller::Body;
+        trace(&self.space, &view.eye.place, w, PICK_M, &self.solids, &who)
+    }
+}

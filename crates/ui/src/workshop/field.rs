@@ -1,0 +1,188 @@
+//! Fields of the inspector: numbers with their units that are dragged or typed, words that are chosen, colours.
+
+use antipode_language::{Texts, Value};
+use egui::{ComboBox, DragValue, Response, Slider, Ui, WidgetInfo, vec2};
+
+use super::model::{Amount, FieldKind, FieldRow, FieldValue, Unit, WorkshopWish};
+use crate::entry::{entry, parse_number};
+use crate::widgets::focus_ring;
+
+/// The least and greatest stretch of space.
+const STRETCHES: (f64, f64) = (1.0 / 32.0, 32.0);
+/// What is shown where those that are chosen differ.
+const DIFFER: &str = "…";
+
+/// Draws a field.
+pub(super) fn show(ui: &mut Ui, texts: &Texts, row: &FieldRow, wishes: &mut Vec<WorkshopWish>) {
+    let mut set = |value: FieldValue, done: bool| {
+        wishes.push(WorkshopWish::Set {
+            key: row.key.clone(),
+            value,
+            done,
+        });
+    };
+    match &row.kind {
+        FieldKind::Numbers(amounts, unit) => {
+            ui.horizontal_top(|ui| {
+                let gaps = ui.spacing().item_spacing.x * amounts.len().saturating_sub(1) as f32;
+                let width = (ui.available_width() - gaps) / amounts.len().max(1) as f32;
+                for (place, amount) in amounts.iter().enumerate() {
+                    number(ui, texts, row, (place, *amount, *unit), width, &mut set);
+                }
+            });
+        }
+        FieldKind::Stretch(value) => stretch(ui, texts, row, *value, &mut set),
+        FieldKind::Colour(colour) => {
+            let mut rgb = colour.unwrap_or([128; 3]);
+            let response = ui.color_edit_button_srgb(&mut rgb);
+            focus_ring(ui, &response);
+            if response.changed() {
+                set(FieldValue::Colour(rgb), false);
+            }
+        }
+        FieldKind::Text(text) => line(ui, row, text.as_deref(), &mut set),
+        FieldKind::Choice(options, chosen) => choice(ui, row, (options, *chosen), &mut set),
+        FieldKind::Switch(on) => {
+            let mut value = on.unwrap_or(false);
+            let mut checkbox = egui::Checkbox::new(&mut value, "");
+            checkbox = checkbox.indeterminate(on.is_none());
+            let response = ui.add(checkbox);
+            name(&response, &row.label);
+            focus_ring(ui, &response);
+            if response.changed() {
+                set(FieldValue::Switch(value), true);
+            }
+        }
+        FieldKind::Words(..) => {}
+    }
+}
+
+fn name(response: &Response, label: &str) {
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::TextInput, true, label));
+}
+
+/// A number with its unit, in words.
+pub(super) fn said(texts: &Texts, value: f64, unit: Unit) -> String {
+    let decimals = if value.fract().abs() < 1e-9 {
+        0
+    } else if value.abs() < 0.1 {
+        4
+    } else {
+        3
+    };
+    let mut digits = format!("{value:.decimals$}");
+    if digits.contains('.') {
+        digits.truncate(digits.trim_end_matches('0').trim_end_matches('.').len());
+    }
+    let values = [("value", Value::from(digits))];
+    match unit {
+        Unit::Metres => texts.say_with("workshop-unit-metres", &values),
+        Unit::Degrees => texts.say_with("workshop-unit-degrees", &values),
+        Unit::Times => texts.say_with("workshop-unit-times", &values),
+        Unit::Plain => texts.say_with("workshop-unit-plain", &values),
+    }
+}
+
+fn number(
+    ui: &mut Ui,
+    texts: &Texts,
+    row: &FieldRow,
+    (place, amount, unit): (usize, Amount, Unit),
+    width: f32,
+    set: &mut impl FnMut(FieldValue, bool),
+) {
+    let mut value = amount.value.unwrap_or(0.0);
+    let speed = match unit {
+        Unit::Degrees => 1.0,
+        _ => 0.02,
+    };
+    let is_mixed = amount.value.is_none();
+    let drag = DragValue::new(&mut value)
+        .speed(speed)
+        .range(amount.range.0..=amount.range.1)
+        .update_while_editing(false)
+        .custom_formatter(|value, _| {
+            if is_mixed {
+                DIFFER.to_owned()
+            } else {
+                said(texts, value, unit)
+            }
+        })
+        .custom_parser(parse_number);
+    let response = ui.add_sized(vec2(width.max(30.0), 24.0), drag);
+    let axis = ["x", "y", "z"].get(place).copied().unwrap_or_default();
+    name(&response, &format!("{} {axis}", row.label));
+    focus_ring(ui, &response);
+    if response.changed() {
+        set(FieldValue::Number(place, value), !response.dragged());
+    } else if response.drag_stopped() {
+        set(FieldValue::Number(place, value), true);
+    }
+}
+
+fn stretch(
+    ui: &mut Ui,
+    texts: &Texts,
+    row: &FieldRow,
+    value: Option<f64>,
+    set: &mut impl FnMut(FieldValue, bool),
+) {
+    let mut times = value.unwrap_or(1.0);
+    ui.spacing_mut().slider_width = (ui.available_width() - 84.0).max(60.0);
+    let slider = Slider::new(&mut times, STRETCHES.0..=STRETCHES.1)
+        .logarithmic(true)
+        .update_while_editing(false)
+        .custom_formatter(|value, _| said(texts, value, Unit::Times))
+        .custom_parser(parse_number);
+    let response = ui.add(slider);
+    name(&response, &row.label);
+    focus_ring(ui, &response);
+    if response.changed() {
+        set(FieldValue::Number(0, times), !response.dragged());
+    } else if response.drag_stopped() {
+        set(FieldValue::Number(0, times), true);
+    }
+}
+
+fn line(ui: &mut Ui, row: &FieldRow, text: Option<&str>, set: &mut impl FnMut(FieldValue, bool)) {
+    let id = ui.scope_id().with("text");
+    let kept = ui.data(|data| data.get_temp::<String>(id));
+    let mut typed = kept
+        .clone()
+        .unwrap_or_else(|| text.unwrap_or(DIFFER).to_owned());
+    let response = entry(ui, &mut typed, &row.label, "");
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, typed));
+    } else if let Some(kept) = kept {
+        ui.data_mut(|data| data.remove::<String>(id));
+        let is_given_up = ui.input(|input| input.key_pressed(egui::Key::Escape));
+        if !is_given_up && Some(kept.as_str()) != text {
+            set(FieldValue::Text(kept), true);
+        }
+    }
+}
+
+fn choice(
+    ui: &mut Ui,
+    row: &FieldRow,
+    (options, chosen): (&[(String, String)], Option<usize>),
+    set: &mut impl FnMut(FieldValue, bool),
+) {
+    let label = chosen.and_then(|it| options.get(it));
+    let shown = label.map_or(DIFFER, |(_, label)| label);
+    let response = ComboBox::from_id_salt("choice")
+        .width(ui.available_width())
+        .selected_text(shown)
+        .truncate()
+        .show_ui(ui, |ui| {
+            for (number, (word, label)) in options.iter().enumerate() {
+                let is_chosen = chosen == Some(number);
+                if ui.selectable_label(is_chosen, label).clicked() && !is_chosen {
+                    set(FieldValue::Text(word.clone()), true);
+                }
+            }
+        })
+        .response;
+    name(&response, &row.label);
+    focus_ring(ui, &response);
+}

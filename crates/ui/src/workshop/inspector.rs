@@ -1,0 +1,44 @@
+//! What can be changed of what is chosen, field by field.
+
+use egui::{Label, RichText, ScrollArea, Ui};
+
+use super::field;
+use super::model::{FieldKind, FieldRow, WorkshopModel, WorkshopWish};
+use crate::theme::{ACCENT, TEXT, WEAK};
+use crate::widgets::focus_ring;
+
+/// Draws it.
+pub(super) fn show(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
+    ui.add(Label::new(RichText::new(model.chosen).color(TEXT).strong()).truncate());
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 3.0;
+        ui.spacing_mut().interact_size.y = 18.0;
+        for row in model.fields {
+            ui.push_id(&row.key, |ui| self::row(ui, model, row, wishes));
+        }
+    });
+}
+
+fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<WorkshopWish>) {
+    if let FieldKind::Words(words, is_warning) = &row.kind {
+        let colour = if *is_warning { ACCENT } else { WEAK };
+        ui.add(Label::new(RichText::new(words).color(colour).small()).wrap());
+        return;
+    }
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(&row.label).color(WEAK).small());
+        if !row.is_default {
+            let values = [("name", row.label.as_str().into())];
+            let label = model.texts.say_with("workshop-reset", &values);
+            let button = egui::Button::new(RichText::new("×").color(WEAK)).small();
+            let response = ui.add(button);
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
+            focus_ring(ui, &response);
+            if response.on_hover_text(&label).clicked() {
+                wishes.push(WorkshopWish::Reset(row.key.clone()));
+            }
+        }
+    });
+    field::show(ui, model.texts, row, wishes);
+    ui.add_space(2.0);
+}

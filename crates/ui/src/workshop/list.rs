@@ -1,0 +1,210 @@
+//! The list of what stands in the room: searched, chosen, hidden, locked, renamed, and dragged into groups.
+
+use egui::{Color32, Key, Response, RichText, ScrollArea, Sense, Ui, vec2};
+
+use super::model::{ObjectRow, WorkshopModel, WorkshopWish};
+use crate::entry::entry;
+use crate::theme::{ACCENT, ACCENT_DIM, TEXT, WEAK};
+use crate::widgets::focus_ring;
+
+/// Height of a row, points.
+const ROW: f32 = 24.0;
+/// How much farther to the right what a group carries stands, points.
+const INDENT: f32 = 14.0;
+
+/// What is typed in the list.
+#[derive(Debug, Default)]
+pub(super) struct ListState {
+    search: String,
+    /// What gets another name, and which.
+    pub renaming: Option<(String, String)>,
+    /// Whether the field for that has just come up.
+    begins: bool,
+}
+
+/// Draws it.
+pub(super) fn show(
+    ui: &mut Ui,
+    model: &WorkshopModel<'_>,
+    state: &mut ListState,
+    wishes: &mut Vec<WorkshopWish>,
+) {
+    let texts = model.texts;
+    let hint = texts.say("workshop-search");
+    entry(ui, &mut state.search, &hint, &hint);
+    let wanted = state.search.trim().to_lowercase();
+    let rows: Vec<&ObjectRow> = model
+        .objects
+        .iter()
+        .filter(|it| {
+            let words = format!("{} {}", it.name, it.kind).to_lowercase();
+            wanted.is_empty() || words.contains(&wanted)
+        })
+        .collect();
+    if rows.is_empty() {
+        ui.label(RichText::new(texts.say("workshop-none-found")).color(WEAK));
+    }
+    begin_to_rename(ui, model, state);
+    ScrollArea::vertical()
+        .auto_shrink(false)
+        .show_rows(ui, ROW, rows.len(), |ui, range| {
+            for row in &rows[range] {
+                ui.push_id(&row.name, |ui| self::row(ui, model, row, state, wishes));
+            }
+            let rest = ui.available_size_before_wrap().max(vec2(1.0, 12.0));
+            let (_, rest) = ui.allocate_exact_size(rest, Sense::hover());
+            if let Some(name) = rest.dnd_release_payload::<String>() {
+                wishes.push(WorkshopWish::Carry((*name).clone(), None));
+            }
+        });
+}
+
+/// The key that renames what is chosen.
+fn begin_to_rename(ui: &Ui, model: &WorkshopModel<'_>, state: &mut ListState) {
+    if state.renaming.is_some() || !ui.input(|input| input.key_pressed(Key::F2)) {
+        return;
+    }
+    if let Some(row) = model.objects.iter().find(|it| it.selected) {
+        state.renaming = Some((row.name.clone(), row.name.clone()));
+        state.begins = true;
+    }
+}
+
+fn row(
+    ui: &mut Ui,
+    model: &WorkshopModel<'_>,
+    row: &ObjectRow,
+    state: &mut ListState,
+    wishes: &mut Vec<WorkshopWish>,
+) {
+    ui.spacing_mut().interact_size.y = ROW - 4.0;
+    ui.spacing_mut().button_padding.y = 0.0;
+    ui.horizontal(|ui| {
+        ui.set_height(ROW - 4.0);
+        ui.add_space(INDENT * row.depth.min(8) as f32);
+        if let Some((of, name)) = &mut state.renaming
+            && *of == row.name
+        {
+            let label = model.texts.say("workshop-rename");
+            let response = entry(ui, name, &label, "");
+            if std::mem::take(&mut state.begins) {
+                response.request_focus();
+            } else if response.lost_focus() {
+                let takes = ui.input(|input| !input.key_pressed(Key::Escape));
+                if takes && name.trim() != *of && !name.trim().is_empty() {
+                    wishes.push(WorkshopWish::Rename(of.clone(), name.trim().to_owned()));
+                }
+                state.renaming = None;
+            }
+            return;
+        }
+        marks(ui, model, row, wishes);
+        let response = name(ui, model, row);
+        if response.double_clicked() {
+            state.renaming = Some((row.name.clone(), row.name.clone()));
+            state.begins = true;
+        } else if response.clicked() {
+            let held = ui.input(|input| input.modifiers);
+            wishes.push(if held.shift {
+                WorkshopWish::ChooseTo(row.name.clone())
+            } else {
+                WorkshopWish::Choose {
+                    name: row.name.clone(),
+                    adds: held.command,
+                }
+            });
+        }
+        response.dnd_set_drag_payload(row.name.clone());
+        if row.is_group {
+            if response.dnd_hover_payload::<String>().is_some() {
+                ui.painter().rect_filled(response.rect, 4, ACCENT_DIM);
+            }
+            if let Some(dropped) = response.dnd_release_payload::<String>()
+                && *dropped != row.name
+            {
+                let group = Some(row.name.clone());
+                wishes.push(WorkshopWish::Carry((*dropped).clone(), group));
+            }
+        }
+    });
+}
+
+/// The marks that hide and lock: an eye and a lock, drawn.
+fn marks(ui: &mut Ui, model: &WorkshopModel<'_>, row: &ObjectRow, wishes: &mut Vec<WorkshopWish>) {
+    let texts = model.texts;
+    let values = [("name", row.name.as_str().into())];
+    let eye = mark(
+        ui,
+        &texts.say_with("workshop-hide", &values),
+        row.hidden,
+        |painter, rect, colour, on| {
+            let radii = vec2(6.5, 4.0);
+            let stroke = egui::Stroke::new(1.2, colour);
+            painter.add(egui::epaint::EllipseShape::stroke(
+                rect.center(),
+                radii,
+                stroke,
+            ));
+            painter.circle_filled(rect.center(), 1.8, colour);
+            if on {
+                painter.line_segment([rect.left_bottom(), rect.right_top()], stroke);
+            }
+        },
+    );
+    if eye.clicked() {
+        wishes.push(WorkshopWish::Hide(row.name.clone(), !row.hidden));
+    }
+    let lock = mark(
+        ui,
+        &texts.say_with("workshop-lock", &values),
+        row.locked,
+        |painter, rect, colour, on| {
+            let body = egui::Rect::from_center_size(rect.center() + vec2(0.0, 2.5), vec2(9.0, 7.0));
+            let stroke = egui::Stroke::new(1.2, colour);
+            if on {
+                painter.rect_filled(body, 1, colour);
+            } else {
+                painter.rect_stroke(body, 1, stroke, egui::StrokeKind::Inside);
+            }
+            let aside = if on { 0.0 } else { 3.0 };
+            let top = body.center_top() + vec2(aside, 0.0);
+            painter.circle_stroke(top - vec2(0.0, 1.0), 3.0, stroke);
+        },
+    );
+    if lock.clicked() {
+        wishes.push(WorkshopWish::Lock(row.name.clone(), !row.locked));
+    }
+}
+
+fn mark(
+    ui: &mut Ui,
+    label: &str,
+    on: bool,
+    paint: impl FnOnce(&egui::Painter, egui::Rect, Color32, bool),
+) -> Response {
+    let (rect, response) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::click());
+    response.widget_info(|| egui::WidgetInfo::selected(egui::Role::CheckBox, true, on, label));
+    let colour = if on { ACCENT } else { WEAK };
+    paint(ui.painter(), rect, colour, on);
+    focus_ring(ui, &response);
+    response.on_hover_text(label)
+}
+
+fn name(ui: &mut Ui, model: &WorkshopModel<'_>, row: &ObjectRow) -> Response {
+    let _ = model;
+    let colour = if row.hidden { WEAK } else { TEXT };
+    let mut words = RichText::new(&row.name).color(colour);
+    if row.is_group {
+        words = words.strong();
+    }
+    let size = vec2(ui.available_width(), ROW - 4.0);
+    let button = egui::Button::new(words)
+        .selected(row.selected)
+        .frame(row.selected)
+        .right_text(RichText::new(&row.kind).color(WEAK).small())
+        .sense(Sense::click_and_drag())
+        .truncate();
+    let response = ui.add_sized(size, button);
+    focus_ring(ui, &response);
+    response
+}

@@ -1,0 +1,23 @@
+//! The workshop, in which rooms are built: its panes, which show a model and return wishes as all of the interface does.
+//!
+//! The panes are tiles that can be moved and sized, and come back as they were left. The view is the only one through which the
+//! picture of the room is seen: the game draws it where [`WorkshopPanes::view_rect`] says.
+
+mod bar;
+mod field;
+mod inspector;
+mod keys;
+mod layout;
+mod list;
+mod model;
+mod notes;
+mod panes;
+mod parts;
+mod view;
+
+pub use keys::{SHORTCUTS, Shortcut};
+pub use model::{
+    Amount, BarModel, FieldKind, FieldRow, FieldValue, HistoryRow, MessageRow, ObjectRow, PartRow,
+    ToolChoice, Unit, ViewEvent, ViewLine, ViewSide, WorkshopModel, WorkshopWish,
+};
+pub use panes::WorkshopPanes;
