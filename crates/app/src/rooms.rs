@@ -86,11 +86,11 @@ impl OpenRoom {
                 files: Vec::new(),
                 bytes: 0,
             };
-            return Self::of(loaded, None);
+            return Ok(Self::of(loaded, None));
         };
         dir.make(&room)?;
         let kept = dir.find(name)?;
-        Self::of(dir.open(&kept)?, Some(kept))
+        Ok(Self::of(dir.open(&kept)?, Some(kept)))
     }
 
     /// Enters a room that is kept.
@@ -98,7 +98,7 @@ impl OpenRoom {
     /// # Errors
     /// When it is not there any more, or not sound.
     pub fn enter(dir: &RoomsDir, kept: RoomSummary) -> Result<Self, RoomError> {
-        Self::of(dir.open(&kept)?, Some(kept))
+        Ok(Self::of(dir.open(&kept)?, Some(kept)))
     }
 
     /// Enters a room that is kept, so that it can be built in: one of the player's own has its journal, and all that was done to
@@ -129,14 +129,13 @@ impl OpenRoom {
         })
     }
 
-    fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Result<Self, RoomError> {
-        let scene = RoomScene::open(loaded);
-        Ok(Self {
-            scene,
+    fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Self {
+        Self {
+            scene: RoomScene::open(loaded),
             kept,
             look: View::Exact,
             outlines: Outlines::default(),
-        })
+        }
     }
 
     /// Pictures of it are made as the player has chosen for worlds.
@@ -335,7 +334,13 @@ fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), R
         Some(kept) if !kept.shipped => copied(dir, kept, &room)?,
         _ => dir.make(&room)?,
     };
-    open.scene.rename(name)?;
+    if open.scene.document().dir().is_some() {
+        // The journal of the first stays with that.
+        let opened = Document::open(&dir.path().join(&slug))?;
+        open.scene.take_document(opened.document);
+    } else {
+        open.scene.rename(name)?;
+    }
     open.kept = Some(RoomSummary {
         slug,
         name: room.name,

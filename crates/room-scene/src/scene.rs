@@ -189,6 +189,12 @@ impl RoomScene {
         Ok(())
     }
 
+    /// Goes on with the document of another folder, whose room names the same files.
+    pub fn take_document(&mut self, document: Document) {
+        self.document = document;
+        self.work_out();
+    }
+
     /// Gives the room another name.
     ///
     /// # Errors

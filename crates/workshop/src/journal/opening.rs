@@ -120,9 +120,10 @@ fn find(dir: &Path) -> Result<Found, WorkshopError> {
         Some(told) => !told.is_damaged,
         None => fs::symlink_metadata(&journal).is_err(),
     };
-    let aside = match is_whole {
-        true => None,
-        false => Some(put_aside(&journal, &bytes)?),
+    let aside = if is_whole {
+        None
+    } else {
+        Some(put_aside(&journal, &bytes)?)
     };
     Ok(Found {
         lock,
@@ -202,10 +203,9 @@ fn settle(dir: &Path, found: Found, mut told: Told, pace: Pace) -> Result<Opened
     let mark = mark_of(found.text.as_bytes());
     let mut new = told.unwritten(&found.bytes, found.is_new);
     let was_changed = !told.saved.contains(&mark) && found.room != told.room;
-    let mut unversioned = None;
+    let file_room = Arc::new(found.room);
     if was_changed {
-        unversioned = Some(Arc::new(found.room.clone()));
-        let step = told.outside(&found.room);
+        let step = told.outside(&file_room);
         add(&mut new, &step);
     }
     if told.saved[0] != mark {
@@ -219,53 +219,45 @@ fn settle(dir: &Path, found: Found, mut told: Told, pace: Pace) -> Result<Opened
         told.good = new.len();
         new.clear();
     }
-    let mut options = File::options();
-    let file = options
-        .create(true)
-        .truncate(false)
-        .read(true)
-        .write(true)
-        .open(&journal);
-    let file = file.map_err(io("Writing", &journal))?;
-    file.set_len(told.good as u64)
-        .map_err(io("Writing", &journal))?;
-    if versions(dir).is_empty() {
-        unversioned.get_or_insert_with(|| Arc::new(found.room.clone()));
-    }
-    let room = Arc::new(told.room);
+    let is_first = was_changed || versions(dir).is_empty();
     let worker = Worker {
         dir: dir.to_path_buf(),
+        file: open_at_end(&journal, told.good as u64)?,
         journal,
-        file,
         good: told.good as u64,
         known: vec![
-            (Arc::new(found.room.clone()), found.text),
+            (file_room.clone(), found.text),
             (Arc::new(told.base), told.base_text),
         ],
         saved: mark,
         pace,
         lock: found.lock,
         pending: new,
-        unversioned,
-    };
-    let is_ahead = *room != found.room;
-    let saved = if is_ahead {
-        Arc::new(found.room)
-    } else {
-        room.clone()
+        unversioned: is_first.then(|| file_room.clone()),
     };
     let keeper = Keeper::start(worker)?;
     keeper.flush();
+    let is_ahead = told.room != *file_room;
+    let room = Arc::new(told.room);
     let mut document = Document::of(room, History::of(told.steps, told.made));
     document.marks_mut().hidden = told.hidden;
     document.marks_mut().locked = told.locked;
-    document.kept = Kept::by(keeper, dir.to_path_buf(), saved);
+    document.kept = Kept::by(keeper, dir.to_path_buf(), file_room);
     Ok(Opened {
         document,
         is_ahead,
         was_changed,
         aside: found.aside,
     })
+}
+
+/// Opens a journal of which so many bytes count.
+fn open_at_end(journal: &Path, good: u64) -> Result<File, StorageError> {
+    let mut options = File::options();
+    options.create(true).truncate(false).read(true).write(true);
+    let file = options.open(journal).map_err(io("Writing", journal))?;
+    file.set_len(good).map_err(io("Writing", journal))?;
+    Ok(file)
 }
 
 impl Told {
