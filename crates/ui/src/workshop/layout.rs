@@ -1,6 +1,7 @@
 //! How the panes lie, and that as a text which the settings keep: `row(0.25 tabs(list* parts) 0.75 view)`. A star follows the
 //! tab that is up.
 
+use std::fmt::Write as _;
 use std::iter::Peekable;
 use std::str::Chars;
 
@@ -100,7 +101,8 @@ fn put(tiles: &Tiles<Pane>, id: TileId, out: &mut String) {
                     out.push(' ');
                 }
                 let share = linear.shares[*child] / sum.max(1e-6);
-                out.push_str(&format!("{share:.3} "));
+                // Writing into a text does not fail.
+                let _ = write!(out, "{share:.3} ");
                 put(tiles, *child, out);
             }
             out.push(')');

@@ -47,19 +47,19 @@ fn join(row: &mut FieldRow, other: &FieldRow) -> bool {
             }
             true
         }
-        (FieldKind::Stretch(mine), FieldKind::Stretch(theirs)) => keep_equal(mine, theirs),
-        (FieldKind::Colour(mine), FieldKind::Colour(theirs)) => keep_equal(mine, theirs),
-        (FieldKind::Text(mine), FieldKind::Text(theirs)) => keep_equal(mine, theirs),
-        (FieldKind::Switch(mine), FieldKind::Switch(theirs)) => keep_equal(mine, theirs),
+        (FieldKind::Stretch(mine), FieldKind::Stretch(theirs)) => keep_equal(mine, theirs.as_ref()),
+        (FieldKind::Colour(mine), FieldKind::Colour(theirs)) => keep_equal(mine, theirs.as_ref()),
+        (FieldKind::Text(mine), FieldKind::Text(theirs)) => keep_equal(mine, theirs.as_ref()),
+        (FieldKind::Switch(mine), FieldKind::Switch(theirs)) => keep_equal(mine, theirs.as_ref()),
         (FieldKind::Choice(options, mine), FieldKind::Choice(same, theirs)) if options == same => {
-            keep_equal(mine, theirs)
+            keep_equal(mine, theirs.as_ref())
         }
         _ => false,
     }
 }
 
-fn keep_equal<T: PartialEq>(mine: &mut Option<T>, theirs: &Option<T>) -> bool {
-    if mine != theirs {
+fn keep_equal<T: PartialEq>(mine: &mut Option<T>, theirs: Option<&T>) -> bool {
+    if mine.as_ref() != theirs {
         *mine = None;
     }
     true

@@ -7,7 +7,7 @@ use antipode_rooms::aberration::Lengths;
 use antipode_rooms::{What, poses};
 use antipode_ui::workshop::ViewLine;
 use egui::Color32;
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
 use super::{Workshop, chosen};
 
@@ -22,15 +22,19 @@ const CHOSEN: Color32 = Color32::from_rgb(0xF2, 0x99, 0x4A);
 /// Of what is under the pointer.
 const HOT: Color32 = Color32::from_rgb(0xFF, 0xF0, 0xC8);
 /// Most things whose edges are drawn.
-const MOST: usize = 24;
+const MOST: usize = 12;
 /// Pieces of an edge.
 const PIECES: usize = 8;
 
 /// All of them.
 pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewLine> {
     let mut all = Vec::new();
-    for index in chosen::indices(scene).into_iter().take(MOST) {
-        edges(workshop, scene, index, &mut all);
+    let chosen = chosen::indices(scene);
+    if !chosen.is_empty() {
+        let poses = poses(scene.room());
+        for index in chosen.into_iter().take(MOST) {
+            edges(workshop, scene, (index, &poses[index]), &mut all);
+        }
     }
     if let Some([a, b]) = workshop.frame
         && a != b
@@ -115,10 +119,13 @@ fn lengths(scene: &RoomScene, texts: &Texts) -> Option<String> {
 }
 
 /// The edges of the box about a thing, as they are seen.
-fn edges(workshop: &Workshop, scene: &RoomScene, index: usize, all: &mut Vec<ViewLine>) {
-    let room = scene.room();
-    let object = &room.objects[index];
-    let pose = poses(room)[index];
+fn edges(
+    workshop: &Workshop,
+    scene: &RoomScene,
+    (index, pose): (usize, &DAffine3),
+    all: &mut Vec<ViewLine>,
+) {
+    let object = &scene.room().objects[index];
     let half = chosen::half(&object.what);
     // A box that space is stretched in is seen from outside, and so are its edges.
     let Some((through, at)) = workshop.through(scene, pose.translation, Some(index)) else {

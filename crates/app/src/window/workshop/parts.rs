@@ -171,7 +171,7 @@ mod tests {
         for id in PARTS.into_iter().chain(PARTS) {
             let x = document.room().objects.len() as f64 * 8.0 - 120.0;
             let ground = (DVec3::new(x + 0.07, 0.0, -5.1), DVec3::Y);
-            let edit = put(document.room(), id, ground, |metres| metres.round()).unwrap();
+            let edit = put(document.room(), id, ground, f64::round).unwrap();
             document.edit(&edit).unwrap();
             let made = document.room().objects.last().unwrap();
             let lowest = made.at.y - half(&made.what).y;
