@@ -85,11 +85,11 @@ impl OpenRoom {
                 files: Vec::new(),
                 bytes: 0,
             };
-            return Self::of(loaded, None);
+            return Ok(Self::of(loaded, None));
         };
         dir.make(&room)?;
         let kept = dir.find(name)?;
-        Self::of(dir.open(&kept)?, Some(kept))
+        Ok(Self::of(dir.open(&kept)?, Some(kept)))
     }
 
     /// Enters a room that is kept.
@@ -97,7 +97,7 @@ impl OpenRoom {
     /// # Errors
     /// When it is not there any more, or not sound.
     pub fn enter(dir: &RoomsDir, kept: RoomSummary) -> Result<Self, RoomError> {
-        Self::of(dir.open(&kept)?, Some(kept))
+        Ok(Self::of(dir.open(&kept)?, Some(kept)))
     }
 
     /// Enters a room that is kept, so that it can be built in: one of the player's own has its journal, and all that was done to
@@ -128,14 +128,13 @@ impl OpenRoom {
         })
     }
 
-    fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Result<Self, RoomError> {
-        let scene = RoomScene::open(loaded);
-        Ok(Self {
-            scene,
+    fn of(loaded: Loaded, kept: Option<RoomSummary>) -> Self {
+        Self {
+            scene: RoomScene::open(loaded),
             kept,
             look: View::Exact,
             outlines: Outlines::default(),
-        })
+        }
     }
 
     /// Pictures of it are made as the player has chosen for worlds.

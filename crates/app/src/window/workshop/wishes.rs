@@ -110,6 +110,7 @@ impl Workshop {
                 document.end_drag();
                 let plan = document.plan_redo(1)?;
                 bench.commit(plan)?;
+                bench.scene.document_mut().select_made();
             }
             WorkshopWish::GoTo(step) => {
                 document.end_drag();
