@@ -14,6 +14,8 @@ use super::rows::free_name;
 
 /// How far apart the two of a new pair of portals stand, metres.
 const APART_M: f64 = 6.0;
+/// How far above the ground portals stand, metres: they may not touch the sides of an aberration that ends there.
+const LIFTED_M: f64 = 0.005;
 /// Every part, by its word.
 pub const PARTS: [&str; 14] = [
     "box", "wall", "floor", "pyramid", "ramp", "stairs", "arch", "cylinder", "ball", "light",
@@ -46,7 +48,7 @@ pub fn put(
             + normal * out,
     );
     if id == "portals" {
-        return Some(pair(room, at));
+        return Some(pair(room, at + LIFTED_M * DVec3::Y));
     }
     let mut object = Object::new(&free_name(room, id), at, what);
     object.surface = surface(id);
@@ -175,7 +177,8 @@ mod tests {
             document.edit(&edit).unwrap();
             let made = document.room().objects.last().unwrap();
             let lowest = made.at.y - half(&made.what).y;
-            assert!(lowest.abs() < 1e-9, "{id}: {lowest}");
+            let lifted = if id == "portals" { LIFTED_M } else { 0.0 };
+            assert!((lowest - lifted).abs() < 1e-9, "{id}: {lowest}");
             assert_eq!(made.at.z, -5.0, "{id}");
         }
         assert!(antipode_rooms::space(document.room()).is_ok());
