@@ -144,10 +144,10 @@ fn door(to: &str) -> Portal {
 /// Two portals that lead to each other, both with their fronts to +z.
 fn pair(room: &Room, at: DVec3) -> Edit {
     let first = free_name(room, "door");
-    let mut second = free_name(room, "door 2");
-    if second == first {
-        second = free_name(room, "door 3");
-    }
+    // The next name that is free beside the first.
+    let mut names = (2..10_000).map(|number| format!("door {number}"));
+    let is_free = |name: &String| *name != first && room.find(name).is_none();
+    let second = names.find(is_free).unwrap_or_default();
     let portal = |name: &str, to: &str, at: DVec3| {
         let mut object = Object::new(name, at, What::Portal(door(to)));
         object.turn.x = 90.0;
