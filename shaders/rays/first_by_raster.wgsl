@@ -4,7 +4,8 @@
 // A view through a row of doors and portals: light that the eye has from felt direction w is at origin + t K turn w after t felt
 // metres of the eye's size, K that of the boxes there times scale.
 struct View {
-    origin: vec4<f32>,      // w: depth of the stack
+    origin: vec3<f32>,
+    depth: u32,             // of the stack
     k_x: vec4<f32>,         // columns of K
     k_y: vec4<f32>,
     k_z: vec4<f32>,
@@ -59,7 +60,7 @@ fn look_for_boxes(path: ptr<function, Path>, v: vec3<f32>) {
     (*path).stack = vec4<u32>(0u);
     (*path).depth = 0u;
     for (var number = 0u; number < views.boxes; number++) {
-        let room = abs(local_vector(number, place - space.boxes[number].centre)) - half_of(number);
+        let room = abs(local_place(number, place)) - half_of(number);
         if greatest(room) < 0.0 {
             stack_push(path, number);
         }
@@ -82,7 +83,7 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
         let v = k * w;
         var time = 0.0;
         if seen.x < WALL_SEEN {
-            ended.found = meet_again(seen.x - 1u, seen.y >> 8u, origin.xyz, v);
+            ended.found = meet_again(seen.x - 1u, seen.y >> 8u, origin, v);
             time = ended.found.time;
             ended.end = END_OBJECT;
         } else {
@@ -90,7 +91,7 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
             ended.axis = (seen.x >> 1u) & 3u;
             let normal = axis_of(ended.wall, ended.axis);
             let side = select(-1.0, 1.0, (seen.x & 1u) != 0u) * half_of(ended.wall)[ended.axis];
-            time = max((side - dot(normal, origin.xyz - space.boxes[ended.wall].centre)) / dot(normal, v), 0.0);
+            time = max((side - dot(normal, origin - space.boxes[ended.wall].centre)) / dot(normal, v), 0.0);
             ended.end = END_WALL;
         }
         if time > longest {
@@ -98,7 +99,7 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
         } else {
             ended.length = time;
             var there = path;
-            there.x = origin.xyz + time * v;
+            there.x = origin + time * v;
             there.w = w;
             there.unbent = w;
             there.k = k;
@@ -106,7 +107,7 @@ fn next_seen(path: Path, longest: f32, bounce: u32, pixel: vec2<u32>) -> Ended {
             there.left = views.list[view].left;
             there.passed = views.list[view].passed;
             there.stack = views.list[view].stack;
-            there.depth = u32(origin.w);
+            there.depth = views.list[view].depth;
             if views.boxes > 0u {
                 look_for_boxes(&there, v);
             }

@@ -45,7 +45,10 @@ struct Frame {
     first_row: u32,
     end_row: u32,
     scale: f32,             // how many times larger than at first the eye is
-    lamps: array<Lamp, 8>,
+}
+
+struct Lamps {
+    all: array<Lamp, 8>,
 }
 
 struct Material {
@@ -70,3 +73,5 @@ struct Material {
 @group(1) @binding(4) var texture_sampler: sampler;
 @group(1) @binding(5) var light_out: texture_storage_2d<rgba16float, write>;
 @group(1) @binding(6) var seen_out: texture_storage_2d<rg32uint, write>;
+// Lanes may be at different lamps: software adapters read a uniform many lanes at a time.
+@group(1) @binding(7) var<uniform> lamps: Lamps;

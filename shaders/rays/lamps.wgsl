@@ -5,6 +5,7 @@ struct Aim {
     w: vec3<f32>,
     length: f32,    // felt metres of the lamp's size, or -1 where it does not
     scale: f32,     // how large, to those, the metres here are
+    pace: f32,      // metres of the scene for a felt one, at the lamp
 }
 
 // A row of up to three media behind each other, in the axes of the box whose faces part them.
@@ -20,30 +21,29 @@ fn has_one_more(stack: vec4<u32>, depth: u32, than: vec4<u32>, than_depth: u32) 
         return NOTHING;
     }
     var only = NOTHING;
-    for (var at = 0u; at < depth; at++) {
+    var others = 0u;
+    var at = 0u;
+    loop {
         let number = stack_get(stack, at);
         if !stack_has(than, than_depth, number) {
-            if only != NOTHING {
-                return NOTHING;
-            }
             only = number;
+            others += 1u;
+        }
+        at += 1u;
+        if !HAS_NESTS || at >= depth {
+            break;
         }
     }
-    return only;
-}
-
-fn axes_of(number: u32) -> mat3x3<f32> {
-    return mat3x3<f32>(space.boxes[number].x_axis, space.boxes[number].y_axis, space.boxes[number].z_axis);
+    return select(NOTHING, only, others == 1u);
 }
 
 fn weight(part: f32, medium: vec3<f32>, i: u32) -> vec3<f32> {
     return part * medium[i] / medium;
 }
 
-// The way through the faces across axis i from p to l, both in the box's coordinates; `to_felt` is the inverse of K outside
-// of the box.
+// The way through the faces across axis i from p to l, both in the box's coordinates; `to_felt` is the inverse of K at p.
 fn through_faces(row: Row, i: u32, p: vec3<f32>, l: vec3<f32>, to_felt: mat3x3<f32>) -> Aim {
-    let none = Aim(vec3<f32>(0.0), -1.0, 1.0);
+    let none = Aim(vec3<f32>(0.0), -1.0, 1.0, 1.0);
     let number = row.number;
     let away = l - p;
     let h = half_of(number);
@@ -72,19 +72,19 @@ fn through_faces(row: Row, i: u32, p: vec3<f32>, l: vec3<f32>, to_felt: mat3x3<f
         return none;
     }
     let time = parts.x * row.media[0][i] + parts.y * row.media[1][i] + parts.z * row.media[2][i];
-    let felt = to_felt * (axes_of(number) * (u * time));
-    let length = length(felt);
-    return Aim(felt / max(length, 1.0e-20), length, 1.0);
+    let felt = to_felt * (axes_of(number) * (u * time / row.media[0]));
+    let felt_m = max(length(felt), 1.0e-20);
+    return Aim(felt / felt_m, felt_m, 1.0, length(u / row.media[row.count - 1u]) * time / felt_m);
 }
 
 // The way to a lamp through a portal. Behind it the lamp shows where the inverse of G, which is that of its partner, takes it.
 fn lamp_through_portal(from_path: ptr<function, Path>, lamp: u32, number: u32) -> Aim {
-    let none = Aim(vec3<f32>(0.0), -1.0, 1.0);
+    let none = Aim(vec3<f32>(0.0), -1.0, 1.0, 1.0);
     let partner = portals.all[number].partner;
     let x = (*from_path).x;
     let is_here = (*from_path).depth == portals.all[number].depth && all((*from_path).stack == portals.all[number].stack);
-    let is_there = frame.lamps[lamp].depth == portals.all[partner].depth && all(frame.lamps[lamp].stack == portals.all[partner].stack);
-    let image = portals.all[number].at + portal_carried(partner, frame.lamps[lamp].place - portals.all[partner].at);
+    let is_there = lamps.all[lamp].depth == portals.all[partner].depth && all(lamps.all[lamp].stack == portals.all[partner].stack);
+    let image = portals.all[number].at + portal_carried(partner, lamps.all[lamp].place - portals.all[partner].at);
     let here = before_portal(number, x);
     let there = before_portal(number, image);
     let is_open = here > 0.0 || portals.all[number].sides == 2u;
@@ -92,24 +92,24 @@ fn lamp_through_portal(from_path: ptr<function, Path>, lamp: u32, number: u32) -
         return none;
     }
     let away = image - x;
-    let felt = inverse_of(squeeze_of((*from_path).stack, (*from_path).depth, away, false)) * away;
-    let length = length(felt);
+    let felt = inverse_of(squeeze_toward(from_path, away)) * away;
+    let felt_m = max(length(felt), 1.0e-20);
     let scale = portals.all[number].scale;
-    return Aim(felt / max(length, 1.0e-20), length * scale, 1.0 / scale);
+    return Aim(felt / felt_m, felt_m * scale, 1.0 / scale, length(portal_carried(number, away)) / (felt_m * scale));
 }
 
 // The direction of the sun as it shows in a portal, where that may be seen from a place.
 fn sun_through_portal(from_path: ptr<function, Path>, number: u32) -> Aim {
-    let none = Aim(vec3<f32>(0.0), -1.0, 1.0);
+    let none = Aim(vec3<f32>(0.0), -1.0, 1.0, 1.0);
     if portals.all[number].is_turned == 0u {
         return none;
     }
     let w = portal_turned_back(number, frame.sun);
     let is_here = (*from_path).depth == portals.all[number].depth && all((*from_path).stack == portals.all[number].stack);
-    if is_here && portal_opening(number, from_path, squeeze_of((*from_path).stack, (*from_path).depth, w, false) * w).time < 0.0 {
+    if is_here && portal_opening(number, from_path, squeeze_toward(from_path, w) * w).time < 0.0 {
         return none;
     }
-    return Aim(w, frame.reach_m, 1.0);
+    return Aim(w, frame.reach_m, 1.0, 1.0);
 }
 
 // Whether a path to the sun has come to it: straight, or through a portal by itself where one is named.
@@ -127,8 +127,8 @@ fn lamp_tries(from_path: ptr<function, Path>, lamp: u32) -> u32 {
     }
     let stack = (*from_path).stack;
     let depth = (*from_path).depth;
-    let lamp_stack = frame.lamps[lamp].stack;
-    let lamp_depth = frame.lamps[lamp].depth;
+    let lamp_stack = lamps.all[lamp].stack;
+    let lamp_depth = lamps.all[lamp].depth;
     if depth == lamp_depth && all(stack == lamp_stack) {
         var count = ways.outermost_count;
         if depth > 0u {
@@ -141,23 +141,23 @@ fn lamp_tries(from_path: ptr<function, Path>, lamp: u32) -> u32 {
 
 // The way of a number below that.
 fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
-    let none = Aim(vec3<f32>(0.0), -1.0, 1.0);
+    let none = Aim(vec3<f32>(0.0), -1.0, 1.0, 1.0);
     let own = (*from_path).stack;
     let own_depth = (*from_path).depth;
-    let lamp_stack = frame.lamps[lamp].stack;
-    let lamp_depth = frame.lamps[lamp].depth;
-    let place = frame.lamps[lamp].place;
+    let lamp_stack = lamps.all[lamp].stack;
+    let lamp_depth = lamps.all[lamp].depth;
+    let place = lamps.all[lamp].place;
     let away = place - (*from_path).x;
     let is_same = own_depth == lamp_depth;
     // What both are in, and what only one of them is.
     let is_lamp_inner = own_depth < lamp_depth;
     let outer = select(lamp_stack, own, is_lamp_inner || is_same);
     let outer_depth = min(own_depth, lamp_depth);
-    let to_felt = inverse_of(squeeze_of(outer, outer_depth, away, false));
-    let straight = to_felt * away;
+    let to_felt = inverse_of(squeeze_toward(from_path, away));
     if IS_FLAT || (is_same && attempt == 0u) {
-        let length = length(straight);
-        return Aim(straight / max(length, 1.0e-20), length, 1.0);
+        let straight = to_felt * away;
+        let felt_m = max(length(straight), 1.0e-20);
+        return Aim(straight / felt_m, felt_m, 1.0, length(away) / felt_m);
     }
     var number = 0u;
     var axis = attempt % 3u;
@@ -184,7 +184,7 @@ fn lamp_aim(from_path: ptr<function, Path>, lamp: u32, attempt: u32) -> Aim {
     let s = select(one, space.boxes[number].stretch, is_felt(number, away));
     let leaves = !is_same && !is_lamp_inner;
     let row = Row(number, array<vec3<f32>, 3>(select(one, s, leaves), select(s, one, leaves), select(one, s, is_lamp_inner)), select(2u, 3u, is_same), select(vec2<f32>(-1.0, 1.0), vec2<f32>(1.0, -1.0), leaves));
-    let p = local_vector(number, (*from_path).x - space.boxes[number].centre);
-    let l = local_vector(number, place - space.boxes[number].centre);
+    let p = local_place(number, (*from_path).x);
+    let l = local_place(number, place);
     return through_faces(row, axis, p, l, to_felt);
 }

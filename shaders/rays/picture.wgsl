@@ -111,11 +111,11 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     let v = path.k * path.w;
     var flat = axis_of(number, (*ended).axis);
     flat = select(flat, -flat, dot(flat, v) > 0.0);
-    let local = local_vector(number, path.x - space.boxes[number].centre);
+    let local = local_place(number, path.x);
     let is_inside = stack_has(path.stack, path.depth, number);
     let s = select(vec3<f32>(1.0), space.boxes[number].stretch, is_inside);
     let n = normalize(flat * path.k);
-    let local_n = local_vector(number, flat);
+    let local_n = flat * axes_of(number);
     let width = path.scale * felt_width / max(abs(dot(n, path.w)), 0.04);
     let material = space.boxes[number].wall_material;
     let at = (local + half_of(number)) * s;
@@ -126,21 +126,21 @@ fn wall_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
 // A way by which light may come: from the sun, which is 0, or a lamp, and how strongly it shines there if nothing is between.
 struct Beam {
     light: u32,
-    attempt: u32,   // the next of the ways from this light
-    through: u32,   // a portal, or NO_PORTAL
+    through: u32,       // a portal, or NO_PORTAL
     aim: Aim,
     strength: vec3<f32>,
     share: f32,
     is_there: bool,
+    next_light: u32,    // what is to be tried after it: a light, and which of the ways from there
+    next_attempt: u32,
 }
 
-// The next way by which enough light may come to a surface.
+// The next way by which enough light may come to a surface, from this one on.
 fn next_beam(at: ptr<function, Path>, surface: Surface, from_light: u32, from_attempt: u32) -> Beam {
-    var beam = Beam(from_light, from_attempt, NO_PORTAL, Aim(frame.sun, frame.reach_m, 1.0), frame.sun_colour, 0.0, false);
+    var beam = Beam(0u, NO_PORTAL, Aim(frame.sun, frame.reach_m, 1.0, 1.0), vec3<f32>(0.0), 0.0, false, from_light, from_attempt);
     loop {
-        if beam.is_there || beam.light > frame.lamp_count {
-            break;
-        }
+        let attempt = beam.next_attempt;
+        beam.light = beam.next_light;
         let is_sun = beam.light == 0u;
         let lamp = select(beam.light - 1u, 0u, is_sun);
         let without = select(lamp_tries(at, lamp), frame.sun_count, is_sun);
@@ -148,27 +148,27 @@ fn next_beam(at: ptr<function, Path>, surface: Surface, from_light: u32, from_at
         if HAS_PORTALS && without + u32(!is_sun) > 0u {
             tries += ways.portal_count;
         }
-        if beam.attempt >= tries {
-            beam.light += 1u;
-            beam.attempt = 0u;
-            continue;
-        }
-        let is_through = HAS_PORTALS && beam.attempt >= without;
-        beam.through = select(NO_PORTAL, beam.attempt - without, is_through);
+        let is_through = HAS_PORTALS && attempt >= without;
+        beam.through = select(NO_PORTAL, attempt - without, is_through);
         if is_through && is_sun {
             beam.aim = sun_through_portal(at, beam.through);
         } else if is_through {
             beam.aim = lamp_through_portal(at, lamp, beam.through);
         } else if !is_sun {
-            beam.aim = lamp_aim(at, lamp, beam.attempt);
+            beam.aim = lamp_aim(at, lamp, attempt);
         }
-        if !is_sun {
-            beam.strength = frame.lamps[lamp].colour * lamp_through(max(beam.aim.length, 0.0), frame.lamps[lamp].reach_m);
-        }
+        let of_lamp = lamps.all[lamp].colour * lamp_through(max(beam.aim.length, 0.0), lamps.all[lamp].reach_m);
+        beam.strength = select(of_lamp, frame.sun_colour, is_sun);
         let cosine = dot(surface.n, beam.aim.w);
         beam.share = select(lamp_diffuse(cosine), max(cosine, 0.0), is_sun);
-        beam.is_there = !(beam.aim.length < 0.0 || cosine <= 0.0 || greatest(beam.strength) * beam.share < FAINT * 0.1);
-        beam.attempt += 1u;
+        let is_faint = cosine <= 0.0 || greatest(beam.strength) * beam.share < FAINT * 0.1;
+        beam.is_there = attempt < tries && beam.aim.length >= 0.0 && !is_faint;
+        let is_last = attempt + 1u >= tries;
+        beam.next_attempt = select(attempt + 1u, 0u, is_last);
+        beam.next_light += u32(is_last);
+        if beam.is_there || beam.next_light > frame.lamp_count {
+            break;
+        }
     }
     return beam;
 }
@@ -177,36 +177,38 @@ fn next_beam(at: ptr<function, Path>, surface: Surface, from_light: u32, from_at
 fn beam_arrives(at: ptr<function, Path>, beam: Beam, on_held: bool) -> bool {
     let is_sun = beam.light == 0u;
     let lamp = select(beam.light - 1u, 0u, is_sun);
-    let radius = select(frame.lamps[lamp].radius_m, 0.0, is_sun);
+    let radius = select(lamps.all[lamp].radius_m, 0.0, is_sun);
     var longest = beam.aim.length;
     if !is_sun {
         // The lamp is as large as it is in the scene, whatever it feels like.
-        let k = squeeze_of(frame.lamps[lamp].stack, frame.lamps[lamp].depth, beam.aim.w, false);
-        longest = max(longest - radius / length(k * beam.aim.w), 0.0);
+        longest = max(longest - radius / beam.aim.pace, 0.0);
     }
-    let ended = trace(path_from((*at).x, beam.aim.w, (*at).stack, (*at).depth, false, beam.aim.scale), longest, true, on_held, 0.0);
+    let ended = trace(path_toward(at, beam.aim.w, beam.aim.scale), longest, true, on_held, 0.0);
     if is_sun {
         return ended.end == END_SPENT && (!HAS_PORTALS || is_sunward(ended.path, beam.through));
     }
     // Where it met other boxes it has gone elsewhere.
-    let left = frame.lamps[lamp].place - ended.path.x;
+    let left = lamps.all[lamp].place - ended.path.x;
     return ended.end == END_SPENT && length(left) <= radius + 0.002 * (1.0 + beam.aim.length);
 }
 
 // Light of the sun and of lamps that falls on a surface, and what of it shines. Software adapters go through the body of a loop
 // for lanes that have left it, too: so that they trace no more often than the lane with the most beams, all of a beam but the
-// tracing is found out in a loop of its own, before and at the end of the one that traces. What the eye looks through throws no
+// tracing is found out in a loop of its own, within the one that traces. What the eye looks through throws no
 // shadow on what is held before it.
 fn direct_light(at: ptr<function, Path>, surface: Surface, to_eye: vec3<f32>, on_held: bool) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     let gloss = materials[surface.material].gloss;
-    var beam = next_beam(at, surface, 0u, 0u);
+    var light = 0u;
+    var attempt = 0u;
     loop {
+        let beam = next_beam(at, surface, light, attempt);
         if beam.is_there && beam_arrives(at, beam, on_held) {
             sum += beam.strength * (beam.share + gloss * shine(surface.n, beam.aim.w, to_eye));
         }
-        beam = next_beam(at, surface, beam.light, beam.attempt);
-        if !beam.is_there {
+        light = beam.next_light;
+        attempt = beam.next_attempt;
+        if light > frame.lamp_count {
             break;
         }
     }

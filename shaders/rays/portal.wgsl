@@ -30,10 +30,15 @@ struct Portal {
     stack: vec4<u32>,       // that it stands in
 }
 
+struct Edge {
+    inwards: vec2<f32>,     // a direction in the portal's plane, to the right and up
+    least: f32,             // what a place of the polygon has along it
+    padding: f32,
+}
+
 struct Portals {
     all: array<Portal, 64>,
-    // Directions inwards in a portal's plane, to the right and up, and what a place of the polygon has at least along them.
-    edges: array<vec4<f32>, 1024>,
+    edges: array<Edge, 1024>,
 }
 
 // Whether there are portals: what is not there takes no time.
@@ -50,6 +55,15 @@ fn carry(path: ptr<function, Path>) -> mat3x3<f32> {
     return k;
 }
 
+// K of a path's boxes for who goes from there in felt direction w and is no light of the picture, without the path's scale. It is
+// the path's own where all boxes are felt whichever way.
+fn squeeze_toward(path: ptr<function, Path>, w: vec3<f32>) -> mat3x3<f32> {
+    if HAS_HEADINGS || HAS_LEGACY {
+        return squeeze_of((*path).stack, (*path).depth, w, false);
+    }
+    return (*path).k * (1.0 / (*path).scale);
+}
+
 fn portal_slack(x: vec3<f32>) -> f32 {
     return ROUNDING * (1.0 + greatest(abs(x)));
 }
@@ -63,7 +77,7 @@ fn is_in_portal(number: u32, x: vec3<f32>) -> bool {
     let local = vec2<f32>(dot(portals.all[number].right, away), dot(portals.all[number].up, away));
     let first = portals.all[number].first;
     for (var edge = first; edge < first + portals.all[number].edges; edge++) {
-        if dot(portals.edges[edge].xy, local) < portals.edges[edge].z {
+        if dot(portals.edges[edge].inwards, local) < portals.edges[edge].least {
             return false;
         }
     }

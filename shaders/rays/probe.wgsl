@@ -1,15 +1,22 @@
 // Rays of a list, to compare with the same in f64. Follows trace.wgsl.
 
 struct Ray {
-    x: vec4<f32>,       // w: longest
-    w: vec4<f32>,       // w: depth of its stack
+    x: vec3<f32>,
+    longest: f32,       // felt metres
+    w: vec3<f32>,       // felt direction
+    depth: u32,         // of its stack
     stack: vec4<u32>,
 }
 
 struct Answer {
-    x: vec4<f32>,       // w: felt length
-    w: vec4<f32>,       // w: events
-    what: vec4<u32>,    // how it ended; object or aberration; triangle or axis; depth of the stack
+    x: vec3<f32>,
+    length: f32,        // felt metres
+    w: vec3<f32>,
+    events: u32,
+    end: u32,           // how it ended
+    what: u32,          // the object or the aberration
+    part: u32,          // its triangle or axis
+    depth: u32,         // of its stack
     stack: vec4<u32>,
 }
 
@@ -22,15 +29,17 @@ fn probe(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let ray = rays[id.x];
-    let ended = trace(path_from(ray.x.xyz, ray.w.xyz, ray.stack, u32(ray.w.w), false, 1.0), ray.x.w, false, false, 0.0);
-    var what = vec2<u32>(ended.wall, ended.axis);
+    let ended = trace(path_from(ray.x, ray.w, ray.stack, ray.depth, false, 1.0), ray.longest, false, false, 0.0);
+    var what = ended.wall;
+    var part = ended.axis;
     if ended.end == END_OBJECT {
-        what = vec2<u32>(instance_part(ended.found.instance, 3u).y, triangle_part(ended.found.triangle, 0u).w);
+        what = instance_part(ended.found.instance, 3u).y;
+        part = triangle_part(ended.found.triangle, 0u).w;
     }
     answers[id.x] = Answer(
-        vec4<f32>(ended.path.x, ended.length),
-        vec4<f32>(ended.path.w, f32(ended.events)),
-        vec4<u32>(ended.end, what, ended.path.depth),
+        ended.path.x, ended.length,
+        ended.path.w, ended.events,
+        ended.end, what, part, ended.path.depth,
         ended.path.stack,
     );
 }

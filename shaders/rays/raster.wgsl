@@ -4,7 +4,8 @@
 // What is drawn at once: triangles of a mesh, or faces of boxes, in one view.
 struct Draw {
     to_clip: mat4x4<f32>,   // from a place of the mesh about `eye`
-    eye: vec4<f32>,         // in the mesh's coordinates; w: of a face, by how much its depth is greater
+    eye: vec3<f32>,         // in the mesh's coordinates
+    depth_factor: f32,      // of a face: by how much its depth is greater
     cut: vec4<f32>,         // a plane in these: what is before it is not seen
     what: u32,              // of a face: what it is
     instance: u32,          // added to the instance of what stays
@@ -34,7 +35,7 @@ fn part_of(triangle: u32, part: u32) -> vec4<u32> {
 
 fn corner_at(at: u32, place: vec3<f32>, what: u32, instance: u32) -> Corner {
     let beyond = dot(draws[at].cut, vec4<f32>(place, 1.0));
-    let clip = draws[at].to_clip * vec4<f32>(place - draws[at].eye.xyz, 1.0);
+    let clip = draws[at].to_clip * vec4<f32>(place - draws[at].eye, 1.0);
     return Corner(clip, vec2<u32>(what, (instance << 8u) | draws[at].view), draws[at].door, beyond);
 }
 
@@ -60,7 +61,7 @@ fn face(@builtin(vertex_index) vertex: u32, @builtin(instance_index) at: u32) ->
     let top = vertex == 2u || vertex >= 4u;
     let place = vec3<f32>(select(-1.0, 1.0, right), select(-1.0, 1.0, top), 0.0);
     var corner = corner_at(at, place, draws[at].what, 0u);
-    corner.place.z *= draws[at].eye.w;
+    corner.place.z *= draws[at].depth_factor;
     return corner;
 }
 

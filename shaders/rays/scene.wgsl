@@ -1,8 +1,9 @@
 // The solids of a scene: a hierarchy of boxes over all that stays, one for each mesh that moves, and one over all of these.
-// Follows space.wgsl; how many children may wait, WAITING_ROOM, is put before all files.
+// Follows space.wgsl.
 //
 // What is read at each step lies in textures: software adapters read them many lanes at a time, and buffers lane after lane.
-// They also run both branches of every `if`, so that what is seldom needed stands in a loop further out.
+// They also run both branches of every `if`, so that what is seldom needed stands in a loop further out; and the body of a loop
+// once more for lanes that leave it at its beginning, so that loops are left at their end.
 
 const NOTHING: u32 = 0xffffffffu;
 // What is waiting below all that belongs to the instance that a path is in.
@@ -83,11 +84,17 @@ fn meet(triangle: u32, o: vec3<f32>, d: vec3<f32>, instance: u32, found: ptr<fun
     return second.w != 0u;
 }
 
+// How many children may wait while a path goes down the hierarchies: each has 40 levels at most and as many more as halving
+// what is left takes (bvh.rs).
+const WAITING_ROOM: u32 = 98u;
+
+// Children that wait. Not of the function, which would have to empty it anew each time.
+var<private> waiting: array<u32, WAITING_ROOM>;
+
 // What the path x + t v meets first for 0 <= t <= longest; or anything that it meets, where `any_will_do`. Light of the eye
 // passes what it does not see, and all other light what is held before it.
 fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do: bool, of_eye: bool) -> Found {
     var found = Found(longest, NOTHING, 0u, vec2<f32>(0.0));
-    var waiting: array<u32, WAITING_ROOM>;
     waiting[0] = NOTHING;
     var count = 1u;
     var instance = 0u;

@@ -12,6 +12,14 @@ const STACK_ROOM: u32 = 16u;
 const ROUNDING: f32 = 1.0e-6;
 const LEAST_SPEED: f32 = 1.0e-18;
 
+// The boxes that can be entered from a place, for who looks for the next face.
+struct Near {
+    few_low: u32,           // their numbers, one a byte, if they are few
+    few_high: u32,
+    few: u32,               // how many those are
+    crowd: u32,             // where the tree of many begins in `neighbours`, or NOTHING
+}
+
 struct Aberration {
     centre: vec3<f32>,
     sides: u32,
@@ -31,16 +39,24 @@ struct Aberration {
     flags: u32,             // exit rule; bit 8: outlined
     stretch: vec3<f32>,
     rank: u32,
+    heading: vec3<f32>,     // the direction with which one must go to feel it, or 0 where it is felt whichever way
+    is_felt_always: f32,    // 1 then, or 0
+    near: Near,
     wall_material: u32,
-    crowd: u32,             // of its neighbours' tree in `neighbours`, if they are many
-    crowd_end: u32,
-    padding: u32,
-    heading: vec4<f32>,     // the direction with which one must go to feel it, or 0; w: 1 where it is felt whichever way
+    padding_x: u32,
+    padding_y: u32,
+    padding_z: u32,
 }
 
 // Whether there are boxes of those sides: what is not there takes no time.
 override HAS_SNELL: bool = true;
 override HAS_LEGACY: bool = true;
+// Whether boxes can be entered from within others.
+override HAS_NESTS: bool = true;
+// Whether some boxes are felt one way only, and whether so many can be entered from one place that there is a tree of them.
+override HAS_HEADINGS: bool = true;
+override HAS_CROWDS: bool = true;
+override HAS_OUTLINES: bool = true;
 // Whether nothing is felt to be stretched, and whether it matters which faces light passes.
 override IS_FLAT: bool = false;
 override HAS_FACES: bool = true;
@@ -50,7 +66,7 @@ struct Spaces {
 }
 
 @group(0) @binding(0) var<uniform> space: Spaces;
-// Lists of boxes that can be entered from within each, and at the end those that can be from outside of all.
+// Lists of boxes that can be entered from within each, and at the end those that can be from outside of all; trees of them.
 @group(0) @binding(1) var<storage, read> neighbours: array<u32>;
 
 // Who travels.
@@ -85,12 +101,16 @@ fn stack_set(stack: vec4<u32>, at: u32, number: u32) -> vec4<u32> {
 }
 
 fn stack_has(stack: vec4<u32>, depth: u32, number: u32) -> bool {
-    for (var at = 0u; at < depth; at++) {
-        if stack_get(stack, at) == number {
-            return true;
+    var at = 0u;
+    var has = false;
+    loop {
+        has = has || (at < depth && stack_get(stack, at) == number);
+        at += 1u;
+        if !HAS_NESTS || has || at >= depth {
+            break;
         }
     }
-    return false;
+    return has;
 }
 
 fn stack_push(path: ptr<function, Path>, number: u32) {
@@ -99,9 +119,9 @@ fn stack_push(path: ptr<function, Path>, number: u32) {
     }
     var at = (*path).depth;
     let rank = space.boxes[number].rank;
-    while at > 0u {
-        let below = stack_get((*path).stack, at - 1u);
-        if space.boxes[below].rank <= rank {
+    loop {
+        let below = stack_get((*path).stack, max(at, 1u) - 1u);
+        if !HAS_NESTS || at == 0u || space.boxes[below].rank <= rank {
             break;
         }
         (*path).stack = stack_set((*path).stack, at, below);
@@ -112,16 +132,21 @@ fn stack_push(path: ptr<function, Path>, number: u32) {
 }
 
 fn stack_pop(path: ptr<function, Path>, number: u32) {
+    let stack = (*path).stack;
+    let depth = (*path).depth;
     var to = 0u;
-    for (var at = 0u; at < (*path).depth; at++) {
-        let one = stack_get((*path).stack, at);
-        if one != number {
+    var at = 0u;
+    (*path).stack = vec4<u32>(0u);
+    loop {
+        let one = stack_get(stack, at);
+        if at < depth && one != number {
             (*path).stack = stack_set((*path).stack, to, one);
             to += 1u;
         }
-    }
-    for (var at = to; at < (*path).depth; at++) {
-        (*path).stack = stack_set((*path).stack, at, 0u);
+        at += 1u;
+        if !HAS_NESTS || at >= depth {
+            break;
+        }
     }
     (*path).depth = to;
 }
@@ -132,8 +157,7 @@ fn half_of(number: u32) -> vec3<f32> {
 
 // Whether a box is felt by who goes in felt direction w.
 fn is_felt(number: u32, w: vec3<f32>) -> bool {
-    let heading = space.boxes[number].heading;
-    return dot(heading.xyz, w) + heading.w > 0.0;
+    return !HAS_HEADINGS || dot(space.boxes[number].heading, w) + space.boxes[number].is_felt_always > 0.0;
 }
 
 // The product of the K of all boxes of a stack, the innermost to the left.
@@ -142,27 +166,36 @@ fn squeeze_of(stack: vec4<u32>, depth: u32, w: vec3<f32>, is_light: bool) -> mat
     if IS_FLAT {
         return k;
     }
-    for (var at = 0u; at < depth; at++) {
+    var at = 0u;
+    loop {
         let number = stack_get(stack, at);
-        if !is_felt(number, w) {
-            continue;
-        }
-        if HAS_LEGACY && space.boxes[number].sides == SIDES_LEGACY {
-            if !is_light {
-                let s = vec3<f32>(1.0) + space.boxes[number].legacy;
-                k = mat3x3<f32>(s * k[0], s * k[1], s * k[2]);
+        if at < depth && is_felt(number, w) {
+            if HAS_LEGACY && space.boxes[number].sides == SIDES_LEGACY {
+                if !is_light {
+                    let s = vec3<f32>(1.0) + space.boxes[number].legacy;
+                    k = mat3x3<f32>(s * k[0], s * k[1], s * k[2]);
+                }
+            } else {
+                // Symmetric, so that rows are columns.
+                let own = mat3x3<f32>(space.boxes[number].squeeze_x, space.boxes[number].squeeze_y, space.boxes[number].squeeze_z);
+                k = own * k;
             }
-        } else {
-            // Symmetric, so that rows are columns.
-            let own = mat3x3<f32>(space.boxes[number].squeeze_x, space.boxes[number].squeeze_y, space.boxes[number].squeeze_z);
-            k = own * k;
+        }
+        at += 1u;
+        if !HAS_NESTS || at >= depth {
+            break;
         }
     }
     return k;
 }
 
-fn local_vector(number: u32, v: vec3<f32>) -> vec3<f32> {
-    return vec3<f32>(dot(space.boxes[number].x_axis, v), dot(space.boxes[number].y_axis, v), dot(space.boxes[number].z_axis, v));
+fn axes_of(number: u32) -> mat3x3<f32> {
+    return mat3x3<f32>(space.boxes[number].x_axis, space.boxes[number].y_axis, space.boxes[number].z_axis);
+}
+
+// A place in a box's own coordinates.
+fn local_place(number: u32, x: vec3<f32>) -> vec3<f32> {
+    return (x - space.boxes[number].centre) * axes_of(number);
 }
 
 fn axis_of(number: u32, axis: u32) -> vec3<f32> {

@@ -14,9 +14,10 @@ struct Ways {
     root: u32,          // of the hierarchy of all solids, or NOTHING
     outlined: u32,      // the flags of a box whose outline is drawn, any of them
     portal_count: u32,
-    crowd: u32,         // where the tree of these boxes lies in `neighbours`, if they are many
-    crowd_end: u32,
-    padding: u32,
+    padding_x: u32,
+    padding_y: u32,
+    padding_z: u32,
+    near: Near,         // those boxes
     corners: Corners,
 }
 
@@ -50,11 +51,40 @@ fn path_from(x: vec3<f32>, w: vec3<f32>, stack: vec4<u32>, depth: u32, is_light:
     return path;
 }
 
+// Who sets out from a path in felt direction w, and is no light of the picture.
+fn path_toward(from_path: ptr<function, Path>, w: vec3<f32>, scale: f32) -> Path {
+    let k = squeeze_toward(from_path, w) * scale;
+    return Path((*from_path).x, w, w, k, (*from_path).stack, (*from_path).depth, false, scale, NO_PORTAL, 0u);
+}
+
 struct Next {
     time: f32,
     number: u32,    // of a box; PORTAL and more, of a portal; NOTHING at the end of the path
     axis: u32,
     enters: bool,   // a portal before its front
+}
+
+// The box of that number where a path leaves or enters it before what comes next. Of faces that are met together those of the
+// innermost box come first on the way out, and of the outermost on the way in, in whichever order they are asked.
+fn or_face(next: Next, number: u32, leaves: bool, x: vec3<f32>, v: vec3<f32>, longest: f32, together: f32) -> Next {
+    let axes = axes_of(number);
+    let h = half_of(number);
+    let l = (x - space.boxes[number].centre) * axes;
+    let u = v * axes;
+    let slack = select(together, 0.0, next.number == NOTHING);
+    if leaves {
+        let out = crossing_out(l, u, h);
+        if out.time < next.time + slack {
+            return Next(min(out.time, longest), number, out.axis, false);
+        }
+        return next;
+    }
+    let crossing = crossing_in(l, u, h);
+    let is_outer = HAS_CROWDS && next.enters && space.boxes[number].rank < space.boxes[next.number].rank;
+    if crossing.is_there && crossing.time < next.time - select(slack, -slack, is_outer) {
+        return Next(crossing.time, number, crossing.axis, true);
+    }
+    return next;
 }
 
 fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
@@ -66,62 +96,43 @@ fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
     if !HAS_FACES {
         return next;
     }
-    for (var at = 0u; at < depth; at++) {
-        let number = stack_get(stack, at);
-        let out = crossing_out(local_vector(number, x - space.boxes[number].centre), local_vector(number, v), half_of(number));
-        let is_tied = next.number != NOTHING && out.time <= next.time + together;
-        if out.time < next.time || is_tied {
-            next = Next(min(out.time, longest), number, out.axis, false);
+    var near = ways.near;
+    if depth > 0u {
+        near = space.boxes[stack_get(stack, depth - 1u)].near;
+    }
+    // The boxes that it is in, and those that it can enter.
+    var at = 0u;
+    loop {
+        let leaves = at < depth;
+        let slot = at - depth;
+        let few = select(near.few_low, near.few_high, slot >= 4u);
+        let number = select((few >> (8u * (slot & 3u))) & 255u, stack_get(stack, at), leaves);
+        if leaves || (slot < near.few && !stack_has(stack, depth, number)) {
+            next = or_face(next, number, leaves, x, v, longest, together);
+        }
+        at += 1u;
+        if at >= depth + near.few {
+            break;
         }
     }
-    var first = ways.outermost;
-    var count = ways.outermost_count;
-    var crowd = ways.crowd;
-    var crowd_end = ways.crowd_end;
-    if depth > 0u {
-        let innermost = stack_get(stack, depth - 1u);
-        first = space.boxes[innermost].first;
-        count = space.boxes[innermost].count;
-        crowd = space.boxes[innermost].crowd;
-        crowd_end = space.boxes[innermost].crowd_end;
-    }
-    if crowd < crowd_end {
-        count = 0u;
+    if HAS_CROWDS {
         let pace = inverse_pace(v);
         let ahead = v >= vec3<f32>(0.0);
-        while crowd < crowd_end {
-            let low = vec3<u32>(neighbours[crowd], neighbours[crowd + 1u], neighbours[crowd + 2u]);
-            let high = vec3<u32>(neighbours[crowd + 4u], neighbours[crowd + 5u], neighbours[crowd + 6u]);
+        var node = near.crowd;
+        let end = select(neighbours[node + 3u], NOTHING, node == NOTHING);
+        while node < end {
+            let low = vec3<u32>(neighbours[node], neighbours[node + 1u], neighbours[node + 2u]);
+            let high = vec3<u32>(neighbours[node + 4u], neighbours[node + 5u], neighbours[node + 6u]);
             let within = in_box(low, high, x, pace, ahead);
             if within.x > within.y || within.y < 0.0 || within.x > next.time {
-                crowd = neighbours[crowd + 3u];
+                node = neighbours[node + 3u];
                 continue;
             }
-            let number = neighbours[crowd + 7u];
-            crowd += 8u;
-            if number == NOTHING || stack_has(stack, depth, number) {
-                continue;
+            let number = neighbours[node + 7u];
+            node += 8u;
+            if number != NOTHING && !stack_has(stack, depth, number) {
+                next = or_face(next, number, false, x, v, longest, together);
             }
-            let crossing = crossing_in(local_vector(number, x - space.boxes[number].centre), local_vector(number, v), half_of(number));
-            // Of boxes that are entered together the outermost comes first, in whichever order they are asked.
-            var slack = select(together, 0.0, next.number == NOTHING);
-            if next.enters && space.boxes[number].rank < space.boxes[next.number].rank {
-                slack = -together;
-            }
-            if crossing.is_there && crossing.time < next.time - slack {
-                next = Next(crossing.time, number, crossing.axis, true);
-            }
-        }
-    }
-    for (var slot = first; slot < first + count; slot++) {
-        let number = neighbours[slot];
-        if stack_has(stack, depth, number) {
-            continue;
-        }
-        let crossing = crossing_in(local_vector(number, x - space.boxes[number].centre), local_vector(number, v), half_of(number));
-        let least = next.time - select(together, 0.0, next.number == NOTHING);
-        if crossing.is_there && crossing.time < least {
-            next = Next(crossing.time, number, crossing.axis, true);
         }
     }
     if HAS_PORTALS {
@@ -137,7 +148,7 @@ fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
 
 // Whether a point of a face of a box lies within `width` of one of its edges.
 fn is_at_edge(number: u32, axis: u32, x: vec3<f32>, width: f32) -> bool {
-    var room = half_of(number) - abs(local_vector(number, x - space.boxes[number].centre));
+    var room = half_of(number) - abs(local_place(number, x));
     room[axis] = 1.0e9;
     return -greatest(-room) < width;
 }
@@ -182,7 +193,7 @@ fn trace(start: Path, longest: f32, any_will_do: bool, of_eye: bool, width: f32)
             pass_portal(&path, next.number - PORTAL, next.enters);
             continue;
         }
-        if width > 0.0 && ended.outline < 0.0 && (space.boxes[next.number].flags & ways.outlined) != 0u && is_at_edge(next.number, next.axis, path.x, 0.002 + width * ended.length * length(v)) {
+        if HAS_OUTLINES && width > 0.0 && ended.outline < 0.0 && (space.boxes[next.number].flags & ways.outlined) != 0u && is_at_edge(next.number, next.axis, path.x, 0.002 + width * ended.length * length(v)) {
             ended.outline = ended.length;
         }
         ended.events += 1u;

@@ -313,13 +313,12 @@ impl OpenRoom {
 
 fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), RoomError> {
     let Some(name) = name else {
-        let document = open.scene.document_mut();
-        if document.dir().is_some() {
-            let saved = document.save_now();
-            return saved.map_err(|why| RoomError::Command(why.to_string()));
-        }
         return match &open.kept {
             Some(kept) if kept.shipped => Err(RoomError::Shipped(kept.name.clone())),
+            // What has a journal is saved with it.
+            Some(_) if open.scene.document().dir().is_some() => {
+                Ok(open.scene.document_mut().save_now()?)
+            }
             Some(kept) => dir.save(&kept.slug, open.scene.room()),
             None => Err(RoomError::Command(
                 "This room has no name, so it is not kept; say room save name=...".to_owned(),

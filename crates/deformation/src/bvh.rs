@@ -31,7 +31,6 @@ pub struct BvhNode {
 pub struct Bvh {
     nodes: Vec<BvhNode>,
     order: Vec<u32>,
-    depth: usize,
 }
 
 #[derive(Clone, Copy)]
@@ -70,7 +69,6 @@ impl Bvh {
         bvh.nodes.push(bvh.leaf(boxes, 0, boxes.len()));
         let mut waiting = vec![(0, 1)];
         while let Some((number, level)) = waiting.pop() {
-            bvh.depth = bvh.depth.max(level);
             let BvhNode { count, first, .. } = bvh.nodes[number];
             let (begin, end) = (first as usize, (first + count) as usize);
             let Some(middle) = bvh.cut(boxes, (begin, end), most, level) else {
@@ -93,11 +91,6 @@ impl Bvh {
     /// The numbers of the boxes in the order of the leaves.
     pub fn order(&self) -> &[u32] {
         &self.order
-    }
-
-    /// Levels that it has: at most 40 and as many more as halving what is left takes.
-    pub fn depth(&self) -> usize {
-        self.depth
     }
 
     /// Shows every box of the leaves whose nodes pass `enter`, which is asked of a node's corners.

@@ -21,8 +21,6 @@ pub struct Baked {
     pub root: u32,
     /// Its box; none without triangles.
     pub bounds: Option<(Vec3, Vec3)>,
-    /// Levels of the hierarchy.
-    pub depth: usize,
     /// Three texels for each triangle.
     pub triangles: Vec<[u32; 4]>,
     /// Three for each triangle.
@@ -64,7 +62,6 @@ impl Baked {
             nodes,
             root,
             bounds: tree.bounds(),
-            depth: tree.depth(),
             ..Self::default()
         };
         for (at, number) in order.iter().enumerate() {
@@ -193,7 +190,6 @@ impl Movable {
             nodes,
             root,
             bounds: self.tree.bounds(),
-            depth: self.tree.depth(),
             ..Baked::default()
         };
         let mut ends = vec![false; self.tree.order().len()];

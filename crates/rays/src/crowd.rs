@@ -4,25 +4,55 @@
 //! below it, so that a path goes through them without a stack. A node that is missed is followed by the one after all below it.
 
 use antipode_deformation::Placed;
+use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3};
 
 use crate::tree::NOTHING;
 
-/// As few boxes as this are asked one after another.
+/// As few boxes as this are asked one after another: their numbers are the bytes of two words.
 const FEW: usize = 8;
 /// Words of a node: its least corner, the word after all below it, its greatest corner, and its box or [`NOTHING`].
 const NODE_WORDS: usize = 8;
 /// How far a node reaches beyond its boxes, as a share of its numbers: more than 32 bits round off.
 const ROUNDING: f64 = 1e-5;
 
-/// Appends the tree of the boxes of those numbers to `words`, and returns where it lies there: an empty range where there are few.
-pub fn append(words: &mut Vec<u32>, placed: &[Placed], numbers: &[u8]) -> [u32; 2] {
-    let first = words.len();
-    if numbers.len() > FEW {
+/// The boxes that can be entered from one place, as space.wgsl has them.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Near {
+    /// The numbers of a few, one a byte.
+    few: [u32; 2],
+    few_count: u32,
+    /// Where the tree of many begins in the list, or [`NOTHING`].
+    crowd: u32,
+}
+
+impl Near {
+    /// Of the boxes of those numbers; where they are many, appends their tree to `words`.
+    pub fn new(words: &mut Vec<u32>, placed: &[Placed], numbers: &[u8]) -> Self {
+        let mut few = [0; FEW];
+        if !is_crowd(numbers) {
+            few[..numbers.len()].copy_from_slice(numbers);
+            return Self {
+                few: bytemuck::cast(few),
+                few_count: numbers.len() as u32,
+                crowd: NOTHING,
+            };
+        }
+        let crowd = words.len() as u32;
         let mut boxes: Vec<_> = numbers.iter().map(|it| bounds(placed, *it)).collect();
         node(words, &mut boxes);
+        Self {
+            few: bytemuck::cast(few),
+            few_count: 0,
+            crowd,
+        }
     }
-    [first as u32, words.len() as u32]
+}
+
+/// Whether boxes are so many that there is a tree of them.
+pub fn is_crowd(numbers: &[u8]) -> bool {
+    numbers.len() > FEW
 }
 
 /// A box's number and its bounds along the scene's axes.

@@ -15,7 +15,7 @@ const SUN_COSINE: f64 = 0.9995;
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-struct PackedLamp {
+pub struct PackedLamp {
     place: Vec3,
     radius_m: f32,
     colour: Vec3,
@@ -72,7 +72,6 @@ pub struct Frame {
     first_row: u32,
     end_row: u32,
     scale: f32,
-    lamps: [PackedLamp; MAX_LAMPS],
 }
 
 /// Of a scene's light, an eye, and a part of a picture of `size` pixels.
@@ -91,10 +90,6 @@ pub fn frame(
     let (sun, sun_colour) =
         (scene.sun.as_ref()).map_or((DVec3::Y, Vec3::ZERO), |sun| (sun.direction, sun.colour));
     let shining = scene.lamps.len().min(MAX_LAMPS);
-    let mut lamps = [PackedLamp::default(); MAX_LAMPS];
-    for (packed, lamp) in lamps.iter_mut().zip(&scene.lamps) {
-        *packed = pack_lamp(lamp);
-    }
     Frame {
         eye: eye.place.point.as_vec3(),
         pixel_rad: pixel_angle as f32,
@@ -128,8 +123,19 @@ pub fn frame(
         first_row: part.rows.start,
         end_row: part.rows.end,
         scale: eye.place.scale as f32,
-        lamps,
     }
+}
+
+/// The lamps of a scene, as frame.wgsl has them.
+pub type Lamps = [PackedLamp; MAX_LAMPS];
+
+/// Packs as many lamps as there may be.
+pub fn lamps(scene: &RayScene) -> Lamps {
+    let mut lamps = Lamps::default();
+    for (packed, lamp) in lamps.iter_mut().zip(&scene.lamps) {
+        *packed = pack_lamp(lamp);
+    }
+    lamps
 }
 
 fn pack_lamp(lamp: &Lamp) -> PackedLamp {

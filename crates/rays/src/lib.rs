@@ -14,6 +14,7 @@ mod baked;
 mod crowd;
 mod error;
 mod frame;
+mod kinds;
 mod loaded;
 mod mesh;
 mod options;

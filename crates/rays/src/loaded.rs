@@ -6,13 +6,14 @@ use glam::Vec3;
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
 use crate::baked::{Baked, Movable};
+use crate::crowd::Near;
 use crate::error::RaysError;
+use crate::kinds::Kinds;
 use crate::mesh::TRIANGLE_TEXELS;
-use crate::packed::{Kinds, PackedWays, Rule, aberrations, material};
+use crate::packed::{PackedWays, Rule, aberrations, material};
 use crate::packed_portals::packed_portals;
 use crate::raster::{Chunk, Moved, tidy};
 use crate::scene::{Mover, RayScene};
-use crate::shaders::SHALLOW_ROOM;
 use crate::texels::{ROW, Texels};
 use crate::textures;
 use crate::top::{INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, bounds, build, pack};
@@ -29,8 +30,6 @@ pub struct Loaded {
     pub(crate) portals: Buffer,
     spaces: [Buffer; Rule::ALL.len()],
     kinds: [Kinds; Rule::ALL.len()],
-    /// Levels of the deepest hierarchy below the upper one, and of that.
-    depths: (usize, usize),
     pub(crate) ways: Buffer,
     pub(crate) materials: Buffer,
     pub(crate) attributes: Buffer,
@@ -63,7 +62,7 @@ impl Loaded {
         let (parts, movables) = bake_all(scene, sorted)?;
         let pairs = movables.iter().zip(&parts[1..]);
         let placed = pairs.map(|(one, baked)| placed(one, baked)).collect();
-        let (neighbours, crowds, ways) = crate::packed::neighbours(scene);
+        let (neighbours, near, ways) = crate::packed::neighbours(scene);
         let materials: Vec<_> = scene
             .materials
             .iter()
@@ -86,8 +85,7 @@ impl Loaded {
             attributes: filled(device, queue, "attributes", &attributes, storage)?,
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
             portals: portals(device, queue, scene)?,
-            spaces: spaces(device, queue, scene, &crowds)?,
-            depths: (parts.iter().map(|it| it.depth).max().unwrap_or(0), 0),
+            spaces: spaces(device, queue, scene, &near)?,
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
             ways: filled(device, queue, "ways", &[ways], storage)?,
             materials: filled(device, queue, "materials", &materials, storage)?,
@@ -132,13 +130,11 @@ impl Loaded {
         let Top {
             root,
             nodes,
-            depth,
             instances,
         } = build(movers, &self.placed, &self.resting)?;
         self.nodes.write(queue, 0, &nodes);
         self.instances.write(queue, self.movers_at, &instances);
         self.host_ways.root = root;
-        self.depths.1 = depth;
         queue.write_buffer(&self.ways, 0, bytes_of(&self.host_ways));
         self.moved = self.moved(movers);
         self.shown = Some(movers.to_vec());
@@ -197,11 +193,7 @@ impl Loaded {
 
     /// What the shaders are told of beforehand, by a rule.
     pub(crate) fn kinds(&self, rule: Rule) -> Kinds {
-        Kinds {
-            // One waits at each level, below all of them and below the lower ones.
-            deep: self.depths.0 + self.depths.1 + 2 > SHALLOW_ROOM,
-            ..self.kinds[rule as usize]
-        }
+        self.kinds[rule as usize]
     }
 
     /// The aberrations, as they were given.
@@ -238,11 +230,11 @@ fn spaces(
     device: &Device,
     queue: &Queue,
     scene: &RayScene,
-    crowds: &[[u32; 2]],
+    near: &[Near],
 ) -> Result<[Buffer; Rule::ALL.len()], RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let by = |rule| {
-        let packed = aberrations(scene, rule, crowds);
+        let packed = aberrations(scene, rule, near);
         filled(device, queue, "aberrations", &packed, usage)
     };
     let [exact, thesis, plain] = Rule::ALL.map(by);

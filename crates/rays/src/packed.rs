@@ -1,12 +1,10 @@
 //! Aberrations and materials as the shaders have them.
 
-use antipode_deformation::{
-    Exit, MAX_ABERRATIONS, PictureCorners, Placed, Sides, Space, Stack, Ways,
-};
+use antipode_deformation::{Exit, MAX_ABERRATIONS, PictureCorners, Placed, Sides, Stack, Ways};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec3, Vec3, Vec4};
 
-use crate::crowd;
+use crate::crowd::Near;
 use crate::options::Outlines;
 use crate::scene::{Material, Pattern, RayScene, WALL_DEFAULT};
 use crate::tree::NOTHING;
@@ -28,10 +26,11 @@ pub struct PackedAberration {
     flags: u32,
     stretch: Vec3,
     rank: u32,
+    heading: Vec3,
+    is_felt_always: f32,
+    near: Near,
     wall_material: u32,
-    crowd: [u32; 2],
-    padding: u32,
-    heading: Vec4,
+    padding: [u32; 3],
 }
 
 /// What a path needs to know of a scene besides its solids, as trace.wgsl has it.
@@ -45,9 +44,9 @@ pub struct PackedWays {
     /// The flags of a box whose outline is drawn, any of them.
     pub outlined: u32,
     pub portal_count: u32,
-    /// Where the tree lies of the boxes that can be entered from outside of all.
-    pub crowd: [u32; 2],
-    pub padding: u32,
+    pub padding: [u32; 3],
+    /// The boxes that can be entered from outside of all.
+    pub near: Near,
     pub low: Vec4,
     pub high: Vec4,
 }
@@ -112,7 +111,7 @@ impl Rule {
     pub const ALL: [Self; 3] = [Self::Exact, Self::Thesis, Self::Plain];
 
     /// An aberration as it is by this rule.
-    fn of(self, placed: &Placed) -> Placed {
+    pub fn of(self, placed: &Placed) -> Placed {
         let mut placed = placed.clone();
         let it = &mut placed.aberration;
         match (self, it.sides) {
@@ -131,89 +130,8 @@ impl Rule {
     }
 }
 
-/// What shaders are told of beforehand, so that what is not there takes no time: whether there are boxes of *snell* and of
-/// *legacy*, and portals, whether the hierarchies are deep, and whether boxes change anything.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Kinds {
-    pub snell: bool,
-    pub legacy: bool,
-    pub portals: bool,
-    pub deep: bool,
-    /// Whether nothing is felt to be stretched.
-    pub flat: bool,
-    /// Whether it does not matter besides which faces light passes.
-    pub faceless: bool,
-}
-
-impl Kinds {
-    /// All that there may be.
-    pub const ALL: Self = Self {
-        snell: true,
-        legacy: true,
-        portals: true,
-        deep: true,
-        flat: false,
-        faceless: false,
-    };
-    /// How many there are.
-    pub const COUNT: usize = 64;
-
-    /// Of a space by a rule.
-    pub fn of(space: &Space, rule: Rule) -> Self {
-        let flat = space.portals().is_empty() && (rule == Rule::Plain || space.placed().is_empty());
-        let mut kinds = Self {
-            portals: !space.portals().is_empty(),
-            flat,
-            faceless: flat,
-            ..Self::default()
-        };
-        for placed in space.placed() {
-            let it = rule.of(placed).aberration;
-            let sides = it.sides;
-            kinds.faceless &= !(0..3).any(|axis| it.is_wall(axis));
-            kinds.snell |= sides == Sides::Snell;
-            kinds.legacy |= matches!(sides, Sides::Legacy(_));
-        }
-        kinds
-    }
-
-    /// The same where outlines are drawn, which are seen in faces.
-    pub fn with_outlines(self, are_drawn: bool) -> Self {
-        Self {
-            faceless: self.faceless && !are_drawn,
-            ..self
-        }
-    }
-
-    /// A number below [`Self::COUNT`].
-    pub fn number(self) -> usize {
-        let Self {
-            snell,
-            legacy,
-            portals,
-            deep,
-            flat,
-            faceless,
-        } = self;
-        let all = [snell, legacy, portals, deep, flat, faceless];
-        let bits = all.into_iter().enumerate();
-        bits.map(|(bit, it)| usize::from(it) << bit).sum()
-    }
-
-    /// What the shaders' constants are set to.
-    pub fn constants(self) -> [(&'static str, f64); 5] {
-        [
-            ("HAS_SNELL", f64::from(u8::from(self.snell))),
-            ("HAS_LEGACY", f64::from(u8::from(self.legacy))),
-            ("HAS_PORTALS", f64::from(u8::from(self.portals))),
-            ("IS_FLAT", f64::from(u8::from(self.flat))),
-            ("HAS_FACES", f64::from(u8::from(!self.faceless))),
-        ]
-    }
-}
-
 /// All aberrations by a rule.
-pub fn aberrations(scene: &RayScene, rule: Rule, crowds: &[[u32; 2]]) -> Vec<PackedAberration> {
+pub fn aberrations(scene: &RayScene, rule: Rule, near: &[Near]) -> Vec<PackedAberration> {
     let mut first = 0;
     let mut packed: Vec<_> = scene
         .aberrations
@@ -225,10 +143,7 @@ pub fn aberrations(scene: &RayScene, rule: Rule, crowds: &[[u32; 2]]) -> Vec<Pac
             let wall = own.copied().unwrap_or(WALL_DEFAULT);
             let is_outlined = scene.outlined.get(number).copied().unwrap_or(false);
             let wall = wall.min(scene.materials.len().saturating_sub(1));
-            let packed = PackedAberration {
-                crowd: crowds.get(number).copied().unwrap_or_default(),
-                ..pack(&rule.of(placed), first, wall, is_outlined)
-            };
+            let packed = pack(&rule.of(placed), near[number], first, wall, is_outlined);
             first += packed.count;
             if rule == Rule::Plain {
                 // Its walls stay, and are told by how it was stretched.
@@ -244,34 +159,40 @@ pub fn aberrations(scene: &RayScene, rule: Rule, crowds: &[[u32; 2]]) -> Vec<Pac
     packed
 }
 
-/// Lists of neighbours, trees of them where they are many, where the tree of each box lies, and what the outermost ones are.
-pub fn neighbours(scene: &RayScene) -> (Vec<u32>, Vec<[u32; 2]>, PackedWays) {
+/// Lists of neighbours, trees of them where they are many, the neighbours of each box, and what the outermost ones are.
+pub fn neighbours(scene: &RayScene) -> (Vec<u32>, Vec<Near>, PackedWays) {
     let space = &scene.aberrations;
     let of_each = space.placed().iter().flat_map(|placed| &placed.neighbours);
     let mut neighbours: Vec<_> = of_each.map(|number| u32::from(*number)).collect();
     let outermost = space.entrances(&Stack::default());
     let outermost_at = neighbours.len();
     neighbours.extend(outermost.iter().map(|number| u32::from(*number)));
-    let of_box = |it: &Placed| crowd::append(&mut neighbours, space.placed(), &it.neighbours);
-    let crowds = space.placed().iter().map(of_box).collect();
-    let crowd = crowd::append(&mut neighbours, space.placed(), outermost);
+    let of_box = |it: &Placed| Near::new(&mut neighbours, space.placed(), &it.neighbours);
+    let near_each = space.placed().iter().map(of_box).collect();
+    let near = Near::new(&mut neighbours, space.placed(), outermost);
     let ways = PackedWays {
         outermost: outermost_at as u32,
         outermost_count: outermost.len() as u32,
         root: NOTHING,
         outlined: OUTLINED,
         portal_count: space.portals().len() as u32,
-        crowd,
-        padding: 0,
+        padding: [0; 3],
+        near,
         low: Vec4::ZERO,
         high: Vec4::ZERO,
     };
     // A buffer may not be empty.
     neighbours.push(0);
-    (neighbours, crowds, ways)
+    (neighbours, near_each, ways)
 }
 
-fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAberration {
+fn pack(
+    placed: &Placed,
+    near: Near,
+    first: u32,
+    wall: usize,
+    is_outlined: bool,
+) -> PackedAberration {
     let aberration = &placed.aberration;
     let axis = |i: usize| {
         placed
@@ -292,9 +213,9 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
             },
         ),
     };
-    let heading = match aberration.ways {
-        Ways::Both => Vec4::W,
-        Ways::Along(axis) => axis_of(placed, axis).extend(0.0),
+    let (heading, is_felt_always) = match aberration.ways {
+        Ways::Both => (Vec3::ZERO, 1.0),
+        Ways::Along(axis) => (axis_of(placed, axis), 0.0),
     };
     let row = |k: &DMat3, i: usize| k.row(i).as_vec3();
     PackedAberration {
@@ -311,10 +232,11 @@ fn pack(placed: &Placed, first: u32, wall: usize, is_outlined: bool) -> PackedAb
         flags: exit | IS_BOX | if is_outlined { OUTLINED } else { 0 },
         stretch: aberration.stretch.as_vec3(),
         rank: placed.rank as u32,
-        wall_material: wall as u32,
-        crowd: [0; 2],
-        padding: 0,
         heading,
+        is_felt_always,
+        near,
+        wall_material: wall as u32,
+        padding: [0; 3],
     }
 }
 
@@ -357,9 +279,4 @@ pub fn material(material: &Material, textures: usize) -> PackedMaterial {
         _ => {}
     }
     packed
-}
-
-/// A direction of the host for the shaders, with a fourth number.
-pub fn vector(v: DVec3, w: f64) -> Vec4 {
-    v.as_vec3().extend(w as f32)
 }

@@ -2,12 +2,13 @@
 
 use antipode_deformation::Place;
 use bytemuck::{Pod, Zeroable, cast_slice};
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, Vec3};
 use wgpu::{BindGroupLayout, BufferBindingType, BufferUsages, ComputePipeline, Device, Queue};
 
 use crate::error::RaysError;
+use crate::kinds::Kinds;
 use crate::loaded::Loaded;
-use crate::packed::{Kinds, Rule, stack, vector};
+use crate::packed::{Rule, stack};
 use crate::picture::mapped;
 use crate::rays::{READ, accepted, buffer, group, layout, pipeline, scene_group, scene_layout};
 use crate::shaders::PROBE;
@@ -57,17 +58,24 @@ pub struct Answer {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 struct PackedRay {
-    x: Vec4,
-    w: Vec4,
+    x: Vec3,
+    longest: f32,
+    w: Vec3,
+    depth: u32,
     stack: [u32; 4],
 }
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 struct PackedAnswer {
-    x: Vec4,
-    w: Vec4,
-    what: [u32; 4],
+    x: Vec3,
+    length: f32,
+    w: Vec3,
+    events: u32,
+    end: u32,
+    what: u32,
+    part: u32,
+    depth: u32,
     stack: [u32; 4],
 }
 
@@ -161,24 +169,25 @@ impl Prober {
 
 fn pack(ray: &ProbeRay) -> PackedRay {
     PackedRay {
-        x: vector(ray.start.point, ray.longest),
-        w: vector(ray.w, ray.start.stack.len() as f64),
+        x: ray.start.point.as_vec3(),
+        longest: ray.longest as f32,
+        w: ray.w.as_vec3(),
+        depth: ray.start.stack.len() as u32,
         stack: stack(&ray.start.stack),
     }
 }
 
 fn unpack(answer: &PackedAnswer) -> Answer {
-    let [end, one, other, _] = answer.what;
     Answer {
-        outcome: match end {
+        outcome: match answer.end {
             0 => Outcome::Spent,
-            1 => Outcome::Object(one, other),
-            2 => Outcome::Wall(one, other),
+            1 => Outcome::Object(answer.what, answer.part),
+            2 => Outcome::Wall(answer.what, answer.part),
             _ => Outcome::TooManyEvents,
         },
-        point: answer.x.truncate(),
-        w: answer.w.truncate(),
-        length: answer.x.w,
-        events: answer.w.w as u32,
+        point: answer.x,
+        w: answer.w,
+        length: answer.length,
+        events: answer.events,
     }
 }

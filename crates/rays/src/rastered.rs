@@ -7,10 +7,11 @@ use bytemuck::bytes_of;
 use glam::DVec2;
 use wgpu::{CommandEncoder, ComputePipeline, Device, Queue};
 
-use crate::frame::{Part, corners, frame};
+use crate::frame::{Part, corners, frame, lamps};
+use crate::kinds::Kinds;
 use crate::loaded::Loaded;
 use crate::options::{Options, Outlines};
-use crate::packed::{Kinds, Rule};
+use crate::packed::Rule;
 use crate::picture::Picture;
 use crate::raster::{Limits, MOST_VIEWS, Plan, Region, Sight, Way};
 use crate::rays::{GROUP, Rays, scene_group};
@@ -80,6 +81,7 @@ impl Rays {
             .with_corners(&corners(eye, size))
             .with_outlines(options.outlines);
         queue.write_buffer(&loaded.ways, 0, bytes_of(&ways));
+        queue.write_buffer(&self.lamps, 0, bytes_of(&lamps(scene)));
         let part = Part {
             columns: 0..size.0,
             rows: rows.clone(),

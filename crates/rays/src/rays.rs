@@ -9,10 +9,11 @@ use wgpu::{
 };
 
 use crate::error::RaysError;
-use crate::frame::{Frame, Part, corners, frame};
+use crate::frame::{Frame, Lamps, Part, corners, frame, lamps};
+use crate::kinds::Kinds;
 use crate::loaded::Loaded;
 use crate::options::{Options, View};
-use crate::packed::{Kinds, Rule};
+use crate::packed::Rule;
 use crate::picture::{LIGHT_FORMAT, Picture, SEEN_FORMAT};
 use crate::raster::{Raster, Way, way};
 use crate::rastered::sight;
@@ -32,6 +33,7 @@ pub struct Rays {
     pub(crate) picture_layout: BindGroupLayout,
     /// One for each part of a picture.
     pub(crate) frames: [Buffer; 2],
+    pub(crate) lamps: Buffer,
     sampler: wgpu::Sampler,
 }
 
@@ -44,19 +46,31 @@ impl Rays {
         accepted(device, || {
             let scene_layout = scene_layout(device);
             let picture_layout = picture_layout(device);
+            let written = |label, size, usage| {
+                device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some(label),
+                    size: size as u64,
+                    usage: usage | wgpu::BufferUsages::COPY_DST,
+                    mapped_at_creation: false,
+                })
+            };
             let rays = Self {
                 pipelines: std::array::from_fn(|_| OnceLock::new()),
                 raster: Raster::new(device),
                 scene_layout,
                 picture_layout,
                 frames: [(); 2].map(|()| {
-                    device.create_buffer(&wgpu::BufferDescriptor {
-                        label: Some("frame of rays"),
-                        size: size_of::<Frame>() as u64,
-                        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
-                        mapped_at_creation: false,
-                    })
+                    written(
+                        "frame of rays",
+                        size_of::<Frame>(),
+                        wgpu::BufferUsages::STORAGE,
+                    )
                 }),
+                lamps: written(
+                    "lamps of rays",
+                    size_of::<Lamps>(),
+                    wgpu::BufferUsages::UNIFORM,
+                ),
                 sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                     label: Some("room textures"),
                     address_mode_u: wgpu::AddressMode::Repeat,
@@ -165,6 +179,7 @@ impl Rays {
             .with_corners(&corners(eye, picture.size))
             .with_outlines(options.outlines);
         queue.write_buffer(&loaded.ways, 0, bytemuck::bytes_of(&ways));
+        queue.write_buffer(&self.lamps, 0, bytemuck::bytes_of(&lamps(scene)));
         let (parts, line) = parts(options.view, width);
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
             label: Some("rays"),
@@ -205,6 +220,7 @@ impl Rays {
             Sampler(&self.sampler),
             TextureView(&picture.light),
             TextureView(&picture.seen),
+            self.lamps.as_entire_binding(),
         ];
         group(device, "picture of rays", &self.picture_layout, resources)
     }
@@ -259,8 +275,10 @@ pub fn pipeline_with(
     kinds: Kinds,
     more: &[(&str, f64)],
 ) -> ComputePipeline {
-    let constants = [&kinds.constants()[..], more].concat();
-    let module = compile(device, label, files, kinds.deep);
+    let of_kinds = kinds.constants();
+    let of_kinds = of_kinds.map(|(name, it)| (name, f64::from(u8::from(it))));
+    let constants = [&of_kinds[..], more].concat();
+    let module = compile(device, label, files);
     let groups: Vec<_> = layouts.iter().map(|layout| Some(*layout)).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(label),
@@ -392,6 +410,7 @@ fn picture_layout(device: &Device) -> BindGroupLayout {
         BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         written(LIGHT_FORMAT),
         written(SEEN_FORMAT),
+        buffer(BufferBindingType::Uniform),
     ];
     layout(device, "picture of rays", &kinds)
 }

@@ -1,12 +1,5 @@
 //! The texts of the shaders, which are built in.
 
-/// How many children may wait while a path goes down the hierarchies: each has 40 levels at most and as many more as halving
-/// what is left takes (bvh.rs). Room for fewer is worth a sixth of the time in software, and enough nearly always.
-const DEEP: &str = "const WAITING_ROOM: u32 = 98u;";
-const SHALLOW: &str = "const WAITING_ROOM: u32 = 40u;";
-/// The room of the latter.
-pub const SHALLOW_ROOM: usize = 40;
-
 const SPACE: &str = include_str!("../../../shaders/rays/space.wgsl");
 const PORTAL: &str = include_str!("../../../shaders/rays/portal.wgsl");
 const SCENE: &str = include_str!("../../../shaders/rays/scene.wgsl");
@@ -17,8 +10,7 @@ const LIGHT: &str = include_str!("../../../shaders/rays/picture.wgsl");
 const LAMPS: &str = include_str!("../../../shaders/rays/lamps.wgsl");
 
 /// The files of the pass that draws a picture, in their order.
-pub const PICTURE: [&str; 10] = [
-    DEEP,
+pub const PICTURE: [&str; 9] = [
     SPACE,
     PORTAL,
     SCENE,
@@ -31,8 +23,7 @@ pub const PICTURE: [&str; 10] = [
 ];
 
 /// The files of the same pass behind a raster.
-pub const RASTERED: [&str; 10] = [
-    DEEP,
+pub const RASTERED: [&str; 9] = [
     SPACE,
     PORTAL,
     SCENE,
@@ -48,8 +39,7 @@ pub const RASTERED: [&str; 10] = [
 pub const RASTER: &str = include_str!("../../../shaders/rays/raster.wgsl");
 
 /// The files of the pass that traces a list of rays.
-pub const PROBE: [&str; 6] = [
-    DEEP,
+pub const PROBE: [&str; 5] = [
     SPACE,
     PORTAL,
     SCENE,
@@ -57,17 +47,8 @@ pub const PROBE: [&str; 6] = [
     include_str!("../../../shaders/rays/probe.wgsl"),
 ];
 
-/// Compiles the files as one, for deep hierarchies or for others.
-pub fn compile(
-    device: &wgpu::Device,
-    label: &str,
-    files: &[&str],
-    deep: bool,
-) -> wgpu::ShaderModule {
-    let mut files = files.to_vec();
-    if let Some(first) = files.first_mut().filter(|_| !deep) {
-        *first = SHALLOW;
-    }
+/// Compiles the files as one.
+pub fn compile(device: &wgpu::Device, label: &str, files: &[&str]) -> wgpu::ShaderModule {
     device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(label),
         source: wgpu::ShaderSource::Wgsl(files.join("\n").into()),

@@ -61,8 +61,6 @@ pub struct Top {
     pub root: u32,
     /// Nodes, numbered from 0.
     pub nodes: Vec<Node>,
-    /// Levels.
-    pub depth: usize,
     /// The movers, in their order.
     pub instances: Vec<PackedInstance>,
 }
@@ -95,7 +93,6 @@ pub fn build(movers: &[Mover], meshes: &[Placed], resting: &Resting) -> Result<T
         number.map_or(NOTHING, |number| leaves[*number as usize])
     };
     (top.root, top.nodes) = tree.packed(0, leaf);
-    top.depth = tree.depth();
     Ok(top)
 }
 

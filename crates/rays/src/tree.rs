@@ -36,7 +36,6 @@ pub struct Tree {
     /// For each node how many that have children are before it.
     numbers: Vec<u32>,
     inner: usize,
-    depth: usize,
 }
 
 impl Tree {
@@ -54,7 +53,6 @@ impl Tree {
             order: bvh.order().to_vec(),
             numbers,
             inner: inner as usize,
-            depth: bvh.depth(),
         }
     }
 
@@ -66,11 +64,6 @@ impl Tree {
     /// Nodes that [`Self::packed`] makes.
     pub fn node_count(&self) -> usize {
         self.inner
-    }
-
-    /// Levels that it has.
-    pub fn depth(&self) -> usize {
-        self.depth
     }
 
     /// Where in the order each leaf ends.

@@ -142,6 +142,8 @@ impl Document {
         match plan.what {
             Planned::Step(step) if step.delta.is_empty() => {}
             Planned::Step(step) => {
+                // Before what is not there under its old name is forgotten.
+                self.marks.follow(&step.delta, false);
                 self.take_room(plan.room);
                 self.add_step(step);
             }
@@ -174,8 +176,6 @@ impl Document {
 
     /// Adds a step that is made already.
     pub(crate) fn add_step(&mut self, step: Arc<Step>) {
-        self.marks.follow(&step.delta, false);
-        self.marks.forget(&self.room);
         self.keep_step(&step);
         self.history.push(step);
     }

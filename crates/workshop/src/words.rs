@@ -247,7 +247,7 @@ impl Edit {
             Self::Insert(object) => say("add", &[], of_object(object)),
             Self::Remove(names) => say("remove", names, Vec::new()),
             Self::Change(name, fields) => {
-                say("change", std::slice::from_ref(name), of_fields(fields))
+                say("change", std::slice::from_ref(name), of_fields(fields));
             }
             Self::Group { name, at, members } => {
                 say("group", std::slice::from_ref(name), members.clone());

@@ -73,7 +73,7 @@ const fn command(
 }
 
 /// Every command.
-pub static COMMANDS: [CommandInfo; 33] = {
+pub static COMMANDS: [CommandInfo; 37] = {
     use Argument::{
         Button, ChartId, Free, Geometry, Item, Key, KeyOrButton, Option, RoomAct, RoomKind,
         Setting, Spawned, Value, World,
@@ -115,13 +115,21 @@ pub static COMMANDS: [CommandInfo; 33] = {
         command("perf", "SECONDS", &[Free]),
         command(
             "room",
-            "new|load|save|delete|list [name=NAME] [gravity=X,Y,Z]",
+            "new|load|save|delete|list|set [name=NAME] [gravity=X,Y,Z] [KEY=VALUE ...]",
             &[RoomAct, Free],
         ),
         command("add", "KIND name=NAME KEY=VALUE ...", &[RoomKind, Free]),
         command("change", "NAME KEY=VALUE ...", &[Free]),
-        command("remove", "NAME", &[Free]),
-        command("group", "NAME MEMBER ...", &[Free]),
+        command("remove", "NAME ...", &[Free]),
+        command("group", "NAME MEMBER ... [at=X,Y,Z]", &[Free]),
+        command("carry", "GROUP|none MEMBER ...", &[Free]),
+        command("ungroup", "NAME ...", &[Free]),
+        command("duplicate", "NAME ... [by=X,Y,Z]", &[Free]),
+        command(
+            "array",
+            "NAME ... count=N [step=X,Y,Z] [turn=YAW] [about=X,Y,Z]",
+            &[Free],
+        ),
         command("undo", "[N]", &[Free]),
         command("redo", "[N]", &[Free]),
     ]

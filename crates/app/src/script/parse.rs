@@ -259,10 +259,11 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
         ("spawn", [what, x, y, z, side @ ..]) if side.len() <= 1 => spawn(what, [x, y, z], side)?,
         ("name-flag", [name]) => Order::NameFlag((*name).to_owned()),
         ("perf", [time]) => Order::Perf(number(time, 1.0 / 60.0, 600.0)?),
-        ("room", [_, ..]) => Order::Room(room::room(&args)?),
-        ("add" | "change" | "group", [_, _, ..])
-        | ("remove", [_])
+        ("room", ["set", _, ..])
+        | ("add" | "change" | "group" | "carry" | "array", [_, _, ..])
+        | ("remove" | "ungroup" | "duplicate", [_, ..])
         | ("undo" | "redo", [] | [_]) => Order::Edit(words.to_vec()),
+        ("room", [_, ..]) => Order::Room(room::room(&args)?),
         (known, _) if command_named(known).is_some() => {
             return Err(format!(
                 "\"{known}\" has too few, too many or unknown arguments"

@@ -84,7 +84,8 @@ pub struct Moved {
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct PackedDraw {
     to_clip: Mat4,
-    eye: Vec4,
+    eye: Vec3,
+    depth_factor: f32,
     cut: Vec4,
     what: u32,
     instance: u32,
@@ -96,7 +97,8 @@ pub struct PackedDraw {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct PackedView {
-    origin: Vec4,
+    origin: Vec3,
+    depth: u32,
     k: [Vec4; 3],
     turn: [Vec4; 3],
     stack: [u32; 4],
@@ -276,11 +278,8 @@ impl<'a> Camera<'a> {
         });
         PackedDraw {
             to_clip,
-            eye: pose
-                .inverse()
-                .transform_point3(*origin)
-                .as_vec3()
-                .extend(0.0),
+            eye: pose.inverse().transform_point3(*origin).as_vec3(),
+            depth_factor: 1.0,
             cut,
             what,
             instance,
@@ -299,7 +298,7 @@ impl<'a> Camera<'a> {
         };
         let mut draw = self.packed(&face.pose, what, 0);
         // A solid that lies in a face of a box is seen, and one in the plane of a portal is not.
-        draw.eye.w = if face.is_portal {
+        draw.depth_factor = if face.is_portal {
             1.0 + ASIDE
         } else {
             1.0 - ASIDE
@@ -315,7 +314,8 @@ pub fn pack(view: &View) -> PackedView {
         portal as u32 | if front { BEFORE_FRONT } else { 0 }
     });
     PackedView {
-        origin: view.origin.as_vec3().extend(view.stack.len() as f32),
+        origin: view.origin.as_vec3(),
+        depth: view.stack.len() as u32,
         k: columns(&(view.carry * view.turn.transpose())),
         turn: columns(&view.turn),
         stack: stack(&view.stack),

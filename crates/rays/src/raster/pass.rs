@@ -13,8 +13,9 @@ use wgpu::{
 use super::draws::{Call, Draws, PackedDraw, PackedView, Stock, pack};
 use super::plan::Plan;
 use super::target::{DEPTH_FORMAT, VISIBLE_FORMAT, Visible};
+use crate::kinds::Kinds;
 use crate::loaded::Loaded;
-use crate::packed::{Kinds, Rule};
+use crate::packed::Rule;
 use crate::rays::{READ, buffer, group, layout, pipeline_with};
 use crate::shaders::{RASTER, RASTERED};
 
@@ -167,7 +168,7 @@ impl Raster {
     ) -> Vec<Draws> {
         let boxes = loaded.aberrations().placed();
         // In coordinates of the scene one view passes all faces.
-        let looks = rule == Rule::Plain && !loaded.kinds(rule).faceless;
+        let looks = rule == Rule::Plain && loaded.kinds(rule).faces;
         let looked_for = if looks { boxes.len() } else { 0 };
         let head = [plan.levels() as u32, looked_for as u32, 0, 0];
         let views: Vec<_> = plan.views.iter().map(pack).collect();

@@ -8,6 +8,7 @@
 
 mod agreement;
 mod common;
+mod lamps;
 mod movers;
 mod pictures;
 mod portals;

@@ -12,8 +12,6 @@ use crate::room;
 const SIZE: (u32, u32) = (640, 360);
 /// Eyes of each room.
 const EYES: usize = 5;
-/// A room in which rays alone show a noise of two things at one distance: to be mended.
-const FLICKERS: [&str; 1] = ["bottomless-shaft"];
 /// Of these so many are compared without the sun and lamps as well.
 const DARK_EYES: usize = 2;
 
@@ -96,9 +94,6 @@ fn compare(view: View) {
     };
     let pixels = (SIZE.0 * SIZE.1) as usize;
     for shipped in shipped::ROOMS {
-        if FLICKERS.contains(&shipped.id) {
-            continue;
-        }
         let open = room(shipped.id);
         let made: Result<_, Infallible> = open.ray_scene(|_| Ok(RgbaImage::new(4, 4)));
         let scene = made.unwrap();

@@ -292,7 +292,7 @@ fn who_walks_upright_gets_in() {
         (
             "growing-hall",
             DVec3::new(0.0, 0.0, -4.0),
-            DVec3::new(0.0, 0.0, -6.9),
+            DVec3::new(0.0, 0.0, -8.5),
         ),
         (
             "door-to-itself",

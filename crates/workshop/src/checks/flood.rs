@@ -15,7 +15,8 @@ use super::ground::{Ground, STRIDE_M, Stride};
 const CELL_M: f64 = 0.5;
 const CELL_HIGH_M: f64 = 1.0;
 /// The length of a long way, and the edge of the cells for these, felt metres.
-const LONG_M: f64 = 2.0;
+const LONG_M: f64 = 1.987;
+const FAR_CELL_M: f64 = 1.0;
 /// Directions in which one sets out.
 const WAYS: usize = 8;
 /// Strides to the next cell.
@@ -113,12 +114,20 @@ impl<'a> Flood<'a> {
             return false;
         };
         let from = self.all[next.index];
-        for w in self.ways(&from.place) {
-            if !self.go_far(&from, w, key) {
+        let ways: Vec<_> = self.ways(&from.place).collect();
+        let far = ways.iter().filter(|w| self.go_far(&from, **w, key)).count();
+        if far < ways.len() {
+            // Something is near: here it matters where exactly one walks.
+            for w in ways {
                 self.go_near(&from, w, key);
             }
         }
         true
+    }
+
+    /// The least key of the places to go on from.
+    pub fn least_key(&self) -> Option<f64> {
+        self.next.peek().map(|it| it.key)
     }
 
     /// Orders what is left anew, after what is sought has changed.
@@ -143,12 +152,12 @@ impl<'a> Flood<'a> {
         })
     }
 
-    /// Goes a long way; whether that is all there is to do in that direction.
+    /// Goes a long way, if there is one.
     fn go_far(&mut self, from: &Reached, w: DVec3, key: &dyn Fn(&Reached) -> f64) -> bool {
         let Some(place) = self.ground.long_way(&from.place, w, LONG_M) else {
             return false;
         };
-        let cell = self.cell(&place, LONG_M);
+        let cell = self.cell(&place, FAR_CELL_M);
         let known = self.far_cells.get(&cell).into_iter().flatten();
         let sees = |it: &usize| self.ground.is_open_between(&place, &self.all[*it].place);
         if !known.clone().any(sees) && !self.cells.contains(&self.cell(&place, CELL_M)) {
@@ -199,7 +208,7 @@ impl<'a> Flood<'a> {
     fn add(&mut self, reached: Reached, key: f64) {
         let index = self.all.len();
         self.cells.insert(self.cell(&reached.place, CELL_M));
-        let far = self.cell(&reached.place, LONG_M);
+        let far = self.cell(&reached.place, FAR_CELL_M);
         self.far_cells.entry(far).or_default().push(index);
         self.all.push(reached);
         self.next.push(Next { key, index });

@@ -2,7 +2,7 @@
 //! as who walks does. It is quick rather than exact: who walks in earnest is [`antipode_deformation::Walker`].
 
 use antipode_deformation::{
-    End, EventKind, Hit, Place, SceneQuery, Space, Trace, Traveller, Triangles, WalkerShape,
+    End, EventKind, Hit, Place, SceneQuery, Space, Trace, Traveller, Triangles, Void, WalkerShape,
     felt_gravity, trace,
 };
 use glam::DVec3;
@@ -12,8 +12,9 @@ const KNEE_OVER_STEP_M: f64 = 0.1;
 const CHEST_M: f64 = 1.2;
 /// The deepest fall after which one goes on, felt metres; beyond is nothing.
 const DEEPEST_M: f64 = 3000.0;
-/// What is stepped over is looked at so often, felt metres.
-pub(crate) const STRIDE_M: f64 = 0.25;
+/// What is stepped over is looked at so often, felt metres. No round number, so that places do not come to lie in the planes of
+/// portals and at the rims of floors, which are at round places.
+pub(crate) const STRIDE_M: f64 = 0.2437;
 /// How much a floor may rise or sink on the way for the way to count as level.
 const LEVEL_M: f64 = 0.02;
 
@@ -64,6 +65,11 @@ impl Ground<'_> {
     /// Goes from a place in a felt direction.
     pub fn go(&self, from: &Place, w: DVec3, longest: f64) -> Trace {
         trace(self.space, from, w, longest, self.solids, &Traveller::Body)
+    }
+
+    /// Where that leads if no solid is in the way.
+    pub fn beyond(&self, from: &Place, w: DVec3, length: f64) -> Place {
+        trace(self.space, from, w, length, &Void, &Traveller::Body).place
     }
 
     /// The same, if nothing is in the way.
@@ -124,19 +130,20 @@ impl Ground<'_> {
         let Some(there) = self.free(&chest.place, w, STRIDE_M) else {
             return Stride::Blocked;
         };
-        self.come_down(there)
+        self.come_down(&there)
     }
 
     /// From chest height to where one stands.
-    fn come_down(&self, way: Trace) -> Stride {
-        let mut passed: Vec<usize> = portals(&way).collect();
+    fn come_down(&self, way: &Trace) -> Stride {
+        let mut passed: Vec<usize> = portals(way).collect();
         let mut chest = way.place;
+        let ahead = chest.turn * way.w;
         chest.straighten();
         let up = self.up(&chest);
         let (below, hit) = match self.under(&chest) {
             Under::Floor(below, hit) => (below, hit),
-            Under::Void => return Stride::Void(chest.point),
-            Under::Endless => return Stride::Blocked,
+            Under::Void if self.is_rim(&chest, ahead) => return Stride::Void(chest.point),
+            Under::Void | Under::Endless => return Stride::Blocked,
         };
         // A slope may rise faster than a step is high.
         let slope = STRIDE_M * self.shape.steepest_rad.tan();
@@ -152,10 +159,17 @@ impl Ground<'_> {
         passed.extend(portals(&fallen));
         let mut knee = fallen.place;
         knee.straighten();
-        match self.has_head_room(&knee) {
-            true => Stride::To(knee, passed),
-            false => Stride::Blocked,
+        if self.has_head_room(&knee) {
+            Stride::To(knee, passed)
+        } else {
+            Stride::Blocked
         }
+    }
+
+    /// Whether there is no floor either where the rest of a body would be that goes on.
+    fn is_rim(&self, chest: &Place, ahead: DVec3) -> bool {
+        let on = self.free(chest, ahead, self.shape.radius_m);
+        on.is_some_and(|it| matches!(self.under(&it.place), Under::Void))
     }
 
     /// A long way over level floor in the open, of so many felt metres: nothing near it, and no face or portal.

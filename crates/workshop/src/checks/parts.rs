@@ -150,8 +150,9 @@ fn spread(
             had = parts.len();
             flood.reorder(&key);
         }
-        if !goes_on() {
-            return false;
+        let is_near = flood.least_key().is_some_and(|it| it <= NEAR_M);
+        if !goes_on() || (parts.is_empty() && !is_near) {
+            return parts.is_empty();
         }
         if !flood.go_on(&key) {
             return true;
@@ -166,9 +167,10 @@ fn key(it: &Reached, parts: &[DVec3]) -> f64 {
         .iter()
         .map(|at| at.distance(it.place.point))
         .fold(f64::INFINITY, f64::min);
-    match nearest.is_finite() {
-        true => nearest + 0.5 * it.walked_m,
-        false => it.walked_m,
+    if nearest.is_finite() {
+        nearest + 0.5 * it.walked_m
+    } else {
+        it.walked_m
     }
 }
 

@@ -1,7 +1,7 @@
 //! Tunnels with open sides: boxes that are stretched along one axis and have no walls of their own, where nothing that stands
 //! there takes the place of walls. Who looks in from the side sees space bent.
 
-use antipode_deformation::{Place, Sides};
+use antipode_deformation::{Place, SceneQuery, Sides};
 use antipode_rooms::{Room, SpaceSoFar};
 use glam::DVec3;
 
@@ -55,25 +55,35 @@ fn open_side(ground: &Ground<'_>, number: usize) -> Option<DVec3> {
     ) else {
         return None;
     };
-    let mut open = Vec::new();
-    let mut count = 0;
-    for axis in (0..3).filter(|axis| axis != along) {
-        for side in [-1.0, 1.0] {
-            for place in places() {
-                let mut local = DVec3::ZERO;
-                local[axis] = side;
-                local[(axis + 1) % 3] = place.0;
-                local[(axis + 2) % 3] = place.1;
-                let at = it.centre + placed.axes * (local * it.half);
-                let outward = placed.axes.col(axis) * side;
-                count += 1;
-                if !is_covered(ground, at, outward, it.half[axis]) {
-                    open.push(at);
-                }
-            }
-        }
-    }
-    (open.len() as f64 > MOST_OPEN * f64::from(count)).then(|| open[open.len() / 2])
+    // What is shut at both of its ends is no tunnel: one goes through it across, by what would be its sides.
+    let has_end = [-1.0, 1.0].into_iter().any(|side| {
+        let open = open_places(ground, number, (*along, side));
+        open.len() * 2 > PLACES * PLACES
+    });
+    let across = (0..3).filter(|axis| axis != along);
+    let faces = across.flat_map(|axis| [(axis, -1.0), (axis, 1.0)]);
+    let open: Vec<_> = faces
+        .flat_map(|face| open_places(ground, number, face))
+        .collect();
+    let is_open = open.len() as f64 > MOST_OPEN * (4 * PLACES * PLACES) as f64;
+    (has_end && is_open).then(|| open[open.len() / 2])
+}
+
+/// The places of a face that nothing covers. A face is told by its axis and its side of that.
+fn open_places(ground: &Ground<'_>, number: usize, (axis, side): (usize, f64)) -> Vec<DVec3> {
+    let placed = &ground.space.placed()[number];
+    let it = &placed.aberration;
+    let outward = placed.axes.col(axis) * side;
+    let of_face = places().map(|place| {
+        let mut local = DVec3::ZERO;
+        local[axis] = side;
+        local[(axis + 1) % 3] = place.0;
+        local[(axis + 2) % 3] = place.1;
+        it.centre + placed.axes * (local * it.half)
+    });
+    of_face
+        .filter(|at| !is_covered(ground, *at, outward, it.half[axis]))
+        .collect()
 }
 
 /// Places of a face, from -1 to 1 along each edge, none at its rim.
@@ -84,7 +94,6 @@ fn places() -> impl Iterator<Item = (f64, f64)> {
 
 /// Whether something solid is just before or behind a place of a side, or around it.
 fn is_covered(ground: &Ground<'_>, at: DVec3, outward: DVec3, half: f64) -> bool {
-    use antipode_deformation::SceneQuery;
     let (within, beyond) = (NEAR_M.min(half), NEAR_M);
     let (from, length) = (at - outward * within, within + beyond);
     ground.solids.first(from, outward, length).is_some()

@@ -23,8 +23,8 @@ pub(crate) fn find(room: &Room, ground: &Ground<'_>, found: &mut Vec<Finding>) -
         at: room.spawn.at,
     };
     for height in HEIGHTS_M {
-        let at = ground.go(&feet, up, height);
-        let within = ground.solids_around(at.place.point);
+        let at = ground.beyond(&feet, up, height);
+        let within = ground.solids_around(at.point);
         let object = within.first().and_then(|it| room.objects.get(*it as usize));
         if let Some(object) = object {
             let said = Said::new("spawn-in-solid").with("name", object.name.clone());
@@ -36,7 +36,7 @@ pub(crate) fn find(room: &Room, ground: &Ground<'_>, found: &mut Vec<Finding>) -
     if room.gravity.length() == 0.0 {
         return None;
     }
-    let above = ground.go(&feet, up, HEIGHTS_M[0]).place;
+    let above = ground.beyond(&feet, up, HEIGHTS_M[0]);
     match ground.under(&above) {
         Under::Floor(below, _) if below - HEIGHTS_M[0] > HIGHEST_M => {
             let metres = ((below - HEIGHTS_M[0]) * 10.0).round() / 10.0;

@@ -120,9 +120,10 @@ fn find(dir: &Path) -> Result<Found, WorkshopError> {
         Some(told) => !told.is_damaged,
         None => fs::symlink_metadata(&journal).is_err(),
     };
-    let aside = match is_whole {
-        true => None,
-        false => Some(put_aside(&journal, &bytes)?),
+    let aside = if is_whole {
+        None
+    } else {
+        Some(put_aside(&journal, &bytes)?)
     };
     Ok(Found {
         lock,

@@ -103,7 +103,9 @@ impl Told {
                 .rev()
                 .for_each(|it| it.delta.take_back(&mut self.room));
         } else {
-            steps.iter().for_each(|it| it.delta.make(&mut self.room));
+            for it in steps {
+                it.delta.make(&mut self.room);
+            }
         }
         self.made = to;
         Some(())

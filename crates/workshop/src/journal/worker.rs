@@ -98,7 +98,9 @@ impl Worker {
                         (None, Err(error)) => drop(news.send(News::NotSaved(error))),
                         (None, Ok(())) => {}
                     }
-                    told.into_iter().for_each(|it| drop(news.send(it)));
+                    if let Some(told) = told {
+                        let _ = news.send(told);
+                    }
                 }
                 Note::Flush(done) => {
                     self.append(news, due);

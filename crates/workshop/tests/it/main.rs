@@ -9,6 +9,7 @@
 
 mod checks;
 mod commands;
+mod editing;
 mod keeping;
 mod killed;
 mod large;

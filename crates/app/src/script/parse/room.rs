@@ -25,7 +25,7 @@ pub enum RoomOrder {
 }
 
 /// What `room` can do.
-pub const ROOM_ACTS: [&str; 5] = ["new", "load", "save", "delete", "list"];
+pub const ROOM_ACTS: [&str; 6] = ["new", "load", "save", "delete", "list", "set"];
 
 /// The words after `room`.
 pub(super) fn room(words: &[&str]) -> Result<RoomOrder, String> {

@@ -170,6 +170,14 @@ fn words_of_rooms_are_orders_or_mistakes() {
     );
     assert_eq!(one("room save"), room(RoomOrder::Save(None)));
     assert_eq!(one("room list"), room(RoomOrder::List));
+    let words = ["room", "set", "sky=#123456"].map(str::to_owned);
+    assert_eq!(one("room set sky=#123456"), Ok(Order::Edit(words.to_vec())));
+    assert_eq!(
+        one("carry none a \"b c\""),
+        Ok(Order::Edit(
+            ["carry", "none", "a", "b c"].map(str::to_owned).to_vec()
+        ))
+    );
     assert_eq!(one("undo"), Ok(Order::Edit(vec!["undo".to_owned()])));
     assert!(matches!(
         one("add box name=a size=1,1,1"),
@@ -178,7 +186,7 @@ fn words_of_rooms_are_orders_or_mistakes() {
     for (mistake, said) in [
         ("room", "too few"),
         ("room load", "too few"),
-        ("room paint x", "new, load, save, delete, list"),
+        ("room paint x", "new, load, save, delete, list, set"),
         ("room new gravity=1,2", "three numbers"),
         ("room new gravity=0,-1e9,0", "out of range"),
         ("room new name=", "will not do"),
