@@ -9,7 +9,9 @@ const BATCH: u32 = 16u;
 const HOSTILE: u32 = 1u;
 const LIGHTS: u32 = 2u;
 const BRAKES: u32 = 4u;
-const PLACE_SHIFT: u32 = 3u;
+const POSSIBLE: u32 = 8u;
+const BARRED: u32 = 16u;
+const PLACE_SHIFT: u32 = 5u;
 
 // How much brighter brake lights are than tail lights.
 const BRAKING: f32 = 0.6 / 0.28;
@@ -19,7 +21,7 @@ struct VertexIn {
     @location(1) normal: vec4<f32>,     // w: how much it glows
     @location(2) colour: vec4<f32>,     // sRGB; a: gloss, or the cover of what light goes through
     @location(3) offset: vec3<f32>,     // the origin from the reference, or from the eye in its axes, metres
-    @location(4) flags: u32,            // HOSTILE, LIGHTS, BRAKES; from PLACE_SHIFT on the figure's place in its batch
+    @location(4) flags: u32,            // HOSTILE, LIGHTS, BRAKES, POSSIBLE, BARRED; from PLACE_SHIFT on the figure's place in its batch
     @location(5) turn: vec4<f32>,       // a quaternion
     @location(6) frame_origin: vec4<f32>, // view coordinates of the origin, where the figure is ported as a whole,
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
@@ -40,7 +42,7 @@ struct VertexOut {
     @location(1) albedo: vec4<f32>,     // a: gloss, or cover
     @location(2) toward_eye: vec3<f32>,
     @location(3) veil: vec4<f32>,       // rgb: the fog's share of the colour; a: share of the figure's own
-    @location(4) glow: f32,
+    @location(4) glow: f32,             // negative of what is not there, but shown where it would be
     @location(5) view: vec4<f32>,
     @location(6) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(7) @interpolate(flat) lights: vec3<u32>,
@@ -92,7 +94,23 @@ fn suit_colour(in: VertexIn) -> vec3<f32> {
     return select(colour, vec3<f32>(most, least * HOSTILE_HUES), (in.flags & HOSTILE) != 0u);
 }
 
+// What is not there yet: green where it can be put, red where it cannot, its light and dark parts told apart.
+const POSSIBLE_HUE: vec3<f32> = vec3<f32>(0.10, 0.95, 0.42);
+const BARRED_HUE: vec3<f32> = vec3<f32>(1.10, 0.12, 0.06);
+
+fn figure_colour(in: VertexIn) -> vec3<f32> {
+    let colour = suit_colour(in);
+    if (in.flags & (POSSIBLE | BARRED)) == 0u {
+        return colour;
+    }
+    let bright = 0.35 + 0.65 * max(colour.r, max(colour.g, colour.b));
+    return bright * select(POSSIBLE_HUE, BARRED_HUE, (in.flags & BARRED) != 0u);
+}
+
 fn glow(in: VertexIn) -> f32 {
+    if (in.flags & (POSSIBLE | BARRED)) != 0u {
+        return -1.0;
+    }
     let brakes = in.glow_switch == 2u && (in.flags & BRAKES) != 0u;
     let shines = in.glow_switch == 0u || (in.flags & LIGHTS) != 0u;
     return in.normal.w * select(select(0.0, 1.0, shines), BRAKING, brakes);
@@ -107,7 +125,7 @@ fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     out.clip = clip_from_view(space, view);
     let chart_normal = port_normal(space, p, normalize(stance.normal));
     out.normal = in_common_axes(chart_normal);
-    out.albedo = vec4<f32>(suit_colour(in), in.colour.a);
+    out.albedo = vec4<f32>(figure_colour(in), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze_before(view) * fog, 1.0 - fog);
     out.glow = glow(in);
@@ -152,14 +170,20 @@ fn vertex_bent_framed(in: VertexIn, skin: SkinIn) -> VertexOut {
     return by_frame(in, bent(in, skin));
 }
 
+// What is not there throws no shadow: all of it falls on one point.
+fn caster_at(in: VertexIn, place: vec3<f32>) -> vec4<f32> {
+    let is_there = (in.flags & (POSSIBLE | BARRED)) == 0u;
+    return caster_clip(in.offset + select(vec3<f32>(0.0), place, is_there));
+}
+
 @vertex
 fn vertex_caster(in: VertexIn) -> @builtin(position) vec4<f32> {
-    return caster_clip(in.offset + plain(in).place);
+    return caster_at(in, plain(in).place);
 }
 
 @vertex
 fn vertex_caster_bent(in: VertexIn, skin: SkinIn) -> @builtin(position) vec4<f32> {
-    return caster_clip(in.offset + bent(in, skin).place);
+    return caster_at(in, bent(in, skin).place);
 }
 
 // What is in the hand is seen at this focal length, whatever the field of view is: 1 over the tangent of 27 degrees.
@@ -214,12 +238,25 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     return colour;
 }
 
+// The light of what is not there: it shines by itself, a little brighter towards its edges, and every other pixel is open.
+fn ghost_light(in: VertexOut) -> vec3<f32> {
+    let facing = abs(dot(normalize(in.normal), normalize(in.toward_eye)));
+    return in.albedo.rgb * (1.15 - 0.6 * facing);
+}
+
+fn is_open(clip: vec4<f32>) -> bool {
+    let at = vec2<u32>(clip.xy);
+    return ((at.x + at.y) & 1u) == 1u;
+}
+
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
-    let light = figure_light(in, in.albedo.a);
-    if is_cut(in.view) {
+    var light = figure_light(in, in.albedo.a);
+    let is_ghost = in.glow < -0.5;
+    if is_cut(in.view) || (is_ghost && is_open(in.clip)) {
         discard;
     }
+    light = select(light, ghost_light(in), is_ghost);
     return vec4<f32>(light * in.veil.a + in.veil.rgb, 1.0);
 }
 

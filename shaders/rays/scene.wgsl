@@ -24,7 +24,7 @@ const ROW_BITS: u32 = 11u;
 // and the instance of what stays.
 @group(0) @binding(3) var triangles: texture_2d<u32>;
 // Eight for each instance: rows from the scene to the mesh's coordinates; root, object, materials and flags; metres of the
-// scene for one along each axis of the mesh.
+// scene for one along each axis of the mesh; a plane in the mesh's coordinates, what is behind which is not there, or nought.
 @group(0) @binding(4) var instances: texture_2d<u32>;
 
 // What a straight path has met.
@@ -64,7 +64,7 @@ fn in_box(low: vec3<u32>, high: vec3<u32>, x: vec3<f32>, pace: vec3<f32>, ahead:
 }
 
 // Meets a triangle if that comes before what is found (T. Moeller and B. Trumbore, 1997); whether it is the last of its leaf.
-fn meet(triangle: u32, o: vec3<f32>, d: vec3<f32>, instance: u32, found: ptr<function, Found>) -> bool {
+fn meet(triangle: u32, o: vec3<f32>, d: vec3<f32>, instance: u32, cut: vec4<f32>, found: ptr<function, Found>) -> bool {
     let corner = triangle_part(triangle, 0u);
     let second = triangle_part(triangle, 1u);
     let third = triangle_part(triangle, 2u);
@@ -78,7 +78,8 @@ fn meet(triangle: u32, o: vec3<f32>, d: vec3<f32>, instance: u32, found: ptr<fun
     let turned = cross(from_corner, ab);
     let c = dot(d, turned) * one;
     let time = dot(ac, turned) * one;
-    if volume != 0.0 && b >= 0.0 && c >= 0.0 && b + c <= 1.0 && time >= 0.0 && time <= (*found).time {
+    let is_there = dot(cut, vec4<f32>(o + time * d, 1.0)) >= 0.0;
+    if volume != 0.0 && b >= 0.0 && c >= 0.0 && b + c <= 1.0 && time >= 0.0 && time <= (*found).time && is_there {
         *found = Found(time, instance + third.w, triangle, vec2<f32>(b, c));
     }
     return second.w != 0u;
@@ -98,6 +99,7 @@ fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do:
     waiting[0] = NOTHING;
     var count = 1u;
     var instance = 0u;
+    var cut = vec4<f32>(0.0);
     var o = x;
     var d = v;
     var pace = inverse_pace(v);
@@ -135,7 +137,7 @@ fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do:
             }
             var triangle = at - TRIANGLES;
             loop {
-                if meet(triangle, o, d, instance, &found) {
+                if meet(triangle, o, d, instance, cut, &found) {
                     break;
                 }
                 triangle += 1u;
@@ -153,6 +155,7 @@ fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do:
         instance = select(0u, at - INSTANCE, enters);
         let to_mesh = to_mesh_of(instance);
         let about = instance_part(instance, 3u);
+        cut = select(vec4<f32>(0.0), bitcast<vec4<f32>>(instance_part(instance, 5u)), enters);
         o = select(x, vec4<f32>(x, 1.0) * to_mesh, enters);
         d = select(v, vec4<f32>(v, 0.0) * to_mesh, enters);
         pace = inverse_pace(d);

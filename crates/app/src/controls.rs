@@ -274,6 +274,10 @@ impl Controls {
             Action::FlipCar => self.events.flip_car = true,
             Action::Horn => self.events.horn = true,
             Action::Talk => self.events.talk = true,
+            Action::Backpack => {
+                self.events.grasp = true;
+                return Some(action);
+            }
             Action::Menu
             | Action::HideDisplay
             | Action::HitShapes
@@ -282,7 +286,6 @@ impl Controls {
             | Action::Screenshot
             | Action::PhotoMode
             | Action::SkipHint
-            | Action::Backpack
             | Action::Workshop
             | Action::Console => return Some(action),
             _ => {}

@@ -89,6 +89,7 @@ impl RoomFigures {
             materials: self.numbers.materials,
             unseen_by_eye: figure.unseen_by_eye,
             held: false,
+            cut: None,
         };
         let mut movers = moment.things.clone();
         movers.push(who);
@@ -102,6 +103,7 @@ impl RoomFigures {
                 pose,
                 unseen_by_eye: false,
                 held: true,
+                cut: None,
                 ..who
             };
             let held = before_eye(&in_hand.hand);

@@ -1,40 +1,16 @@
 //! The menu's pictures of the rooms that come with the game.
 
-macro_rules! portraits {
-    ($($id:literal),* $(,)?) => {
-        &[$(($id, include_bytes!(concat!("../../../assets/rooms/", $id, "/picture.png")))),*]
-    };
-}
-
-/// By the room's id: PNG, 320 by 180 pixels.
-const ALL: &[(&str, &[u8])] = portraits![
-    "long-house",
-    "big-house",
-    "twelve-rooms",
-    "nested-boxes",
-    "four-tunnels",
-    "thesis-room",
-    "two-portals",
-    "closet-flat",
-    "six-portals",
-    "endless-stair",
-    "growing-hall",
-    "door-to-itself",
-    "bottomless-shaft",
-];
+use antipode_rooms::shipped;
 
 /// The picture of a room of the game.
 pub fn of(id: &str) -> Option<&'static [u8]> {
-    ALL.iter()
-        .find(|(known, _)| *known == id)
-        .map(|(_, bytes)| *bytes)
+    shipped::find(id).map(|room| room.picture)
 }
 
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
-    use antipode_rooms::shipped;
     use image::GenericImageView as _;
 
     use super::*;

@@ -53,6 +53,7 @@ fn steer(actions: &Actions) -> Steer {
         shoot: actions.primary,
         place: actions.secondary,
         throw: actions.drop_one,
+        grasp: actions.grasp,
     }
 }
 

@@ -8,6 +8,7 @@ use antipode_language::{Texts, Value};
 use antipode_render::RenderError;
 use antipode_room_scene::RoomHint;
 use antipode_rooms::{RoomError, RoomSummary};
+use antipode_scene::notice::Unfit;
 use antipode_scene::{Hint, Item, Line, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
@@ -130,6 +131,8 @@ pub fn room_hint(texts: &Texts, hint: RoomHint) -> String {
     texts.say(match hint {
         RoomHint::NoPlaceForLamp => "room-hint-no-place-for-lamp",
         RoomHint::TooManyLamps => "room-hint-too-many-lamps",
+        RoomHint::NothingToLift => "room-hint-nothing-to-lift",
+        RoomHint::TooHeavy => "room-hint-too-heavy",
         RoomHint::FellOut => "room-hint-fell-out",
     })
 }
@@ -186,6 +189,11 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::Unbent => texts.say("hint-unbent"),
         Hint::NoBullets => texts.say("hint-no-bullets"),
         Hint::NoPlaceFor(item) => texts.say(&format!("hint-no-place-for-{}", item.id())),
+        Hint::Unfit(why) => texts.say(match why {
+            Unfit::Steep => "hint-door-steep",
+            Unfit::Walled => "hint-door-walled",
+            Unfit::Crowded => "hint-door-crowded",
+        }),
         Hint::NoneThere(item) => texts.say(&format!("hint-none-there-{}", item.id())),
         Hint::MovedOldest(item) => texts.say(&format!("hint-moved-{}", item.id())),
         Hint::TooMany(item) => texts.say(&format!("hint-too-many-{}", item.id())),

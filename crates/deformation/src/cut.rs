@@ -50,6 +50,11 @@ pub fn show_cut(
     }
 }
 
+/// What of a convex polygon lies at 0 and above by a height that is linear in the place; nothing where less than a triangle does.
+pub fn half(polygon: &[DVec3], height: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
+    split(polygon, height).0
+}
+
 fn openings<'a>(space: &'a Space, place: &Place, low: DVec3, high: DVec3) -> Vec<Opening<'a>> {
     let near = |portal: &PlacedPortal| {
         let (from, to) = bounds(portal.corners.iter().copied());

@@ -46,6 +46,7 @@ pub use aberration::{Aberration, Exit, Sides, Ways, stretch_of_legacy};
 pub use ball::{Ball, BallShape};
 pub use bvh::{Bvh, BvhNode};
 pub use chain::{Chain, Leg};
+pub use cut::{half, show_cut};
 pub use error::SpaceError;
 pub use event::{crossing_in, crossing_out};
 pub use eye::EyeHeight;

@@ -152,7 +152,7 @@ impl PlacedPortal {
 
     /// On which side of the plane somebody is who goes at velocity `v`. On the plane itself who has just come out is on the side
     /// that it came out to, and any other on the side from which it goes on through.
-    pub(crate) fn side(&self, number: usize, point: DVec3, v: DVec3, passage: Passage) -> bool {
+    pub fn side(&self, number: usize, point: DVec3, v: DVec3, passage: Passage) -> bool {
         let before = self.before(point);
         if before.abs() > slack(point) {
             before > 0.0

@@ -247,6 +247,20 @@ pub struct Figure {
     pub lights: bool,
     /// Whether its brake lights are.
     pub brakes: bool,
+    /// Whether it is there.
+    pub presence: Presence,
+}
+
+/// Whether a figure is there, or only shown where it would be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Presence {
+    /// It is there.
+    #[default]
+    Real,
+    /// It can be put there: the figure is green and half of it is seen through. It throws no shadow.
+    Possible,
+    /// It cannot be put there: it is red.
+    Barred,
 }
 
 impl Figure {
@@ -262,6 +276,7 @@ impl Figure {
             hostile: false,
             lights: false,
             brakes: false,
+            presence: Presence::Real,
         }
     }
 }

@@ -20,9 +20,10 @@ pub const HALF_WIDTH_M: f64 = 0.95;
 /// Height of the opening over the foot, metres.
 pub const HEIGHT_M: f64 = 2.2;
 /// How far the opening reaches below the foot, for ground that falls away to its sides, metres.
-pub const BELOW_FOOT_M: f64 = 0.35;
-/// A way is looked at as near as this to a foot, metres of the chart: the longest step of anything, and the leaf itself.
-const NEAR_M: f64 = 6.0;
+pub const BELOW_FOOT_M: f64 = 0.55;
+/// A way is looked at as near as this to a foot, metres of the chart: the longest step of anything and the longest arm of a
+/// camera, and the leaf itself.
+const NEAR_M: f64 = 12.0;
 /// Who has passed is so far behind the leaf at least, metres: no rounding brings anybody back.
 const PAST_M: f64 = 1e-6;
 /// How far ahead of an eye the points lie by which its axes are carried, metres.

@@ -17,6 +17,7 @@ mod character;
 mod chart_ground;
 mod collider;
 mod lift;
+mod loose;
 mod mover;
 mod patch;
 mod rays;
@@ -30,6 +31,7 @@ pub use ball::{Ball, BallTuning, Touch, meets_capsule};
 pub use character::{Character, CharacterInput};
 pub use chart_ground::{ChartGround, Obstacle};
 pub use collider::TerrainCollider;
+pub use loose::{LooseBlow, LooseBodies, LooseBody, LooseMotion, LooseShape};
 pub use rays::RayHit;
 pub use tuning::CharacterTuning;
 pub use vehicle::{

@@ -141,6 +141,12 @@ impl Loaded {
         Ok(())
     }
 
+    /// Whether something that was shown is cut, which a raster does not know.
+    pub(crate) fn cuts(&self) -> bool {
+        let shown = self.shown.iter().flatten();
+        shown.into_iter().any(|it| it.cut.is_some())
+    }
+
     /// Movers, for a raster.
     fn moved(&self, movers: &[Mover]) -> Vec<Moved> {
         let moved = movers.iter().enumerate().filter_map(|(number, mover)| {

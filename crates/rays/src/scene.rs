@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_deformation::{Place, Space};
-use glam::{Affine3A, DVec3, Vec3};
+use glam::{Affine3A, DVec3, Vec3, Vec4};
 
 use crate::mesh::Mesh;
 
@@ -72,6 +72,8 @@ pub struct Mover {
     /// Whether only the eye sees it, as what who looks holds before it: it throws no shadow but on itself, and what the eye
     /// looks through throws none on it.
     pub held: bool,
+    /// Only what is before this plane is there: (n, -d) for n.x >= d in the scene, as of who stands astride a portal.
+    pub cut: Option<Vec4>,
 }
 
 /// How a surface looks.

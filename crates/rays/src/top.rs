@@ -27,7 +27,8 @@ pub struct PackedInstance {
     materials: u32,
     flags: u32,
     scale: Vec4,
-    room: [Vec4; 3],
+    cut: Vec4,
+    room: [Vec4; 2],
 }
 
 /// A mesh that may move and lies in the adapter's memory.
@@ -139,8 +140,16 @@ fn pack_mover(mover: &Mover, root: u32) -> PackedInstance {
     PackedInstance {
         root,
         flags: MOVES | flag(mover.unseen_by_eye, UNSEEN) | flag(mover.held, HELD),
+        cut: mover.cut.map_or(Vec4::ZERO, |it| plane_in(&mover.pose, it)),
         ..packed(&mover.pose, mover.object, mover.materials)
     }
+}
+
+/// A plane of the scene in a mesh's coordinates: n.(P x + p) + e = (P^T n).x + (n.p + e).
+fn plane_in(pose: &Affine3A, plane: Vec4) -> Vec4 {
+    let normal = plane.truncate();
+    let turned = pose.matrix3.transpose() * normal;
+    turned.extend(normal.dot(pose.translation.into()) + plane.w)
 }
 
 fn flag(is_on: bool, flag: u32) -> u32 {
@@ -168,6 +177,7 @@ fn packed(pose: &Affine3A, object: u32, materials: usize) -> PackedInstance {
             matrix.z_axis.length(),
             0.0,
         ),
-        room: [Vec4::ZERO; 3],
+        cut: Vec4::ZERO,
+        room: [Vec4::ZERO; 2],
     }
 }

@@ -1,6 +1,6 @@
 //! Figures: one mesh for each model, and which figures a view shows, with an instance for each and for what it holds.
 
-use antipode_frame::{Figure, Frame};
+use antipode_frame::{Figure, Frame, Presence};
 use glam::{Mat3, Quat, Vec3};
 use wgpu::Device;
 
@@ -15,7 +15,9 @@ use crate::models::{Loaded, number};
 use crate::plan::{FramePlan, Tolerance};
 use crate::rig::Posed;
 use crate::shadow::Caster;
-use crate::uniforms::{BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, frame_rows};
+use crate::uniforms::{
+    BARRED_FLAG, BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, POSSIBLE_FLAG, frame_rows,
+};
 
 /// The models, which all views draw figures with.
 #[derive(Debug)]
@@ -147,6 +149,7 @@ fn put(
         lights: [0; 3],
     };
     let mut way = Way::Shade;
+    let throws = wanted.shades && figure.presence == Presence::Real;
     if wanted.seen {
         instance.lights = lights_near(frame, chart, min, max);
         let tolerance_px = Tolerance::of(frame.view.quality).shape_px;
@@ -166,7 +169,7 @@ fn put(
         instance,
         joints: None,
         chart,
-        room: wanted.shades.then_some(Caster { chart, min, max }),
+        room: throws.then_some(Caster { chart, min, max }),
     });
 }
 
@@ -176,6 +179,8 @@ fn flags(figure: &Figure) -> u32 {
         (figure.hostile, HOSTILE_FLAG),
         (figure.lights, LIGHTS_FLAG),
         (figure.brakes, BRAKES_FLAG),
+        (figure.presence == Presence::Possible, POSSIBLE_FLAG),
+        (figure.presence == Presence::Barred, BARRED_FLAG),
     ];
     let on = switches.into_iter().filter(|(is_on, _)| *is_on);
     on.fold(0, |flags, (_, flag)| flags | flag)

@@ -242,8 +242,12 @@ pub const HOSTILE_FLAG: u32 = 1;
 pub const LIGHTS_FLAG: u32 = 2;
 /// That of a car whose brake lights are.
 pub const BRAKES_FLAG: u32 = 4;
+/// That of what can be put where it is shown.
+pub const POSSIBLE_FLAG: u32 = 8;
+/// That of what cannot be put there.
+pub const BARRED_FLAG: u32 = 16;
 /// Above the flags is the figure's place in its batch of joints.
-pub const PLACE_SHIFT: u32 = 3;
+pub const PLACE_SHIFT: u32 = 5;
 
 /// Where and how a figure stands; the instance attributes of figure.wgsl.
 #[repr(C)]

@@ -100,7 +100,7 @@ impl RoomScene {
             let way = k.inverse() * (seen.point - at.point);
             let length_m = way.length();
             let w = way.normalize_or(up);
-            let path = trace(&self.space, &at, w, length_m, &self.solids, &body);
+            let path = trace(&self.space, &at, w, length_m, &self.all_solids(), &body);
             path.hit().is_some()
         };
         if !hides(0.0) {
@@ -122,7 +122,7 @@ impl RoomScene {
     fn leg(&self, from: &Place, way: DVec3, length_m: f64) -> (Place, DVec3, f64) {
         let go = |longest: f64| {
             let who = Traveller::Body;
-            trace(&self.space, from, way, longest, &self.solids, &who)
+            trace(&self.space, from, way, longest, &self.all_solids(), &who)
         };
         let path = go(length_m + CAMERA_RADIUS_M);
         let free_m = path.hit().map_or(length_m, |hit| {

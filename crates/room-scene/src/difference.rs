@@ -39,7 +39,7 @@ impl RoomScene {
         let corner = |side: f64| eye.direction(side, side, aspect);
         let who = Traveller::Light(PictureCorners::new(corner(-1.0), corner(1.0)));
         let by = |space: &Space| {
-            let go = |longest| trace(space, &eye.place, w, longest, &self.solids, &who);
+            let go = |longest| trace(space, &eye.place, w, longest, &self.all_solids(), &who);
             let path = go(PICK_M);
             let pieces = middles(&path).map(|middle| w.angle_between(go(middle).w));
             let turned_rad = pieces.fold(0.0, f64::max);

@@ -6,8 +6,10 @@ use antipode_frame::{ModelId, Posture};
 use antipode_items::Item;
 use antipode_rays::{Material, Mesh, Mover};
 use antipode_rooms::direction;
+use antipode_rooms::mesh::SolidMesh;
 use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec2, DVec3, Vec3};
 
+use crate::bodies::Solid;
 use crate::scene::RoomScene;
 use crate::things::{Thing, ThingKind};
 use crate::tuning::{DAYLIGHT, STEP_S};
@@ -16,6 +18,9 @@ use crate::tuning::{DAYLIGHT, STEP_S};
 const BALL: usize = 0;
 /// Materials of things, in the order of [`ThingKind`], from this number on.
 pub const THINGS_FROM: usize = 1;
+/// Materials of what is loose, in its order, from this number on.
+pub const LOOSE_FROM: usize = THINGS_FROM + THING_MATERIALS;
+const THING_MATERIALS: usize = 4;
 /// Rows of the mesh of a ball, and columns.
 const ROWS: (u32, u32) = (12, 24);
 /// How thick a mark is to its width.
@@ -70,8 +75,35 @@ impl RoomScene {
             materials: THINGS_FROM + thing.kind as usize,
             unseen_by_eye: false,
             held: false,
+            cut: None,
         };
-        self.things_between(share).iter().map(of).collect()
+        let loose = self.bodies.shown(&self.space, share);
+        let all = self.things_between(share);
+        let things = all.iter().map(of);
+        things
+            .chain(loose.iter().map(|it| self.loose_mover(it)))
+            .collect()
+    }
+
+    fn loose_mover(&self, solid: &Solid) -> Mover {
+        let number = |it: &&SolidMesh| it.object == solid.object;
+        let mesh = self
+            .loose_meshes
+            .iter()
+            .take_while(|it| !number(it))
+            .count();
+        let cut = solid
+            .cut
+            .map(|(n, least)| n.as_vec3().extend(-least as f32));
+        Mover {
+            mesh: BALL + 1 + mesh,
+            pose: solid.pose.as_affine3a(),
+            object: solid.object as u32,
+            materials: LOOSE_FROM + mesh,
+            unseen_by_eye: false,
+            held: false,
+            cut,
+        }
     }
 
     /// From the axes of what is at a place to the scene; `felt` takes them to felt metres about it.
@@ -121,7 +153,7 @@ fn shape_of(thing: &Thing) -> DMat3 {
 }
 
 /// Materials of things, in the order of [`ThingKind`].
-pub fn materials() -> [Material; 4] {
+pub fn materials() -> [Material; THING_MATERIALS] {
     let plain = |red: f32, green: f32, blue: f32, gloss: f32| Material {
         colour: Vec3::new(red, green, blue),
         gloss,

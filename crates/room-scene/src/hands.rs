@@ -70,7 +70,10 @@ impl RoomScene {
             self.hand.fire();
             self.sound(RoomSound::Shot);
         }
-        if steer.throw {
+        if steer.grasp {
+            self.grasp();
+        }
+        if steer.throw && !self.hurl() {
             let thrown = self.thrown();
             self.things.throw(thrown);
         }
@@ -88,7 +91,7 @@ impl RoomScene {
             &eye,
             front,
             reach,
-            &self.solids,
+            &self.all_solids(),
             &Traveller::Body,
         );
         (eye, front, path)
@@ -104,11 +107,11 @@ impl RoomScene {
         let side = front.cross(DVec3::Y).normalize_or(DVec3::X);
         let way = side * right + side.cross(front) * up + front * ahead;
         let (length, w) = (way.length(), way.normalize_or(front));
-        let all =
-            |longest: f64, scene| trace(&self.space, eye, w, longest, scene, &Traveller::Body);
-        let path = all(length, &self.solids);
+        let solids = self.all_solids();
+        let all = |longest: f64| trace(&self.space, eye, w, longest, &solids, &Traveller::Body);
+        let path = all(length);
         if path.hit().is_some() {
-            return all(SHORT_OF_WALL * path.length, &self.solids).place;
+            return all(SHORT_OF_WALL * path.length).place;
         }
         path.place
     }

@@ -12,6 +12,10 @@ pub enum RoomHint {
     NoPlaceForLamp,
     /// The room's own lamps are as many as can shine.
     TooManyLamps,
+    /// There is nothing loose within reach.
+    NothingToLift,
+    /// It is too heavy to be lifted.
+    TooHeavy,
     /// Who walks has fallen out of the room, and begins anew.
     FellOut,
 }

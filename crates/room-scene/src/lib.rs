@@ -5,9 +5,11 @@
 //!
 //! There is no window, no file and no adapter here.
 
+mod bodies;
 mod camera;
 mod difference;
 mod figure;
+mod handling;
 mod hands;
 mod held;
 mod hints;
@@ -17,6 +19,7 @@ mod moment;
 mod pick;
 mod picture;
 mod probe;
+mod probe_loose;
 mod righting;
 mod scene;
 mod solids;
@@ -34,6 +37,7 @@ pub use moment::{Moment, Turn};
 pub use pick::{Pick, PickEvent};
 pub use picture::SignBoard;
 pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe, Sizes};
+pub use probe_loose::LooseState;
 pub use scene::{NoSuchPlace, RoomScene};
 pub use sounds::RoomSound;
 pub use things::{Struck, Thing, ThingKind};

@@ -38,7 +38,7 @@ impl RoomScene {
             &place,
             front,
             PICK_M,
-            &self.solids,
+            &self.all_solids(),
             &Traveller::Body,
         );
         let hit = match path.end {

@@ -53,6 +53,10 @@ impl RoomScene {
             fog_m: fog_m(room),
             ..RayScene::default()
         };
+        for solid in &self.loose_meshes {
+            scene.movables.push(Arc::new(mesh_of(&solid.shape)));
+            scene.materials.push(self.material_of(solid, &mut pictures));
+        }
         for index in &self.boxes {
             let what = &room.objects[*index].what;
             let is_outlined = matches!(what, What::Aberration(it) if it.outline);

@@ -44,7 +44,7 @@ pub struct ObjectProbe {
     pub name: String,
     /// What it is: `box`, `aberration` and so on.
     pub kind: &'static str,
-    /// Where it is.
+    /// Where it is; of what is loose, where its centre of mass is now.
     pub pos: [f64; 3],
 }
 
@@ -146,15 +146,19 @@ impl RoomScene {
         let body = &self.walker.body;
         let aim = self.look.degrees();
         let room = self.room();
-        let objects = room.objects.iter().zip(poses(room));
+        let mut at: Vec<_> = poses(room).iter().map(|it| it.translation).collect();
+        for body in self.bodies.loose() {
+            at[body.object] = body.place.point;
+        }
+        let objects = room.objects.iter().zip(at);
         RoomProbe {
             t: self.time_s,
             room: room.name.clone(),
             objects: objects
-                .map(|(object, pose)| ObjectProbe {
+                .map(|(object, at)| ObjectProbe {
                     name: object.name.clone(),
                     kind: object.what.kind(),
-                    pos: pose.translation.to_array(),
+                    pos: at.to_array(),
                 })
                 .collect(),
             pick: self.pick(),

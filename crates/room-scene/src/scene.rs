@@ -11,11 +11,13 @@ use antipode_workshop::{Document, Plan, Said};
 use glam::DVec3;
 use thiserror::Error;
 
+use crate::bodies::{Bodies, LooseSolids};
+use crate::handling::Grasp;
 use crate::hands::Hands;
 use crate::held::RoomViewing;
 use crate::hints::RoomHint;
 use crate::righting::Righting;
-use crate::solids::{standing, triangles};
+use crate::solids::{parted, standing, triangles};
 use crate::sounds::RoomSound;
 use crate::things::Things;
 use crate::tuning::{PITCH_LIMIT_RAD, SHAPE};
@@ -29,7 +31,7 @@ pub struct NoSuchPlace(pub DVec3);
 /// An open room. A copy of it is kept nowhere.
 #[derive(Clone, Debug)]
 pub struct RoomScene {
-    document: Document,
+    pub(crate) document: Document,
     pub(crate) assets: Assets,
     pub(crate) space: Space,
     /// The object of each aberration of the space.
@@ -38,6 +40,11 @@ pub struct RoomScene {
     pub(crate) portals: Vec<usize>,
     pub(crate) meshes: Vec<SolidMesh>,
     pub(crate) solids: Triangles,
+    /// What is loose, and its meshes in the same order.
+    pub(crate) bodies: Bodies,
+    pub(crate) loose_meshes: Vec<SolidMesh>,
+    /// Where the surfaces of what is loose are now.
+    pub(crate) loose: Triangles,
     pub(crate) walker: Walker,
     pub(crate) jumps: Jumps,
     pub(crate) look: Look,
@@ -45,7 +52,10 @@ pub struct RoomScene {
     pub(crate) looked: Look,
     pub(crate) hands: Hands,
     pub(crate) things: Things,
+    pub(crate) grasp: Grasp,
     pub(crate) time_s: f64,
+    /// When something loose was heard last, as `time_s`.
+    pub(crate) knocked_s: f64,
     pub(crate) motion: Motion,
     pub(crate) hand: HandMotion,
     /// What was in the hand before the last step.
@@ -78,13 +88,18 @@ impl RoomScene {
             portals: Vec::new(),
             meshes: Vec::new(),
             solids: Triangles::default(),
+            bodies: Bodies::default(),
+            loose_meshes: Vec::new(),
+            loose: Triangles::default(),
             walker: Walker::new(Place::default(), SHAPE),
             jumps: Jumps::default(),
             look: Look::default(),
             looked: Look::default(),
             hands: Hands::default(),
             things: Things::default(),
+            grasp: Grasp::default(),
             time_s: 0.0,
+            knocked_s: 0.0,
             motion: Motion::default(),
             hand: HandMotion::default(),
             hand_before: None,
@@ -162,6 +177,18 @@ impl RoomScene {
         Ok(())
     }
 
+    /// Lets what falls fall otherwise, m/s^2.
+    ///
+    /// # Errors
+    /// If no room has such gravity.
+    pub fn set_gravity(&mut self, gravity: DVec3) -> Result<(), RoomError> {
+        let room = self.room().clone();
+        let plan = (self.document).plan_room(Room { gravity, ..room }, Said::new("room"))?;
+        self.document.commit(plan)?;
+        self.work_out();
+        Ok(())
+    }
+
     /// Gives the room another name.
     ///
     /// # Errors
@@ -180,13 +207,17 @@ impl RoomScene {
         let room = self.document.room();
         let so_far = space_in_parts(room);
         (self.space, self.boxes, self.portals) = (so_far.space, so_far.boxes, so_far.portals);
-        self.meshes = standing(room, &self.assets);
+        (self.meshes, self.loose_meshes) = parted(room, standing(room, &self.assets));
         if self.leaves_out {
             let document = &self.document;
-            self.meshes
-                .retain(|mesh| !document.is_hidden(&room.objects[mesh.object].name));
+            let is_shown = |mesh: &SolidMesh| !document.is_hidden(&room.objects[mesh.object].name);
+            self.meshes.retain(is_shown);
+            self.loose_meshes.retain(is_shown);
         }
         self.solids = triangles(&self.meshes);
+        self.grasp = Grasp::default();
+        self.bodies.changed(room, &self.space);
+        self.loose = self.bodies.solids(&self.space);
         self.lowest_m = self.lowest();
         let place = &mut self.walker.body.place;
         *place = Place {
@@ -221,13 +252,25 @@ impl RoomScene {
         }
     }
 
+    /// What is solid: what stands, and what is loose where it is now.
+    pub(crate) fn all_solids(&self) -> LooseSolids<'_> {
+        LooseSolids {
+            standing: &self.solids,
+            loose: &self.loose,
+        }
+    }
+
     fn lowest(&self) -> f64 {
         let room = self.document.room();
         let up = self.up();
-        let of_solids = self.meshes.iter().flat_map(|mesh| {
-            let corners = mesh.shape.positions.iter();
-            corners.map(|it| mesh.pose.transform_point3(*it))
-        });
+        let of_solids = self
+            .meshes
+            .iter()
+            .chain(&self.loose_meshes)
+            .flat_map(|mesh| {
+                let corners = mesh.shape.positions.iter();
+                corners.map(|it| mesh.pose.transform_point3(*it))
+            });
         // One may stand in boxes that nothing stands in.
         let of_boxes = aberrations(room).into_iter().flat_map(|(_, it)| {
             let reach = DVec3::splat(it.half.length());

@@ -18,7 +18,16 @@ pub enum RoomSound {
     Landed(f64),
     /// The gun was fired.
     Shot,
+    /// Something loose met something, and changed its felt speed by so much, metres a second; less of what is farther off.
+    Knocked(f64),
 }
+
+/// Softer blows are not heard, metres a second.
+const KNOCK_FROM_M_S: f64 = 1.0;
+/// A blow so far off, metres of the size of who hears it, is half as loud.
+const HALF_AS_LOUD_M: f64 = 4.0;
+/// Blows are heard so far apart, seconds.
+const KNOCKS_APART_S: f64 = 0.08;
 
 impl RoomScene {
     /// What there was to hear since it was last asked.
@@ -29,6 +38,23 @@ impl RoomScene {
     pub(crate) fn sound(&mut self, sound: RoomSound) {
         if self.sounds.len() < MOST {
             self.sounds.push(sound);
+        }
+    }
+
+    /// Tells of the loudest blow that something loose had in a step.
+    pub(crate) fn hear_knocks(&mut self) {
+        if self.time_s - self.knocked_s < KNOCKS_APART_S {
+            return;
+        }
+        let ear = self.walker.body.place;
+        let loud = |(place, speed): (antipode_deformation::Place, f64)| {
+            let off = place.point.distance(ear.point) / ear.scale;
+            speed / (1.0 + off / HALF_AS_LOUD_M)
+        };
+        let loudest = self.bodies.blows().map(loud).fold(0.0, f64::max);
+        if loudest > KNOCK_FROM_M_S {
+            self.knocked_s = self.time_s;
+            self.sound(RoomSound::Knocked(loudest));
         }
     }
 

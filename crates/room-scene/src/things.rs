@@ -1,7 +1,7 @@
 //! Things that come and go while one is in a room: bullets and their marks, balls that were thrown, and lamps that were put
 //! down. Nothing of them is kept: who leaves a room, or begins anew in it, finds it as its file says.
 
-use antipode_deformation::{Ball, Flyer, Hit, Place, Space, Triangles, What};
+use antipode_deformation::{Ball, Flyer, Hit, Place, SceneQuery, Space, What};
 use glam::{DQuat, DVec3};
 use serde::Serialize;
 
@@ -72,6 +72,8 @@ struct One {
 pub struct Things {
     all: Vec<One>,
     made: u64,
+    /// What bullets have hit since it was last asked: what, where, and in which felt direction they flew.
+    pub blows: Vec<(What, Place, DVec3)>,
     /// What was hit last: what it belongs to, and felt metres flown.
     pub struck: Option<(What, f64)>,
 }
@@ -191,7 +193,13 @@ impl Things {
     }
 
     /// Goes on by a step.
-    pub fn step(&mut self, space: &Space, solids: &Triangles, g: DVec3) {
+    pub fn step(
+        &mut self,
+        space: &Space,
+        solids: &dyn SceneQuery,
+        g: DVec3,
+        is_loose: impl Fn(What) -> bool,
+    ) {
         let mut hits = Vec::new();
         for one in &mut self.all {
             one.was = one.place();
@@ -212,6 +220,12 @@ impl Things {
         for (id, body, flown_m, hit) in hits {
             self.remove(id);
             self.struck = Some((hit.what, flown_m));
+            let way = body.velocity.normalize_or_zero();
+            self.blows.push((hit.what, body.place, way));
+            if is_loose(hit.what) {
+                // A mark would stay in the air.
+                continue;
+            }
             let normal = hit.felt_normal;
             let life = Life::Still {
                 place: body.place,
@@ -229,7 +243,7 @@ fn fly(
     body: &mut Flyer,
     flown_m: &mut f64,
     space: &Space,
-    solids: &Triangles,
+    solids: &dyn SceneQuery,
     g: DVec3,
 ) -> Option<Hit> {
     let before = body.velocity.length();

@@ -6,6 +6,30 @@ use antipode_deformation::{BallShape, WalkerShape};
 
 /// Length of a step, seconds.
 pub const STEP_S: f64 = 1.0 / 60.0;
+/// In so many parts what is loose goes on in a step.
+pub const PARTS: u32 = 2;
+/// Mass of who walks, kilograms of their own size.
+pub const WALKER_MASS_KG: f64 = 80.0;
+/// With how much force they push what is loose, newtons of their own size.
+pub const PUSH_N: f64 = 500.0;
+/// From how near, felt metres beyond their radius.
+pub const PUSH_REACH_M: f64 = 0.12;
+/// The heaviest that they lift, kilograms of their own size.
+pub const LIFT_KG: f64 = 60.0;
+/// From how far off, felt metres from the eye.
+pub const GRASP_REACH_M: f64 = 3.0;
+/// How far before the eye what is held is, felt metres before its nearest side.
+pub const HOLD_M: f64 = 0.75;
+/// How much of its way to there it goes in a second, and how fast at most, felt metres per second.
+pub const HOLD_RATE: (f64, f64) = (12.0, 8.0);
+/// What is farther than this from where it is to be held, felt metres, is let go.
+pub const SLIPS_M: f64 = 1.6;
+/// Speed at which what is held is thrown, felt metres per second; what is heavier than [`LIGHT_KG`] is thrown slower.
+pub const HURL_SPEED_M_S: f64 = 8.0;
+/// See [`HURL_SPEED_M_S`].
+pub const LIGHT_KG: f64 = 15.0;
+/// What a bullet gives to what it hits, N s of the size of who shot.
+pub const BULLET_PUSH_N_S: f64 = 8.0;
 /// Felt speed of who walks, metres per second.
 pub const WALK_SPEED_M_S: f64 = 4.5;
 /// How many times as fast a sprint is.

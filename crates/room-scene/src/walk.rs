@@ -2,11 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
-use antipode_deformation::{Passage, Place, Traveller, Void, Walker, felt_gravity, trace};
+use antipode_deformation::{Passage, Place, Traveller, Void, Walker, What, felt_gravity, trace};
 use antipode_frame::hand::HandMotion;
 use antipode_rooms::direction;
 use glam::{DVec2, DVec3};
 
+use crate::bodies::{Around, Bodies, LooseSolids};
+use crate::handling::Grasp;
 use crate::hints::RoomHint;
 use crate::righting::Righting;
 use crate::scene::RoomScene;
@@ -35,8 +37,10 @@ pub struct Steer {
     pub shoot: bool,
     /// Second use held: when it is pressed, a lamp is put down, or the one under the crosshair is taken up.
     pub place: bool,
-    /// A ball is thrown.
+    /// What is held is thrown; a ball, if nothing is.
     pub throw: bool,
+    /// What the crosshair is on is taken up, or what is held let go.
+    pub grasp: bool,
 }
 
 /// See [`RoomScene::stand_at`]; metres.
@@ -141,13 +145,30 @@ impl RoomScene {
         }
         let falls_m_s = -self.walker.body.velocity.dot(up);
         let passed = self.walker.body.place.passage;
+        let solids = LooseSolids {
+            standing: &self.solids,
+            loose: &self.loose,
+        };
         self.walker
-            .step(&self.space, &self.solids, wish, gravity, STEP_S);
+            .step(&self.space, &solids, wish, gravity, STEP_S);
         let velocity = &mut self.walker.body.velocity;
         *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
         self.pass_portals(passed);
         self.hold_figure(falls_m_s);
-        self.things.step(&self.space, &self.solids, gravity);
+        let solids = LooseSolids {
+            standing: &self.solids,
+            loose: &self.loose,
+        };
+        let objects = &self.document.room().objects;
+        let is_loose = |what: What| match what {
+            What::Object(object, _) => objects[object as usize].mass.is_some(),
+            What::Wall(..) => false,
+        };
+        self.things.step(&self.space, &solids, gravity, is_loose);
+        self.push_bodies(steer);
+        self.push_by_bullets();
+        self.carry_held();
+        self.move_bodies();
         let is_lost = self.is_lost();
         self.things.keep(|point| !is_lost(point));
         self.use_hands(steer);
@@ -155,6 +176,30 @@ impl RoomScene {
             self.begin_anew();
             self.hint(RoomHint::FellOut);
         }
+    }
+
+    /// What is loose goes on by a step; what falls out of the room is where its file says again.
+    fn move_bodies(&mut self) {
+        let middle = self.above(&self.walker.body.place, SHAPE.axis_m() / 2.0);
+        let mut place = middle;
+        let turn = place.straighten();
+        let (up, velocity) = (self.felt_up(&middle), self.walker.body.velocity);
+        let (up, velocity) = (turn * up, turn * velocity);
+        self.bodies.set_who(&self.space, place, up, velocity);
+        let around = Around {
+            space: &self.space,
+            solids: &self.solids,
+            g: self.document.room().gravity,
+        };
+        self.bodies.step(&around);
+        self.hear_knocks();
+        let is_lost = self.is_lost();
+        let lost = self.bodies.lost(is_lost);
+        if !lost.is_empty() {
+            let new = Bodies::new(self.room(), &self.space);
+            self.bodies.begin_anew(&lost, new);
+        }
+        self.loose = self.bodies.solids(&self.space);
     }
 
     /// The view is turned by the portals of the last step, before which `before` was passed last, and rights itself.
@@ -201,6 +246,9 @@ impl RoomScene {
         let spawn = self.room().spawn;
         self.look = Look::of_degrees(spawn.look);
         self.things = Things::default();
+        self.grasp = Grasp::default();
+        self.bodies = Bodies::new(self.room(), &self.space);
+        self.loose = self.bodies.solids(&self.space);
         self.hands = self.hands.begun_anew();
         self.hand = HandMotion::default();
         self.hand_before = None;

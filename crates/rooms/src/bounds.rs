@@ -30,6 +30,8 @@ pub const MOST_PORTALS: usize = 64;
 pub const CORNERS: RangeInclusive<usize> = 3..=16;
 /// How many of them may be lights.
 pub const MOST_LIGHTS: usize = 8;
+/// How many of them may be loose.
+pub const MOST_LOOSE: usize = 100;
 /// How many different models a room may have.
 pub const MOST_MODELS: usize = 64;
 /// How many triangles one model may have.
@@ -48,6 +50,10 @@ pub const MOST_TEXT_CHARS: usize = 240;
 pub const FARTHEST_M: f64 = 1000.0;
 /// Lengths of solids, metres.
 pub const SIZES_M: RangeInclusive<f64> = 0.01..=1000.0;
+/// Whole lengths of what is loose, metres.
+pub const LOOSE_M: RangeInclusive<f64> = 0.1..=10.0;
+/// Mass of what is loose, kilograms.
+pub const MASSES_KG: RangeInclusive<f64> = 0.1..=10_000.0;
 /// Half sizes of aberrations, metres.
 pub const HALVES_M: RangeInclusive<f64> = 0.05..=500.0;
 /// Felt metres for one metre of the scene.

@@ -8,10 +8,10 @@ use antipode_storage::{MAX_NAME_CHARS, NameError, is_unprintable};
 use glam::{DVec2, DVec3};
 
 use crate::bounds::{
-    FARTHEST_M, FASTEST_FALL_M_S2, MOST_ABERRATIONS, MOST_DEEP, MOST_LIGHTS, MOST_NAME_CHARS,
-    MOST_OBJECTS, MOST_PORTALS, MOST_TEXT_CHARS, POWERS, TURNS_DEG,
+    FARTHEST_M, FASTEST_FALL_M_S2, MOST_ABERRATIONS, MOST_DEEP, MOST_LIGHTS, MOST_LOOSE,
+    MOST_NAME_CHARS, MOST_OBJECTS, MOST_PORTALS, MOST_TEXT_CHARS, POWERS, TURNS_DEG,
 };
-use crate::check_kind::check_kind;
+use crate::check_kind::{check_kind, check_loose};
 use crate::error::Fault;
 use crate::pose::{parents, poses};
 use crate::room::{Object, Room, VERSION, What};
@@ -150,6 +150,7 @@ fn check_object(object: &Object) -> Checked {
     position("at", object.at)?;
     each("turn", object.turn, &TURNS_DEG, " degrees")?;
     check_kind(&object.what)?;
+    check_loose(&object.what, object.mass)?;
     let surface = &object.surface;
     one("surface.glow", surface.glow, &POWERS, "")?;
     if let Some(checker) = &surface.checker {
@@ -303,6 +304,7 @@ fn check_counts(room: &Room) -> Result<(), Fault> {
             .filter(move |(_, object)| is(&object.what))
             .map(|(index, _)| index)
     };
+    let loose = room.loose().map(|(index, ..)| index).nth(MOST_LOOSE);
     let counts = [
         (
             "lights",
@@ -319,6 +321,7 @@ fn check_counts(room: &Room) -> Result<(), Fault> {
             MOST_PORTALS,
             places(|it| matches!(it, What::Portal(_))).nth(MOST_PORTALS),
         ),
+        ("loose things", MOST_LOOSE, loose),
     ];
     for (what, most, beyond) in counts {
         if let Some(index) = beyond {

@@ -1,7 +1,9 @@
 //! What makes each kind of object sound.
 
 use crate::aberration::{Aberration, Axis, Lengths, Sides, Ways};
-use crate::bounds::{CORNERS, FARTHEST_M, HALVES_M, POWERS, SCALES, SIZES_M, STEPS, STRETCHES};
+use crate::bounds::{
+    CORNERS, FARTHEST_M, HALVES_M, LOOSE_M, MASSES_KG, POWERS, SCALES, SIZES_M, STEPS, STRETCHES,
+};
 use crate::check::{Checked, check_name, check_text, each, one, pair, wrong};
 use crate::files;
 use crate::portal::{Opening, Portal};
@@ -61,6 +63,39 @@ pub(crate) fn check_kind(what: &What) -> Checked {
         }
         What::Group => Ok(()),
     }
+}
+
+/// What may be loose: solids that are round or have flat sides, neither tiny nor huge.
+pub(crate) fn check_loose(what: &What, mass: Option<f64>) -> Checked {
+    let Some(mass) = mass else {
+        return Ok(());
+    };
+    one("mass", mass, &MASSES_KG, " kg")?;
+    match what {
+        What::Box { size } | What::Pyramid { size } | What::Ramp { size } => each(
+            "what.size",
+            *size,
+            &LOOSE_M,
+            " m along each axis for something loose",
+        ),
+        What::Ball { radius } => half_width(*radius),
+        What::Cylinder { radius, height } => {
+            half_width(*radius)?;
+            one("what.height", *height, &LOOSE_M, " m for something loose")
+        }
+        other => {
+            let reason = format!(
+                "is said of something of the kind {}; only a box, a ball, a cylinder, a pyramid or a ramp can be loose",
+                other.kind()
+            );
+            Err(wrong("mass", reason))
+        }
+    }
+}
+
+fn half_width(radius: f64) -> Checked {
+    let range = LOOSE_M.start() / 2.0..=LOOSE_M.end() / 2.0;
+    one("what.radius", radius, &range, " m for something loose")
 }
 
 fn check_aberration(it: &Aberration) -> Checked {

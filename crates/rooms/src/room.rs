@@ -131,6 +131,10 @@ pub struct Object {
     /// How it looks; a model looks as its file says.
     #[serde(default)]
     pub surface: Surface,
+    /// How heavy it is, kilograms. What has a mass is loose: it falls, rolls, and is pushed, carried and thrown. Without one it
+    /// stands where it is.
+    #[serde(default, deserialize_with = "said")]
+    pub mass: Option<f64>,
     /// The group that carries it.
     #[serde(default)]
     pub group: Option<String>,
@@ -286,6 +290,11 @@ pub fn board() -> DVec2 {
     DVec2::new(2.4, 0.8)
 }
 
+/// A number that is written as one, without `Some(...)`.
+fn said<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    f64::deserialize(from).map(Some)
+}
+
 fn one() -> f64 {
     1.0
 }
@@ -303,6 +312,7 @@ impl Object {
             turn: DVec3::ZERO,
             what,
             surface: Surface::default(),
+            mass: None,
             group: None,
         }
     }
@@ -363,6 +373,12 @@ impl Room {
             .iter()
             .enumerate()
             .find(|(_, object)| object.name == name)
+    }
+
+    /// What is loose, each with its place among all objects and its mass, kilograms.
+    pub fn loose(&self) -> impl Iterator<Item = (usize, &Object, f64)> {
+        let all = self.objects.iter().enumerate();
+        all.filter_map(|(index, object)| object.mass.map(|mass| (index, object, mass)))
     }
 
     /// The portals, each with its place among all objects.

@@ -16,15 +16,21 @@ pub struct Shipped {
     pub id: &'static str,
     /// The text of its file.
     pub text: &'static str,
+    /// The picture of it that lists show: PNG, 320 by 180 pixels.
+    pub picture: &'static [u8],
 }
 
 macro_rules! rooms {
     ($($id:literal),* $(,)?) => {
-        &[$(Shipped { id: $id, text: include_str!(concat!("../../../assets/rooms/", $id, "/room.ron")) }),*]
+        &[$(Shipped {
+            id: $id,
+            text: include_str!(concat!("../../../assets/rooms/", $id, "/room.ron")),
+            picture: include_bytes!(concat!("../../../assets/rooms/", $id, "/picture.png")),
+        }),*]
     };
 }
 
-/// All of them, in the order in which they are to be visited.
+/// All of them, in the order in which they are to be visited. There is no other list of them.
 pub const ROOMS: &[Shipped] = rooms![
     "long-house",
     "big-house",
@@ -39,6 +45,8 @@ pub const ROOMS: &[Shipped] = rooms![
     "growing-hall",
     "door-to-itself",
     "bottomless-shaft",
+    "falling-crate",
+    "way-back",
 ];
 
 /// The one of that id.

@@ -22,6 +22,7 @@ pub fn words_of(object: &Object) -> Vec<Word> {
         what,
         surface,
         group,
+        mass,
     } = object;
     let mut words = vec![("name", name.clone())];
     if *at != DVec3::ZERO {
@@ -32,6 +33,9 @@ pub fn words_of(object: &Object) -> Vec<Word> {
     }
     if let Some(group) = group {
         words.push(("group", group.clone()));
+    }
+    if let Some(mass) = mass {
+        words.push(("mass", number(*mass)));
     }
     of_kind(what, &mut words);
     of_surface(surface, &mut words);

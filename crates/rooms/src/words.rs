@@ -181,6 +181,8 @@ fn set_common(object: &mut Object, key: &str, value: &str) -> Taken<bool> {
         "at" => object.at = three(key, value)?,
         "turn" => object.turn = three(key, value)?,
         "group" => object.group = (value != "none").then(|| value.to_owned()),
+        "mass" if value == "none" => object.mass = None,
+        "mass" => object.mass = Some(number(key, value)?),
         _ => return Ok(false),
     }
     Ok(true)

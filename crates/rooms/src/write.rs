@@ -122,6 +122,9 @@ fn write_object(out: &mut Lines, object: &Object) {
     if object.surface != Surface::default() {
         out.field("surface", surface(&object.surface));
     }
+    if let Some(mass) = object.mass {
+        out.field("mass", number(mass));
+    }
     out.close("),");
 }
 

@@ -54,6 +54,8 @@ pub struct Actions {
     pub drop_one: bool,
     /// Throw away all of what is in hand.
     pub drop_all: bool,
+    /// Take up what is loose, or let go of it; only rooms use it.
+    pub grasp: bool,
     /// The lens that they were aimed by; without one they go by the simulation's own, which glides.
     pub aimed: Option<Aim>,
 }

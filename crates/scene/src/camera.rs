@@ -54,6 +54,8 @@ pub struct CameraPose {
     pub about: ChartPoint,
     /// How far it can still turn down, negative, and up, radians.
     pub room_rad: [f64; 2],
+    /// The leaf that the arm leads back through, if it does.
+    pub through: Option<usize>,
 }
 
 impl CameraPose {
@@ -63,6 +65,7 @@ impl CameraPose {
             eye: head,
             about: head.point,
             room_rad: [-PITCH_LIMIT_RAD - head.pitch, PITCH_LIMIT_RAD - head.pitch],
+            through: None,
         }
     }
 
@@ -121,7 +124,12 @@ pub fn place(mode: CameraMode, head: &Eye, physics: &PhysicsWorld) -> CameraPose
 }
 
 /// Brings a camera that has been turned since it was placed out of the ground, along its arm.
+///
+/// What is about the other end of an arm through a door is not in its way: that is left as it was placed.
 pub fn keep_clear(camera: &mut CameraPose, physics: &PhysicsWorld) {
+    if camera.through.is_some() {
+        return;
+    }
     let arm = camera.eye.point.pos - camera.about.pos;
     let Some(way) = arm.try_normalize() else {
         return;
@@ -152,6 +160,16 @@ fn behind(head: &Eye, physics: &ChartGround) -> CameraPose {
         eye,
         about: ChartPoint::new(head.point.chart, above),
         ..CameraPose::within(*head)
+    }
+}
+
+/// The eye behind a head as if there were no ground.
+pub fn free_behind(head: &Eye) -> Eye {
+    let off = DVec3::Y * THIRD_PERSON_UP_M - head.front() * THIRD_PERSON_BACK_M;
+    Eye {
+        point: head.point.moved(off),
+        lift_m: head.lift_m + off.y,
+        ..*head
     }
 }
 

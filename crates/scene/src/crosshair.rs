@@ -120,8 +120,12 @@ impl<'a> Crosshair<'a> {
 
     /// Whether nothing hides a place from the player.
     pub fn sees(&self, place: ChartPoint) -> bool {
-        let physics = &self.now.world.physics;
-        sees(&*self.params.strategy, physics, &self.now.head(), place)
+        sees(
+            &*self.params.strategy,
+            self.now.world,
+            &self.now.head(),
+            place,
+        )
     }
 
     /// The nearest living peaceful one ahead and in sight, and its number.
@@ -149,9 +153,7 @@ impl<'a> Crosshair<'a> {
                 (away_m, bot.id, entity, breast)
             })
             .filter(|(away_m, .., breast)| {
-                *away_m < reach_m
-                    && is_ahead(*breast)
-                    && sees(pictured, &world.physics, &eye, *breast)
+                *away_m < reach_m && is_ahead(*breast) && sees(pictured, world, &eye, *breast)
             })
             .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
             .map(|(_, id, entity, _)| (entity, id))

@@ -10,11 +10,11 @@ use hecs::Entity;
 use crate::actions::Actions;
 use crate::actors::{ActorId, Actors};
 use crate::crosshair::Crosshair;
-use crate::frame::{Marker, MarkerShape};
+use crate::frame::{Figure, Marker, MarkerShape, Presence};
 use crate::ground::{Ground, height_below};
 use crate::ground_changed::OnGround;
 use crate::inventory::Inventory;
-use crate::notice::Hint;
+use crate::notice::{Hint, Unfit};
 use crate::npc::any_heading;
 use crate::outbox::Outbox;
 use crate::pick::over;
@@ -140,6 +140,16 @@ pub(crate) trait Behaviour {
         false
     }
 
+    /// Why one cannot be put where it would stand, if there is anything against it.
+    fn unfit(&self, _now: Situation<'_>, _it: &Fixture) -> Option<Unfit> {
+        None
+    }
+
+    /// Whether it is shown as it would stand before it is put down.
+    fn is_foreseen(&self) -> bool {
+        false
+    }
+
     /// Whether one more than the world can have moves the oldest, where others are refused.
     fn replaces_oldest(&self) -> bool {
         false
@@ -209,9 +219,13 @@ pub(crate) fn use_in_hand(
         let Some((item, stands)) = held.and_then(|item| Some((item, item.stands()?))) else {
             return;
         };
-        let place = place_under(world, &crosshair, item, stands);
-        let it = place.and_then(|(place, eye)| put_at(world, &eye, item, place));
-        put_down(actors, &mut player.inventory, outbox, item, it);
+        match placing(now, &crosshair, item, stands) {
+            Some((_, Some(unfit))) => outbox.hints.push(Hint::Unfit(unfit)),
+            found => {
+                let it = found.map(|(it, _)| it);
+                put_down(actors, &mut player.inventory, outbox, item, it);
+            }
+        }
     } else if actions.secondary && !player.secondary_before {
         match covered() {
             Some((item, id)) => pick_up(actors, &mut player.inventory, outbox, item, id),
@@ -220,34 +234,62 @@ pub(crate) fn use_in_hand(
     }
 }
 
-/// Where one would be put down, if there is ground for it in reach: its foot, and the eye that sees it there, through a door
-/// where one is in the way.
-fn place_under(
-    world: &World,
+/// How one would stand if it were put down, and what is against it; none where no ground is in reach. Through a door it is put
+/// on the other side.
+fn placing(
+    now: Situation<'_>,
     crosshair: &Crosshair<'_>,
     item: Item,
     stands: &Stands,
-) -> Option<(ChartPoint, Eye)> {
+) -> Option<(Fixture, Option<Unfit>)> {
+    let world = now.world;
     let spot = crosshair.ground_or_figure(FIXTURE_REACH_M);
     let normal = || world.ground.normal(spot.point).as_dvec3();
     let foot = || behaviour(item).foot_on(stands, spot.point, normal());
     let foot = spot.hit.then(foot).flatten()?;
-    Some((foot, spot.eye))
+    let it = put_at(world, &spot.eye, item, foot)?;
+    let unfit = behaviour(item).unfit(now, &it);
+    Some((it, unfit))
 }
 
-/// Shows where the one in hand would be put down.
-pub(crate) fn marker(now: Situation<'_>) -> Option<Marker> {
+/// The same of what is in a free hand.
+fn placing_held(now: Situation<'_>) -> Option<(Fixture, Option<Unfit>)> {
     if now.actors.cars.is_driving() {
         return None;
     }
     let item = now.player.inventory.held()?;
-    let stands = item.stands()?;
-    let (place, _) = place_under(now.world, &Crosshair::aimed(now), item, stands)?;
+    placing(now, &Crosshair::aimed(now), item, item.stands()?)
+}
+
+/// Shows where the one in hand would be put down.
+pub(crate) fn marker(now: Situation<'_>) -> Option<Marker> {
+    let is_foreseen = |item| behaviour(item).is_foreseen();
+    if now.player.inventory.held().is_some_and(is_foreseen) {
+        return None;
+    }
+    let (it, _) = placing_held(now)?;
     Some(Marker {
-        point: place.moved(DVec3::Y * stands.middle_m),
-        radius_m: stands.marker_m,
+        point: it.glow(),
+        radius_m: it.stands.marker_m,
         active: false,
         shape: MarkerShape::Ball,
+    })
+}
+
+/// Shows how the one in hand would stand, of what is shown so.
+pub(crate) fn foreseen(now: Situation<'_>) -> Option<Figure> {
+    let held = now.player.inventory.held()?;
+    if !behaviour(held).is_foreseen() {
+        return None;
+    }
+    let (it, unfit) = placing_held(now)?;
+    Some(Figure {
+        presence: if unfit.is_none() {
+            Presence::Possible
+        } else {
+            Presence::Barred
+        },
+        ..Figure::standing(it.item.into(), it.foot.point, it.yaw_rad)
     })
 }
 

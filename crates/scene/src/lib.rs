@@ -27,6 +27,7 @@ pub mod day;
 mod detail;
 mod dip;
 mod door;
+mod door_camera;
 pub mod drops;
 pub mod fixture;
 pub mod flag;

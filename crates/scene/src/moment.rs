@@ -37,6 +37,8 @@ pub(crate) enum Who {
     },
     /// What was put down.
     Fixture(Item, ActorId),
+    /// What is in hand, as it would stand.
+    Foreseen,
     Bullet(ActorId),
     Drop(ActorId),
     Car(ActorId),
@@ -103,11 +105,14 @@ impl Scene {
         let marker = self.marker().filter(|marker| marker.active);
         let marker = marker.or_else(|| fixture::marker(now));
         let still = self.shown.viewing.reduced_motion;
+        let mut moment = self.moment_of(taker, camera, self.lens(), mode != CameraMode::First);
+        let foreseen = fixture::foreseen(now).map(|it| (Who::Foreseen, it));
+        moment.figures.extend(foreseen);
         Moment {
             hand: hand::seen(now, &self.shown.hand, still),
             mark: marker
                 .map(|marker| Mark::seen_by(&camera.eye, &**self.lens().strategy(), marker)),
-            ..self.moment_of(taker, camera, self.lens(), mode != CameraMode::First)
+            ..moment
         }
     }
 

@@ -48,6 +48,20 @@ impl PartialEq for Notice {
     }
 }
 
+/// What is against a place for a door.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum Unfit {
+    /// The ground rises or falls too much below it.
+    #[error("The ground here is too steep for a door: find a level place, or dig or build one.")]
+    Steep,
+    /// There is rock where one would walk through.
+    #[error("Rock is in the way here: a door needs a metre of room before and behind it.")]
+    Walled,
+    /// The other one of the pair is too close.
+    #[error("The other door is too close: leave two and a half metres between them.")]
+    Crowded,
+}
+
 /// A short answer to what the player did.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum Hint {
@@ -69,6 +83,9 @@ pub enum Hint {
     /// The crosshair meets no ground near enough where such a thing would stay.
     #[error("There is no ground within eight metres on which a {} can stand.", .0.id())]
     NoPlaceFor(Item),
+    /// The crosshair meets ground, but a door cannot stand there.
+    #[error("{0}")]
+    Unfit(Unfit),
     /// The crosshair covers no such thing.
     #[error("There is no {} under the crosshair.", .0.id())]
     NoneThere(Item),

@@ -2,12 +2,14 @@
 //! of the player are here; what they meet is in `crosshair`.
 
 use antipode_geometry::{ChartPoint, Eye};
+use glam::DVec3;
 use hecs::Entity;
 
 use crate::actors::Actors;
 use crate::aimed::ViewParams;
 use crate::camera::{self, CameraMode, CameraPose};
 use crate::car::camera as car_camera;
+use crate::door_camera::{Followed, lead_through};
 use crate::ground::chunks_near;
 use crate::player::{self, Health, Player, Position};
 use crate::projectile::Standing;
@@ -67,31 +69,44 @@ impl<'a> Situation<'a> {
     /// The camera, looking through that: on the other side of a door that is between it and whom it follows.
     pub fn camera_through(&self, params: &ViewParams) -> CameraPose {
         let mut pose = self.camera_beside(params);
-        let followed = match self.actors.driven_car() {
-            Some(car) => car.middle(),
-            None => self.head_through(params).point,
-        };
-        let door = self.world.door_between(followed, pose.eye.point);
-        if let Some((doors, by)) = door {
+        if let Some((leaf, doors)) = pose.through.zip(self.world.doors.as_ref()) {
             let space = &*params.strategy;
-            pose.about = doors.pictured(space, by.leaf, &pose.eye, pose.about);
-            pose.eye = doors.eye(space, by.leaf, &pose.eye);
+            pose.about = doors.pictured(space, leaf, &pose.eye, pose.about);
+            pose.eye = doors.eye(space, leaf, &pose.eye);
         }
         pose
     }
 
-    /// The camera as if there were no doors: what lies beyond the head lies so from there, too.
+    /// The camera as if there were no doors, in the chart of whom it follows: what lies beyond the head lies so from there, too.
     pub fn camera_beside(&self, params: &ViewParams) -> CameraPose {
-        if let Some(camera) = car_camera::driver_camera(*self, params) {
+        if let Some(mut camera) = car_camera::driver_camera(*self, params) {
+            if let Some(car) = self.actors.driven_car() {
+                let followed = Followed {
+                    middle: car.middle(),
+                    top: car.middle(),
+                };
+                let free = camera.eye;
+                lead_through(self.world, params, &followed, free, &mut camera);
+            }
             return camera;
         }
         let mut head = self.head_through(params);
+        let mode = self.player.gaze.camera;
         let dead_s = self.player.condition.dead_s();
-        if let Some(dead_s) = dead_s.filter(|_| self.player.gaze.camera == CameraMode::First) {
+        if let Some(dead_s) = dead_s.filter(|_| mode == CameraMode::First) {
             let lies_at_once = params.reduced_motion;
             head = camera::fallen(&head, if lies_at_once { f64::INFINITY } else { dead_s });
         }
-        camera::place(self.player.gaze.camera, &head, &self.world.physics)
+        let mut camera = camera::place(mode, &head, &self.world.physics);
+        if mode == CameraMode::Third {
+            let followed = Followed {
+                middle: head.point.moved(DVec3::NEG_Y * (0.5 * head.lift_m)),
+                top: head.point,
+            };
+            let free = camera::free_behind(&head);
+            lead_through(self.world, params, &followed, free, &mut camera);
+        }
+        camera
     }
 
     /// How far the head lies beyond an eye that looks through that, metres: near a wall the camera stands closer than it

@@ -153,6 +153,7 @@ impl Visit {
             RoomSound::Step(speed_m_s) => SoundEvent::Step { cover, speed_m_s },
             RoomSound::Landed(speed_m_s) => SoundEvent::Landed { cover, speed_m_s },
             RoomSound::Shot => SoundEvent::Shot,
+            RoomSound::Knocked(speed_m_s) => SoundEvent::Landed { cover, speed_m_s },
         });
         heard.collect()
     }

@@ -21,6 +21,7 @@ fn mover(mesh: usize, pose: Affine3A, object: u32) -> Mover {
         materials: 0,
         unseen_by_eye: false,
         held: false,
+        cut: None,
     }
 }
 
@@ -262,6 +263,7 @@ fn what_is_held_is_seen_by_the_eye_alone_and_lit_as_if_nobody_stood_there() {
     );
     let held = |held: bool| Mover {
         held,
+        cut: None,
         ..mover(0, small, 9)
     };
     let mut seen = |movers: &[Mover], eye: DVec3, at: DVec3| {

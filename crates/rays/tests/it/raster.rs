@@ -190,6 +190,7 @@ fn a_raster_shows_what_moves_where_it_is() {
         materials: 0,
         unseen_by_eye,
         held: false,
+        cut: None,
     };
     let movers = [
         mover(-1.5, 20, false),
@@ -248,6 +249,7 @@ fn a_raster_sees_through_portals_that_turn_scale_and_see_themselves() {
         materials: 0,
         unseen_by_eye: true,
         held: false,
+        cut: None,
     };
     let from = DVec3::new(3.9, 1.5, 11.5);
     let eye = looking(&scene, from, DVec3::new(3.5, 1.2, 7.0));

@@ -6,6 +6,8 @@
     reason = "tests fail by panicking"
 )]
 
+mod bodies;
+mod bodies_soak;
 mod difference;
 mod edits;
 mod eyes;
@@ -50,4 +52,5 @@ const AHEAD: Steer = Steer {
     shoot: false,
     place: false,
     throw: false,
+    grasp: false,
 };

@@ -31,12 +31,22 @@ fn everything_that_stands_in_a_room_is_drawn_once() {
                 .filter(|it| it.object as usize == index)
                 .count();
             let wanted = match object.what {
+                _ if object.mass.is_some() => 0,
                 What::Aberration(_) | What::Portal(_) | What::Light { .. } | What::Group => 0,
                 // The board, and what is written on it.
                 What::Sign { .. } => 2,
                 _ => 1,
             };
             assert_eq!(count, wanted, "{}: {}", shipped.id, object.name);
+        }
+        let loose: Vec<_> = scene.room().loose().map(|(index, ..)| index).collect();
+        let moves = scene.now().things;
+        for index in loose {
+            let count = moves
+                .iter()
+                .filter(|it| it.object as usize == index)
+                .count();
+            assert_eq!(count, 1, "{}: {}", shipped.id, objects[index].name);
         }
         let boxes = scene.room().aberrations().count();
         assert_eq!(picture.aberrations.placed().len(), boxes);

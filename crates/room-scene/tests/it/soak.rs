@@ -41,7 +41,7 @@ fn strayed(space: &Space, place: &Place) -> f64 {
 }
 
 /// Solids of a room, to ask what is inside of them.
-struct Inside {
+pub struct Inside {
     /// Of each object that is closed.
     objects: Vec<(String, Triangles, (DVec3, DVec3))>,
     /// All that stands in the room lies within.
@@ -51,12 +51,12 @@ struct Inside {
 }
 
 impl Inside {
-    fn of(scene: &RoomScene) -> Self {
+    pub fn of(scene: &RoomScene) -> Self {
         let room = scene.room();
         let mut objects = Vec::new();
         for mesh in meshes(room, &Assets::default(), Roundness::default()) {
             let object = &room.objects[mesh.object];
-            if matches!(object.what, What::Aberration(_)) {
+            if matches!(object.what, What::Aberration(_)) || object.mass.is_some() {
                 continue;
             }
             let corner = |it: u32| {
@@ -92,14 +92,16 @@ impl Inside {
     }
 
     /// Sees to it that no centre of a body is where none may be; how deep the deepest is in a solid, metres.
-    fn check(&self, scene: &RoomScene, at: &str) -> f64 {
+    pub fn check(&self, scene: &RoomScene, at: &str) -> f64 {
         let things = scene.things().into_iter();
         let things = things.filter(|it| it.kind != ThingKind::Mark);
         let things = things.map(|it| ("thing", it.place));
         let (feet, _) = scene.feet_between(1.0);
         let bodies = [("feet", feet), ("eye", scene.eye().place)];
+        let loose = scene.loose_states().into_iter();
+        let loose = loose.map(|it| ("loose", it.place));
         let mut deepest_m: f64 = 0.0;
-        for (what, place) in things.chain(bodies) {
+        for (what, place) in things.chain(bodies).chain(loose) {
             let at = format!("{at}: {what} at {}", place.point);
             assert!(place.point.is_finite(), "{at}");
             let strayed_m = strayed(&self.space, &place);
@@ -201,6 +203,7 @@ const AHEAD: Steer = Steer {
     shoot: false,
     place: false,
     throw: false,
+    grasp: false,
 };
 
 /// Wants something else every now and then.

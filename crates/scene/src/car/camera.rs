@@ -207,6 +207,7 @@ impl Chase {
             },
             about: ChartPoint::new(car.point.chart, looked_at),
             room_rad: self.room_rad(),
+            through: None,
         }
     }
 }

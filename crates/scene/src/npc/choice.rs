@@ -42,7 +42,7 @@ impl Npc<'_> {
     pub fn notice(&mut self, around: &Around<'_>) {
         for event in around.events {
             match *event {
-                Event::Shot(at) if around.apart_m(self.position.0, at) < HEARS_SHOTS_M => {
+                Event::Shot(at) if around.felt_m(self.position.0, at) < HEARS_SHOTS_M => {
                     self.hear_shot(at);
                 }
                 Event::Hit {
@@ -51,7 +51,7 @@ impl Npc<'_> {
                     by_player,
                 } => self.notice_hit(around, victim == self.entity, at, by_player),
                 Event::Scare(at, radius_m) => {
-                    if !self.fights() && around.apart_m(self.position.0, at) < radius_m {
+                    if !self.fights() && around.felt_m(self.position.0, at) < radius_m {
                         self.mind.fear = Some((at, SCARED_S));
                     }
                 }
@@ -107,7 +107,7 @@ impl Npc<'_> {
             self.mind.known = None;
             return;
         };
-        let away_m = around.apart_m(self.position.0, quarry.feet);
+        let away_m = around.felt_m(self.position.0, quarry.feet);
         let alert = self.mind.state.is_combat() || self.mind.known.is_some();
         let far_m = if alert { KEEPS_SIGHT_M } else { NOTICES_M };
         let seen = away_m < far_m
@@ -302,11 +302,13 @@ impl Npc<'_> {
     fn set_out(&mut self, around: &Around<'_>, dusk: bool) {
         let seat = if dusk { self.seat(around) } else { None };
         let roll = self.mind.dice.unit();
+        let beyond = self.beyond_a_door(around);
         let goal = match seat {
             Some((lamp, seat)) => Goal {
                 lamp: Some(lamp),
                 ..strolling(seat)
             },
+            None if beyond.is_some() => strolling(beyond.unwrap_or(self.position.0)),
             None if roll < 0.35 => strolling(self.viewpoint(around)),
             None if roll < 0.6 => self.company(around).unwrap_or_else(|| {
                 let point = self.somewhere(around);
@@ -357,7 +359,7 @@ impl Npc<'_> {
     fn company(&self, around: &Around<'_>) -> Option<Goal> {
         self.others(around)
             .filter(|other| !other.fights && !self.fights())
-            .map(|other| (around.apart_m(self.position.0, other.point), other.point))
+            .map(|other| (around.felt_m(self.position.0, other.point), other.point))
             .filter(|(away_m, _)| (2.0 * MEETS_M..LAMP_M).contains(away_m))
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, point)| Goal {

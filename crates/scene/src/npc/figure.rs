@@ -7,6 +7,7 @@ use glam::DVec3;
 use hecs::{Entity, Query};
 
 use super::bearing::{ahead, way};
+use super::doors::Detour;
 use super::mind::{Mind, State};
 use super::navigation::{ASKS_M, WalkableGround};
 use super::senses::{Around, Event};
@@ -81,7 +82,8 @@ impl Npc<'_> {
     fn plan(&mut self, around: &Around<'_>) {
         let Some(goal) = self.mind.goal else { return };
         let there = way(around.strategy(), self.position.0, goal.point);
-        if there.level_m < goal.within_m {
+        let detour = around.detour(self.position.0, goal.point);
+        if detour.is_none() && there.level_m < goal.within_m {
             self.arrive(around, goal.lamp);
             return;
         }
@@ -115,7 +117,21 @@ impl Npc<'_> {
             blocked: &blocked,
         };
         self.mind.planned_s = 0.0;
-        match land.route(self.position.0, goal.point) {
+        let target = match detour {
+            Some(Detour {
+                before: None,
+                beyond,
+            }) => {
+                self.mind.steps = vec![beyond];
+                return;
+            }
+            Some(Detour {
+                before: Some(before),
+                ..
+            }) => before,
+            None => goal.point,
+        };
+        match land.route(self.position.0, target) {
             Some(route) => self.mind.steps = route.steps,
             None => self.find_no_way(),
         }
@@ -229,7 +245,13 @@ impl Npc<'_> {
 
     /// Turns towards what it looks at, or goes to.
     fn face(&mut self, around: &Around<'_>) {
-        let (heading, rise) = if let Some(place) = self.mind.face {
+        let looked_at = self.mind.face.map(|place| {
+            let detour = around.detour(self.position.0, place);
+            detour.map_or(place, |detour| {
+                detour.beyond.moved(DVec3::Y * around.tuning.eye_height_m())
+            })
+        });
+        let (heading, rise) = if let Some(place) = looked_at {
             let there = way(around.strategy(), self.position.0, place);
             let eyes_m = self.position.0.pos.y + around.tuning.eye_height_m();
             let rise = (place.pos.y - eyes_m).atan2(there.level_m.max(0.5));
@@ -263,6 +285,7 @@ impl Npc<'_> {
             // What was planned leads from where it was.
             self.mind.steps.clear();
             self.mind.anchor = None;
+            self.mind.planned_s = f64::INFINITY;
         }
         player::cross(strategy, self.position, self.look, self.body);
     }

@@ -5,6 +5,7 @@ mod bearing;
 mod choice;
 mod dice;
 mod dodge;
+mod doors;
 mod figure;
 mod hidden;
 pub(crate) mod mind;

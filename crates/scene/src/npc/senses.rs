@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Map, Strategy};
-use antipode_physics::{CharacterTuning, PhysicsWorld};
+use antipode_physics::CharacterTuning;
 use glam::DVec3;
 use hecs::Entity;
 
 use super::bearing::{apart_m, way};
+use super::doors::Sight;
 use super::hidden::OtherPicture;
 use super::tuning::{FEELS_M, GLANCE_HALF_RAD};
 use crate::aimed::ViewParams;
@@ -15,12 +16,9 @@ use crate::bot::BotView;
 use crate::car::CarView;
 use crate::fixture::Fixture;
 use crate::lens::own_view;
-use crate::pick::segment_hit;
 use crate::player::Look;
 use crate::world::World;
 
-/// Length of a tested piece of a line of sight, in metres.
-const SEGMENT_M: f64 = 1.0;
 /// A line of sight is not tested over the last of it: who stands against a wall is seen before it, in metres.
 const LAST_M: f64 = 0.3;
 
@@ -94,7 +92,7 @@ impl Around<'_> {
             .into_iter()
             .any(|rise_m| {
                 let spot = point.moved(DVec3::Y * rise_m);
-                sees(strategy, &self.world.physics, head, spot)
+                sees(strategy, self.world, head, spot)
             })
     }
 
@@ -107,11 +105,13 @@ impl Around<'_> {
             lift_m: height_m,
             ..Eye::default()
         };
-        sees(self.strategy(), &self.world.physics, &eye, place)
+        sees(self.strategy(), self.world, &eye, place)
     }
 
-    /// Whether a place is where someone looks at a glance, or close enough to be felt.
+    /// Whether a place, or the door by which it is nearer, is where someone looks at a glance, or close enough to be felt.
     pub fn is_before(&self, point: ChartPoint, look: &Look, place: ChartPoint) -> bool {
+        let detour = self.detour(point, place);
+        let place = detour.map_or(place, |detour| detour.beyond);
         let there = way(self.strategy(), point, place);
         there.level_m < FEELS_M || there.heading.dot(look.heading()) > GLANCE_HALF_RAD.cos()
     }
@@ -139,29 +139,17 @@ fn own_dial(strategy: &dyn Map) -> f64 {
     own_view(strategy).dial().map_or(0.0, |dial| dial.default)
 }
 
-/// Whether no ground lies on the geodesic from an eye to a place.
-pub(crate) fn sees(
+/// Whether a place is in sight of an eye of a picture of the world, past no ground: straight, or through a door.
+pub(crate) fn sees(strategy: &dyn Strategy, world: &World, eye: &Eye, place: ChartPoint) -> bool {
+    Sight::of(strategy, world).is_clear(eye, place, LAST_M)
+}
+
+/// Whether it is in sight where it is, through no door.
+pub(super) fn sees_straight(
     strategy: &dyn Strategy,
-    physics: &PhysicsWorld,
+    world: &World,
     eye: &Eye,
     place: ChartPoint,
 ) -> bool {
-    let view = strategy.view_point(eye, place);
-    let away_m = strategy.eye_distance_m(eye, view);
-    let direction = view.truncate().normalize_or_zero();
-    if away_m.is_nan() || away_m >= strategy.sight_limit_m(eye) || direction == DVec3::ZERO {
-        return false;
-    }
-    let end_m = away_m - LAST_M;
-    let count = (end_m / SEGMENT_M).ceil().max(1.0) as u32;
-    let mut near = eye.point;
-    for index in 1..=count {
-        let along_m = end_m * f64::from(index) / f64::from(count);
-        let far = strategy.along(eye, direction, along_m);
-        if segment_hit(strategy, physics, near, far).is_some() {
-            return false;
-        }
-        near = far;
-    }
-    true
+    Sight::of(strategy, world).is_clear_straight(eye, place, LAST_M)
 }

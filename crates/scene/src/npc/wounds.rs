@@ -3,7 +3,7 @@
 use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
 use glam::{DVec2, DVec3};
 
-use super::senses::sees;
+use super::senses::sees_straight;
 use crate::bot;
 use crate::moment::Seen;
 use crate::situation::Situation;
@@ -43,7 +43,7 @@ pub(crate) fn wounds(
         let over = point.moved(DVec3::Y * (tuning.height_m + OVER_M));
         let head = point.moved(DVec3::Y * tuning.eye_height_m());
         let away_m = pictured.eye_distance_m(&eye, pictured.view_point(&eye, over));
-        let shown = away_m < SHOWN_M && sees(pictured, &now.world.physics, &eye, head);
+        let shown = away_m < SHOWN_M && sees_straight(pictured, now.world, &eye, head);
         let at = pictured_at(pictured, &eye, over, fov_y_rad);
         let side = over.moved(eye.right() * HALF_WIDTH_M);
         let end = pictured_at(pictured, &eye, side, fov_y_rad);

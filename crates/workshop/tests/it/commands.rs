@@ -196,6 +196,52 @@ proptest! {
 }
 
 #[test]
+fn a_thing_is_loose_by_its_mass_and_stands_without_one() {
+    let mut it = editor();
+    done(
+        &mut it,
+        "add box name=crate at=0,1,-5 size=0.6,0.6,0.6 mass=12",
+    );
+    let mass = |it: &Document| it.room().find("crate").unwrap().1.mass;
+    assert_eq!(mass(&it), Some(12.0));
+    let text = write(it.room()).unwrap();
+    assert!(text.contains("            mass: 12,\n"), "{text}");
+    assert_eq!(read("room.ron", text.as_bytes()).unwrap(), *it.room());
+    done(&mut it, "change crate mass=none");
+    assert_eq!(mass(&it), None);
+    assert!(!write(it.room()).unwrap().contains("mass"));
+    done(&mut it, "undo");
+    for (command, said) in [
+        (
+            "change crate mass=0",
+            "Mass of \"crate\" is to be 0.1 to 10000 kg, and is 0",
+        ),
+        ("change crate mass=x", "mass=\"x\" is no number"),
+        (
+            "change crate size=20,1,1",
+            "Size of \"crate\" is to be 0.1 to 10 m along each axis for something loose, and is 20",
+        ),
+        (
+            "add stairs name=s size=1,1,1 steps=3 mass=5",
+            "only a box, a ball, a cylinder, a pyramid or a ramp can be loose",
+        ),
+        (
+            "add ball name=b radius=0.01 mass=5",
+            "Radius of \"b\" is to be 0.05 to 5 m for something loose, and is 0.01",
+        ),
+    ] {
+        let refusal = apply(&mut it, command).unwrap_err();
+        assert!(refusal.contains(said), "{command}: {refusal}");
+    }
+    for number in 1..100 {
+        let command = format!("add ball name=b{number} radius=0.2 mass=1");
+        done(&mut it, &command);
+    }
+    let refusal = apply(&mut it, "add ball name=one radius=0.2 mass=1").unwrap_err();
+    assert!(refusal.contains("at most 100 loose things"), "{refusal}");
+}
+
+#[test]
 fn a_pair_is_built_by_commands_one_after_the_other_and_closed_until_it_fits() {
     let mut it = Document::new(Room::new("Test"));
     let mut done = |command: &str| {

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "a test with a program of its own uses a part")]
 
 pub mod cars;
+pub mod doors;
 pub mod figures;
 pub mod kept;
 pub mod twins;

@@ -1,0 +1,128 @@
+//! What is seen and met of bodies: who stands astride a portal is on both sides of it, cut at the plane.
+
+use antipode_deformation::{Place, SceneHit, SceneQuery, Space, Triangle, Triangles, half};
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::{Bodies, Body};
+
+/// A body, or what of it is on the far side of a portal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solid {
+    /// The place of its object among all.
+    pub object: usize,
+    /// From metres of its own size about its middle to the scene.
+    pub pose: DAffine3,
+    /// Only what is before this plane is there: n.x >= d.
+    pub cut: Option<(DVec3, f64)>,
+}
+
+impl Bodies {
+    /// All bodies as they are at a share of the way of the last step.
+    pub fn shown(&self, space: &Space, share: f64) -> Vec<Solid> {
+        self.loose()
+            .flat_map(|body| body.shown(space, share))
+            .collect()
+    }
+
+    /// What who walks and what flies meets of them now.
+    pub fn solids(&self, space: &Space) -> Triangles {
+        let of = |body: &Body| -> Vec<Triangle> {
+            let parts = body.shown(space, 1.0);
+            parts.iter().flat_map(|it| body.triangles(it)).collect()
+        };
+        Triangles::new(self.loose().flat_map(of).collect())
+    }
+}
+
+impl Body {
+    fn shown(&self, space: &Space, share: f64) -> Vec<Solid> {
+        let (was, turned) = &self.was;
+        let place = Place::between(space, was, &self.place, share);
+        let is_here = place.passage == self.place.passage;
+        let turn = if was.passage == self.place.passage {
+            turned.slerp(self.turn, share)
+        } else if is_here {
+            self.turn
+        } else {
+            *turned
+        };
+        let squeeze = if place.stack == self.place.stack {
+            self.squeeze
+        } else {
+            let who = antipode_deformation::Traveller::Body;
+            space.squeeze(&place.stack, self.velocity, &who)
+        };
+        let pose = DAffine3::from_mat3_translation(
+            squeeze * place.scale * DMat3::from_quat(turn),
+            place.point,
+        ) * DAffine3::from_translation(-self.middle);
+        let whole = Solid {
+            object: self.object,
+            pose,
+            cut: None,
+        };
+        let mut solids = vec![whole];
+        for (number, front) in self.openings(space) {
+            let portal = &space.portals()[number];
+            let partner = &space.portals()[portal.portal.to];
+            let sign = if front { 1.0 } else { -1.0 };
+            let behind = |it: &DVec3| sign * portal.before(pose.transform_point3(*it)) < 0.0;
+            if !self.surface.iter().flatten().any(behind) {
+                continue;
+            }
+            let plane = |normal: DVec3, at: DVec3| (normal, normal.dot(at));
+            solids[0].cut = Some(plane(portal.normal * sign, portal.portal.at));
+            solids.push(Solid {
+                pose: portal.map * pose,
+                cut: Some(plane(partner.normal * sign, partner.portal.at)),
+                ..whole
+            });
+        }
+        solids
+    }
+
+    /// Whether it stands astride a portal.
+    pub fn is_astride(&self, space: &Space) -> bool {
+        self.shown(space, 1.0).len() > 1
+    }
+
+    fn triangles(&self, solid: &Solid) -> Vec<Triangle> {
+        let object = solid.object as u32;
+        let placed = self
+            .surface
+            .iter()
+            .map(|it| it.map(|corner| solid.pose.transform_point3(corner)));
+        let Some((normal, least)) = solid.cut else {
+            return placed.map(|corners| Triangle { corners, object }).collect();
+        };
+        let mut kept = Vec::new();
+        for corners in placed {
+            let piece = half(&corners, |it| normal.dot(it) - least);
+            for pair in piece.windows(2).skip(1) {
+                let corners = [piece[0], pair[0], pair[1]];
+                kept.push(Triangle { corners, object });
+            }
+        }
+        kept
+    }
+}
+
+/// What stands, and what is loose.
+#[derive(Clone, Copy)]
+pub struct LooseSolids<'a> {
+    pub standing: &'a Triangles,
+    pub loose: &'a Triangles,
+}
+
+impl SceneQuery for LooseSolids<'_> {
+    fn first(&self, x: DVec3, v: DVec3, longest: f64) -> Option<SceneHit> {
+        let standing = self.standing.first(x, v, longest);
+        let longest = standing.map_or(longest, |it| it.time);
+        self.loose.first(x, v, longest).or(standing)
+    }
+
+    fn near(&self, low: DVec3, high: DVec3, show: &mut dyn FnMut([DVec3; 3])) {
+        self.standing.near(low, high, show);
+        self.loose.near(low, high, show);
+    }
+}

@@ -1,0 +1,60 @@
+//! The state of what is loose in a room.
+
+use antipode_deformation::Place;
+use glam::{DQuat, DVec3};
+
+use crate::scene::RoomScene;
+
+/// Something loose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LooseState {
+    /// The name of its object.
+    pub name: String,
+    /// Where its centre of mass is.
+    pub place: Place,
+    /// The same, metres of the scene.
+    pub point: DVec3,
+    /// How it is turned, as it feels, in the axes of the scene.
+    pub turn: DQuat,
+    /// Felt velocity, metres of its own size per second.
+    pub velocity: DVec3,
+    /// Angular velocity, radians per second.
+    pub spin: DVec3,
+    /// From its centre of mass to its farthest corner, metres of its own size.
+    pub reach_m: f64,
+    /// Whether it lies still.
+    pub rests: bool,
+    /// Whether it stands astride a portal.
+    pub astride: bool,
+}
+
+impl RoomScene {
+    /// Strikes something loose so that its felt velocity, metres of its own size per second, changes by so much. Whether there is
+    /// something of that name.
+    pub fn strike(&mut self, name: &str, by: DVec3) -> bool {
+        let Some((object, _)) = self.room().find(name) else {
+            return false;
+        };
+        if let Some(body) = self.bodies.of_object(object) {
+            body.strike(body.place.point, by);
+            return true;
+        }
+        false
+    }
+
+    /// All that is loose, in the order of the room's objects.
+    pub fn loose_states(&self) -> Vec<LooseState> {
+        let state = |it: &crate::bodies::Body| LooseState {
+            name: self.room().objects[it.object].name.clone(),
+            place: it.place,
+            point: it.place.point,
+            turn: it.turn,
+            velocity: it.velocity,
+            spin: it.spin,
+            reach_m: it.reach_m,
+            rests: it.rests,
+            astride: it.is_astride(&self.space),
+        };
+        self.bodies.loose().map(state).collect()
+    }
+}

@@ -1,0 +1,125 @@
+//! Doors for tests: level ground, a pair put up on it, and who stands before one.
+
+use antipode_geometry::{ChartId, ChartPoint, Doorway, Geometry, Leaf};
+use antipode_items::Item;
+use antipode_scene::{Actions, NpcMode, Scene};
+use antipode_terrain::Field;
+use glam::DVec3;
+
+use super::{LIMIT, scene, steps};
+
+/// Nothing is done.
+pub fn still() -> Actions {
+    Actions::default()
+}
+
+/// Walks ahead.
+pub fn ahead() -> Actions {
+    Actions {
+        forward: 1.0,
+        ..still()
+    }
+}
+
+/// Presses a button for a step.
+pub fn press(scene: &mut Scene, primary: bool) {
+    let click = Actions {
+        primary,
+        secondary: !primary,
+        ..still()
+    };
+    steps(scene, 1, &click);
+    steps(scene, 1, &still());
+}
+
+/// The ground of a column.
+pub fn ground(scene: &Scene, chart: ChartId, x: f64, z: f64) -> ChartPoint {
+    let field = Field::new(scene.setup().seed, scene.strategy().clone());
+    let at = |y: f64| ChartPoint::new(chart, DVec3::new(x, y, z));
+    let limits = scene.strategy().limits();
+    let highest_m = limits.map_or(100.0, |limits| limits.ceiling_m);
+    let heights = (0..4000).map(|step| highest_m - 0.05 * f64::from(step));
+    let solid = heights.into_iter().find(|y| field.sample(at(*y)) < 0.0);
+    at(solid.unwrap())
+}
+
+/// Where land is nearly level for so many metres to either side along a heading: near a place of the chart, and which heading
+/// that is. The flattest of some.
+pub fn level_strip(
+    scene: &Scene,
+    about: ChartPoint,
+    within_m: f64,
+    half_m: f64,
+) -> (ChartPoint, f64) {
+    let mut best = (f64::INFINITY, about, 0.0);
+    for at in 0..49 {
+        let (x, z) = (f64::from(at % 7) - 3.0, f64::from(at / 7) - 3.0);
+        let (x, z) = (
+            about.pos.x + x / 3.0 * within_m,
+            about.pos.z + z / 3.0 * within_m,
+        );
+        let middle = ground(scene, about.chart, x, z);
+        for turn in 0..8 {
+            let yaw = 0.3 + std::f64::consts::FRAC_PI_4 * f64::from(turn);
+            let rise = |m: f64| {
+                let there = ground(scene, about.chart, x + m * yaw.cos(), z + m * yaw.sin());
+                (there.pos.y - middle.pos.y).abs()
+            };
+            let most = [-1.0, -0.6, -0.3, 0.3, 0.6, 1.0].map(|share| rise(share * half_m));
+            let most = most.into_iter().fold(0.0, f64::max);
+            if most < best.0 {
+                best = (most, middle, yaw);
+            }
+        }
+    }
+    (best.1, best.2)
+}
+
+/// A leaf that stands on the ground of a column.
+pub fn leaf(scene: &Scene, chart: ChartId, x: f64, z: f64, yaw: f64) -> Leaf {
+    Leaf {
+        foot: ground(scene, chart, x, z),
+        yaw,
+    }
+}
+
+/// Puts both leaves up, and makes their ground.
+pub fn put_up(scene: &mut Scene, leaves: [Leaf; 2]) -> Doorway {
+    for leaf in leaves {
+        assert!(scene.put_up(Item::Door, leaf.foot, leaf.yaw, ""));
+    }
+    steps(scene, 2, &still());
+    Doorway { leaves }
+}
+
+/// One leaf two metres before the player, who looks along its front and through it; the other elsewhere, on a globe beyond the
+/// equator, and higher or lower.
+pub fn before_the_player(geometry: Geometry) -> (Scene, Doorway) {
+    let mut scene = scene(geometry);
+    scene.set_npcs(NpcMode::Still);
+    let (at, yaw) = level_strip(&scene, scene.feet(), 8.0, 2.5);
+    let near = Leaf { foot: at, yaw };
+    let from = near.place(DVec3::X * -2.0).pos;
+    scene.teleport(ground(&scene, at.chart, from.x, from.z).moved(DVec3::Y * 0.1));
+    assert!(scene.wait_for_step(LIMIT));
+    steps(&mut scene, 20, &still());
+    scene.aim(yaw, 0.0);
+    let elsewhere = if geometry == Geometry::Spherical {
+        ChartPoint::new(ChartId::SECOND, DVec3::new(32.0, 0.0, -14.0))
+    } else {
+        at.moved(DVec3::new(-24.0, 0.0, 9.0))
+    };
+    let (there, looks) = level_strip(&scene, elsewhere, 8.0, 2.5);
+    let far = Leaf {
+        foot: there,
+        yaw: looks,
+    };
+    let pair = put_up(&mut scene, [near, far]);
+    (scene, pair)
+}
+
+/// A place in a leaf's own axes.
+pub fn local(scene: &Scene, leaf: &Leaf, point: ChartPoint) -> DVec3 {
+    let there = scene.strategy().carry_near(point, leaf.foot).unwrap();
+    leaf.local(there.point.pos)
+}
