@@ -293,6 +293,7 @@ workshop-finding-portals-touch = Die Portale „{ $name }“ und „{ $other }�
 workshop-finding-spawn-in-solid = Man beginnt in „{ $name }“.
 workshop-finding-spawn-in-air = { $metres ->
     [0] Man beginnt über nichts und fällt aus dem Raum.
+    [one] Man beginnt in der Luft und fällt { $metres } m.
    *[other] Man beginnt in der Luft und fällt { $metres } m.
 }
 workshop-finding-open-sides = Die Seiten von „{ $name }“ sind offen: dort wird Licht gebogen. Verdecke sie oder gib ihm Wände.

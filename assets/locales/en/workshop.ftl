@@ -293,6 +293,7 @@ workshop-finding-portals-touch = The portals “{ $name }” and “{ $other }�
 workshop-finding-spawn-in-solid = One begins inside of “{ $name }”.
 workshop-finding-spawn-in-air = { $metres ->
     [0] One begins over nothing, and falls out of the room.
+    [one] One begins in the air and falls { $metres } m.
    *[other] One begins in the air and falls { $metres } m.
 }
 workshop-finding-open-sides = The sides of “{ $name }” are open: light is bent there. Cover them, or give it walls.

@@ -293,6 +293,7 @@ workshop-finding-portals-touch = Los portales «{ $name }» y «{ $other }» se 
 workshop-finding-spawn-in-solid = Se empieza dentro de «{ $name }».
 workshop-finding-spawn-in-air = { $metres ->
     [0] Se empieza sobre la nada y se cae de la sala.
+    [one] Se empieza en el aire y se cae { $metres } m.
    *[other] Se empieza en el aire y se caen { $metres } m.
 }
 workshop-finding-open-sides = Los lados de «{ $name }» están abiertos: allí la luz se curva. Cúbrelos o ponle paredes.

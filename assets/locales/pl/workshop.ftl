@@ -331,6 +331,9 @@ workshop-finding-portals-touch = Portale „{ $name }” i „{ $other }” się
 workshop-finding-spawn-in-solid = Zaczyna się wewnątrz „{ $name }”.
 workshop-finding-spawn-in-air = { $metres ->
     [0] Zaczyna się nad pustką i wypada z pokoju.
+    [one] Zaczyna się w powietrzu i spada { $metres } m.
+    [few] Zaczyna się w powietrzu i spada { $metres } m.
+    [many] Zaczyna się w powietrzu i spada { $metres } m.
    *[other] Zaczyna się w powietrzu i spada { $metres } m.
 }
 workshop-finding-open-sides = Boki „{ $name }” są otwarte: światło się tam wygina. Zasłoń je albo daj ściany.

@@ -314,11 +314,6 @@ impl OpenRoom {
 
 fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), RoomError> {
     let Some(name) = name else {
-        let document = open.scene.document_mut();
-        if document.dir().is_some() {
-            let saved = document.save_now();
-            return saved.map_err(|why| RoomError::Command(why.to_string()));
-        }
         return match &open.kept {
             Some(kept) if kept.shipped => Err(RoomError::Shipped(kept.name.clone())),
             Some(kept) => dir.save(&kept.slug, open.scene.room()),

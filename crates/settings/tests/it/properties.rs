@@ -22,10 +22,11 @@ fn config() -> impl Strategy<Value = Config> {
     let strokes = prop::collection::vec((0..actions().len(), input(), any::<bool>()), 0..40);
     let names = prop::collection::vec(".{0,45}", 0..4);
     let learnt = prop::collection::btree_set(0..Lesson::ALL.len(), 0..Lesson::ALL.len());
-    let all = (shares, strokes, names, 0..5usize, learnt);
-    all.prop_map(|(shares, strokes, names, chosen, learnt)| {
+    let all = (shares, strokes, names, 0..5usize, learnt, ".{0,80}");
+    all.prop_map(|(shares, strokes, names, chosen, learnt, panes)| {
         let mut config = Config {
             learnt: learnt.into_iter().map(|at| Lesson::ALL[at]).collect(),
+            panes,
             ..Config::default()
         };
         for (field, share) in fields().iter().zip(&shares) {

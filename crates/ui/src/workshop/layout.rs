@@ -1,6 +1,7 @@
 //! How the panes lie, and that as a text which the settings keep: `row(0.25 tabs(list* parts) 0.75 view)`. A star follows the
 //! tab that is up.
 
+use std::fmt::Write as _;
 use std::iter::Peekable;
 use std::str::Chars;
 
@@ -22,7 +23,8 @@ pub(super) enum Pane {
 const DEEPEST: u32 = 8;
 /// Where the panes lie in a wide window, and in a narrow one.
 const WIDE: &str = "row(0.21 col(0.6 tabs(list*) 0.4 tabs(parts* history)) 0.54 col(0.82 tabs(view*) 0.18 tabs(messages*)) 0.25 tabs(inspector*))";
-const NARROW: &str = "row(0.62 tabs(view*) 0.38 tabs(list* parts inspector messages history))";
+const NARROW: &str =
+    "row(0.62 tabs(view*) 0.38 col(0.42 tabs(list* parts) 0.58 tabs(inspector* messages history)))";
 /// From this width on a window is wide, points.
 const WIDE_FROM: f32 = 1100.0;
 
@@ -100,7 +102,8 @@ fn put(tiles: &Tiles<Pane>, id: TileId, out: &mut String) {
                     out.push(' ');
                 }
                 let share = linear.shares[*child] / sum.max(1e-6);
-                out.push_str(&format!("{share:.3} "));
+                // Writing into a text does not fail.
+                let _ = write!(out, "{share:.3} ");
                 put(tiles, *child, out);
             }
             out.push(')');

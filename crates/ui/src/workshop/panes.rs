@@ -16,6 +16,8 @@ pub struct WorkshopPanes {
     list: ListState,
     view: view::ViewState,
     rect: Rect,
+    /// How the panes lay when they were drawn first.
+    first: Option<String>,
 }
 
 impl std::fmt::Debug for WorkshopPanes {
@@ -33,7 +35,15 @@ impl WorkshopPanes {
             list: ListState::default(),
             view: view::ViewState::default(),
             rect: Rect::NOTHING,
+            first: None,
         }
+    }
+
+    /// How the panes lie, as a text, if that is otherwise than when they were drawn first.
+    pub fn changed_layout(&self) -> Option<String> {
+        let now = self.layout();
+        let first = self.first.as_ref()?;
+        (now != *first).then_some(now)
     }
 
     /// How the panes lie, as a text.
@@ -77,6 +87,9 @@ impl WorkshopPanes {
         };
         self.tree.ui(&mut panes, &mut below);
         self.rect = panes.rect;
+        if self.first.is_none() {
+            self.first = Some(self.layout());
+        }
         wishes
     }
 }

@@ -47,19 +47,19 @@ fn join(row: &mut FieldRow, other: &FieldRow) -> bool {
             }
             true
         }
-        (FieldKind::Stretch(mine), FieldKind::Stretch(theirs)) => keep_equal(mine, theirs),
-        (FieldKind::Colour(mine), FieldKind::Colour(theirs)) => keep_equal(mine, theirs),
-        (FieldKind::Text(mine), FieldKind::Text(theirs)) => keep_equal(mine, theirs),
-        (FieldKind::Switch(mine), FieldKind::Switch(theirs)) => keep_equal(mine, theirs),
+        (FieldKind::Stretch(mine), FieldKind::Stretch(theirs)) => keep_equal(mine, theirs.as_ref()),
+        (FieldKind::Colour(mine), FieldKind::Colour(theirs)) => keep_equal(mine, theirs.as_ref()),
+        (FieldKind::Text(mine), FieldKind::Text(theirs)) => keep_equal(mine, theirs.as_ref()),
+        (FieldKind::Switch(mine), FieldKind::Switch(theirs)) => keep_equal(mine, theirs.as_ref()),
         (FieldKind::Choice(options, mine), FieldKind::Choice(same, theirs)) if options == same => {
-            keep_equal(mine, theirs)
+            keep_equal(mine, theirs.as_ref())
         }
         _ => false,
     }
 }
 
-fn keep_equal<T: PartialEq>(mine: &mut Option<T>, theirs: &Option<T>) -> bool {
-    if mine != theirs {
+fn keep_equal<T: PartialEq>(mine: &mut Option<T>, theirs: Option<&T>) -> bool {
+    if mine.as_ref() != theirs {
         *mine = None;
     }
     true
@@ -100,7 +100,8 @@ impl Rows<'_> {
 
     fn choice(&mut self, key: &str, words: &[&str], chosen: usize, is_default: bool) {
         let option = |word: &&str| {
-            let label = self.texts.say(&format!("workshop-choice-{key}-{word}"));
+            let id = [key, word].join("-");
+            let label = self.texts.say(&format!("workshop-choice-{id}"));
             ((*word).to_owned(), label)
         };
         let options = words.iter().map(option).collect();
@@ -227,6 +228,11 @@ fn of_surface(rows: &mut Rows<'_>, surface: &Surface) {
 fn of_aberration(rows: &mut Rows<'_>, it: &Aberration, alone: bool) {
     let halves = ((2.0 * HALVES_M.start(), 2.0 * HALVES_M.end()), Unit::Metres);
     rows.numbers("box", &(2.0 * it.half).to_array(), halves, true);
+    if alone {
+        for (number, (words, is_warning)) in bent::told(rows.texts, it).into_iter().enumerate() {
+            rows.words(&format!("told-{number}"), words, is_warning);
+        }
+    }
     let is_felt = matches!(it.lengths, Lengths::Felt { .. });
     rows.choice("lengths", &["felt", "stretch"], usize::from(!is_felt), true);
     match it.lengths {
@@ -263,11 +269,6 @@ fn of_aberration(rows: &mut Rows<'_>, it: &Aberration, alone: bool) {
     let ways = usize::from(it.ways == Ways::Forward);
     rows.choice("ways", &["both", "forward"], ways, ways == 0);
     rows.add("outline", FieldKind::Switch(Some(it.outline)), !it.outline);
-    if alone {
-        for (number, (words, is_warning)) in bent::told(rows.texts, it).into_iter().enumerate() {
-            rows.words(&format!("told-{number}"), words, is_warning);
-        }
-    }
 }
 
 fn of_portal(

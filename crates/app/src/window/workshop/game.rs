@@ -7,7 +7,7 @@ use antipode_ui::ToastKind;
 use antipode_ui::workshop::{BarModel, WorkshopModel, WorkshopPanes, WorkshopWish};
 
 use super::wishes::{Bench, Outcome};
-use super::{Workshop, chosen, fields, lines, parts, rows};
+use super::{Workshop, lines};
 use crate::bindings::Action;
 use crate::room_picture::Tile;
 use crate::window::game::Game;
@@ -81,6 +81,7 @@ impl Game {
             self.pause();
         } else {
             scene.document_mut().select([]);
+            workshop.told.forget();
         }
     }
 
@@ -140,6 +141,7 @@ impl Game {
         let mut plays = false;
         let mut refused = None;
         for wish in wishes {
+            workshop.told.note(&wish);
             match workshop.follow(&mut bench, wish) {
                 Some(Outcome::Play) => plays = true,
                 Some(Outcome::Refused(why)) => refused = Some(why),
@@ -174,9 +176,9 @@ impl Visit {
 }
 
 impl Workshop {
-    /// How the panes lie, if that is otherwise than it was kept.
+    /// How the panes lie, if somebody has moved them.
     fn layout(&self) -> Option<String> {
-        self.panes.as_ref().map(WorkshopPanes::layout)
+        self.panes.as_ref().and_then(WorkshopPanes::changed_layout)
     }
 
     /// Draws the panes.
@@ -189,10 +191,9 @@ impl Workshop {
     ) -> Vec<WorkshopWish> {
         let scene = visit.scene();
         let document = scene.document();
-        let chosen = chosen_words(texts, scene);
-        let (objects, fields) = (rows::objects(texts, scene), fields::rows(texts, scene));
-        let (parts, history) = (parts::rows(texts), rows::history(texts, scene));
-        let (steps, made) = (history.len(), document.history().made());
+        self.told.renew(texts, scene);
+        let told = &self.told;
+        let (steps, made) = (told.history.len(), document.history().made());
         let bar = BarModel {
             can_undo: made > 0,
             can_redo: made < steps,
@@ -204,12 +205,12 @@ impl Workshop {
         let model = WorkshopModel {
             texts,
             room: &scene.room().name,
-            objects: &objects,
-            chosen: &chosen,
-            fields: &fields,
-            parts: &parts,
+            objects: &told.objects,
+            chosen: &told.chosen,
+            fields: &told.fields,
+            parts: &told.parts,
             messages: &self.findings.rows(texts),
-            history: &history,
+            history: &told.history,
             done: made,
             bar,
             lines: &lines::lines(self, scene, texts),
@@ -239,25 +240,6 @@ impl Workshop {
         } else {
             texts.say("workshop-status-chosen")
         }
-    }
-}
-
-/// What is told of what is chosen.
-fn chosen_words(
-    texts: &antipode_language::Texts,
-    scene: &antipode_room_scene::RoomScene,
-) -> String {
-    match chosen::indices(scene)[..] {
-        [] => texts.say("workshop-room-itself"),
-        [index] => {
-            let object = &scene.room().objects[index];
-            let values = [
-                ("name", object.name.as_str().into()),
-                ("kind", rows::kind(texts, &object.what).into()),
-            ];
-            texts.say_with("workshop-one", &values)
-        }
-        ref several => texts.say_with("workshop-several", &[("count", several.len().into())]),
     }
 }
 

@@ -2,12 +2,13 @@
 
 use antipode_language::{Texts, Value};
 use antipode_room_scene::RoomScene;
-use antipode_room_scene::workshop::{Handle, Handles, Through};
+use antipode_room_scene::tuning::EYE_M;
+use antipode_room_scene::workshop::{Handle, Handles, Through, Viewpoint};
 use antipode_rooms::aberration::Lengths;
-use antipode_rooms::{What, poses};
+use antipode_rooms::{What, direction, poses};
 use antipode_ui::workshop::ViewLine;
 use egui::Color32;
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
 use super::{Workshop, chosen};
 
@@ -21,16 +22,26 @@ const AXES: [Color32; 3] = [
 const CHOSEN: Color32 = Color32::from_rgb(0xF2, 0x99, 0x4A);
 /// Of what is under the pointer.
 const HOT: Color32 = Color32::from_rgb(0xFF, 0xF0, 0xC8);
+/// Of what no picture shows.
+const MARK: Color32 = Color32::from_rgb(0xC8, 0xA8, 0xFF);
+/// Most of these that are drawn, and how large lamps are, metres.
+const MOST_MARKS: usize = 72;
+const LAMP_M: f64 = 0.15;
 /// Most things whose edges are drawn.
-const MOST: usize = 24;
+const MOST: usize = 12;
 /// Pieces of an edge.
 const PIECES: usize = 8;
 
 /// All of them.
 pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewLine> {
     let mut all = Vec::new();
-    for index in chosen::indices(scene).into_iter().take(MOST) {
-        edges(workshop, scene, index, &mut all);
+    marks(workshop, scene, &mut all);
+    let chosen = chosen::indices(scene);
+    if !chosen.is_empty() {
+        let poses = poses(scene.room());
+        for index in chosen.into_iter().take(MOST) {
+            edges(workshop, scene, (index, &poses[index]), &mut all);
+        }
     }
     if let Some([a, b]) = workshop.frame
         && a != b
@@ -48,6 +59,68 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
         add_handles(workshop, scene, &handles, texts, &mut all);
     }
     all
+}
+
+/// Where portals are, which have no frame of their own, lamps, and where one begins: what no picture shows.
+fn marks(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
+    let room = scene.room();
+    let view = workshop.viewpoint(scene);
+    let is_unseen = |what: &What| matches!(what, What::Portal(_) | What::Light { .. });
+    let objects = room.objects.iter().enumerate();
+    let unseen: Vec<_> = objects.filter(|(_, it)| is_unseen(&it.what)).collect();
+    let poses = if unseen.is_empty() {
+        Vec::new()
+    } else {
+        poses(room)
+    };
+    for (index, object) in unseen.into_iter().take(MOST_MARKS) {
+        let pose = poses[index];
+        let half = chosen::half(&object.what);
+        let (y, z) = (half.y, half.z);
+        let corners = match object.what {
+            What::Portal(_) => vec![(-y, -z), (y, -z), (y, z), (-y, z), (-y, -z)],
+            _ => vec![
+                (0.0, -LAMP_M),
+                (0.0, LAMP_M),
+                (0.0, 0.0),
+                (LAMP_M, 0.0),
+                (-LAMP_M, 0.0),
+            ],
+        };
+        let points = corners
+            .into_iter()
+            .map(|(y, z)| pose.transform_point3(DVec3::new(0.0, y, z)));
+        mark(scene, &view, pose.translation, points, all);
+    }
+    let feet = room.spawn.at;
+    let ahead = direction(DVec2::new(room.spawn.look.x, 0.0)) * 0.5;
+    let points = [feet + DVec3::Y * EYE_M, feet, feet + ahead];
+    mark(scene, &view, feet + DVec3::Y, points.into_iter(), all);
+}
+
+fn mark(
+    scene: &RoomScene,
+    view: &Viewpoint,
+    middle: DVec3,
+    points: impl Iterator<Item = DVec3>,
+    all: &mut Vec<ViewLine>,
+) {
+    let Some((through, at)) = scene.way_to(view, middle, None) else {
+        return;
+    };
+    let seen: Vec<_> = points
+        .filter_map(|point| through.seen_at(point, at))
+        .map(|at| flat(&at))
+        .collect();
+    if seen.len() > 1 {
+        all.push(ViewLine {
+            points: seen,
+            colour: MARK,
+            width: 1.0,
+            label: None,
+            knob: false,
+        });
+    }
 }
 
 fn flat(at: &DVec2) -> [f32; 2] {
@@ -115,10 +188,13 @@ fn lengths(scene: &RoomScene, texts: &Texts) -> Option<String> {
 }
 
 /// The edges of the box about a thing, as they are seen.
-fn edges(workshop: &Workshop, scene: &RoomScene, index: usize, all: &mut Vec<ViewLine>) {
-    let room = scene.room();
-    let object = &room.objects[index];
-    let pose = poses(room)[index];
+fn edges(
+    workshop: &Workshop,
+    scene: &RoomScene,
+    (index, pose): (usize, &DAffine3),
+    all: &mut Vec<ViewLine>,
+) {
+    let object = &scene.room().objects[index];
     let half = chosen::half(&object.what);
     // A box that space is stretched in is seen from outside, and so are its edges.
     let Some((through, at)) = workshop.through(scene, pose.translation, Some(index)) else {

@@ -13,6 +13,7 @@ mod lines;
 mod parts;
 mod rows;
 mod set;
+mod told;
 mod wishes;
 
 use antipode_rays::{Options, Outlines, View};
@@ -27,6 +28,7 @@ use crate::room_picture::{RoomView, Tile};
 use findings::Findings;
 use hand::{Dragging, Meant};
 use keeping::Keeping;
+use told::Told;
 
 /// Turns that are held while one drags, degrees.
 const TURN_STEP_DEG: f64 = 15.0;
@@ -53,6 +55,7 @@ pub struct Workshop {
     field: Option<String>,
     keeping: Keeping,
     findings: Findings,
+    told: Told,
     /// Whether a menu or a list is down.
     is_dropped: bool,
 }
@@ -93,6 +96,7 @@ impl Workshop {
             field: None,
             keeping: Keeping::of(scene),
             findings: Findings::begin(),
+            told: Told::default(),
             is_dropped: false,
         }
     }

@@ -14,6 +14,8 @@ use super::rows::free_name;
 
 /// How far apart the two of a new pair of portals stand, metres.
 const APART_M: f64 = 6.0;
+/// How far above the ground portals stand, metres: they may not touch the sides of an aberration that ends there.
+const LIFTED_M: f64 = 0.005;
 /// Every part, by its word.
 pub const PARTS: [&str; 14] = [
     "box", "wall", "floor", "pyramid", "ramp", "stairs", "arch", "cylinder", "ball", "light",
@@ -46,7 +48,7 @@ pub fn put(
             + normal * out,
     );
     if id == "portals" {
-        return Some(pair(room, at));
+        return Some(pair(room, at + LIFTED_M * DVec3::Y));
     }
     let mut object = Object::new(&free_name(room, id), at, what);
     object.surface = surface(id);
@@ -142,10 +144,10 @@ fn door(to: &str) -> Portal {
 /// Two portals that lead to each other, both with their fronts to +z.
 fn pair(room: &Room, at: DVec3) -> Edit {
     let first = free_name(room, "door");
-    let mut second = free_name(room, "door 2");
-    if second == first {
-        second = free_name(room, "door 3");
-    }
+    // The next name that is free beside the first.
+    let mut names = (2..10_000).map(|number| format!("door {number}"));
+    let is_free = |name: &String| *name != first && room.find(name).is_none();
+    let second = names.find(is_free).unwrap_or_default();
     let portal = |name: &str, to: &str, at: DVec3| {
         let mut object = Object::new(name, at, What::Portal(door(to)));
         object.turn.x = 90.0;
@@ -171,11 +173,12 @@ mod tests {
         for id in PARTS.into_iter().chain(PARTS) {
             let x = document.room().objects.len() as f64 * 8.0 - 120.0;
             let ground = (DVec3::new(x + 0.07, 0.0, -5.1), DVec3::Y);
-            let edit = put(document.room(), id, ground, |metres| metres.round()).unwrap();
+            let edit = put(document.room(), id, ground, f64::round).unwrap();
             document.edit(&edit).unwrap();
             let made = document.room().objects.last().unwrap();
             let lowest = made.at.y - half(&made.what).y;
-            assert!(lowest.abs() < 1e-9, "{id}: {lowest}");
+            let lifted = if id == "portals" { LIFTED_M } else { 0.0 };
+            assert!((lowest - lifted).abs() < 1e-9, "{id}: {lowest}");
             assert_eq!(made.at.z, -5.0, "{id}");
         }
         assert!(antipode_rooms::space(document.room()).is_ok());

@@ -76,7 +76,8 @@ fn usual(key: &str) -> Option<String> {
     Some(match key {
         "at" | "turn" | "spawn-at" => "0,0,0".to_owned(),
         "glow" => "0".to_owned(),
-        "scale" | "times" | "times-x" | "times-y" | "times-z" | "thesis" | "felt" => "1".to_owned(),
+        "scale" | "room-sun-power" | "times" | "times-x" | "times-y" | "times-z" | "thesis"
+        | "felt" => "1".to_owned(),
         "colour" => Surface::default().colour.to_string(),
         "checker" | "room-has-fog" => "none".to_owned(),
         "finish" => "matt".to_owned(),
@@ -90,7 +91,6 @@ fn usual(key: &str) -> Option<String> {
         "room-light" => number(room.sky.light),
         "room-sun" => "-60,50".to_owned(),
         "room-sun-colour" => "#fff4e0".to_owned(),
-        "room-sun-power" => "1".to_owned(),
         _ => return None,
     })
 }

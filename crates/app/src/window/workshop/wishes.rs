@@ -97,7 +97,11 @@ impl Workshop {
         self.field = None;
         let names = bench.scene.document().selection().to_vec();
         if let Some(edit) = self.edit_of(bench.scene, &names, &wish) {
-            return bench.make(&edit);
+            bench.make(&edit)?;
+            if matches!(wish, WorkshopWish::Put(_)) {
+                bench.scene.document_mut().select_made();
+            }
+            return Ok(());
         }
         let document = bench.scene.document_mut();
         match wish {
@@ -110,6 +114,7 @@ impl Workshop {
                 document.end_drag();
                 let plan = document.plan_redo(1)?;
                 bench.commit(plan)?;
+                bench.scene.document_mut().select_made();
             }
             WorkshopWish::GoTo(step) => {
                 document.end_drag();

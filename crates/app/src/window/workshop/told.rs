@@ -1,0 +1,82 @@
+//! What the lists of the workshop say, worked out when the room or what is chosen has changed: a room has up to 2,000 things,
+//! and a history 1,000 steps.
+
+use antipode_language::{Language, Texts};
+use antipode_room_scene::RoomScene;
+use antipode_ui::workshop::{FieldRow, HistoryRow, ObjectRow, PartRow, ViewEvent, WorkshopWish};
+
+use super::{chosen, fields, parts, rows};
+
+/// The rows of all lists.
+#[derive(Debug, Default)]
+pub struct Told {
+    /// Of which revision they are, and in which language; none where something was done since.
+    of: Option<(u64, Language)>,
+    /// What stands in the room.
+    pub objects: Vec<ObjectRow>,
+    /// What can be changed of what is chosen.
+    pub fields: Vec<FieldRow>,
+    /// What can be put in.
+    pub parts: Vec<PartRow>,
+    /// What was done.
+    pub history: Vec<HistoryRow>,
+    /// What is chosen, in words.
+    pub chosen: String,
+}
+
+impl Told {
+    /// Something is done that may change what is chosen, hidden or locked.
+    pub fn note(&mut self, wish: &WorkshopWish) {
+        let only_looks = matches!(
+            wish,
+            WorkshopWish::View(
+                ViewEvent::Hover(_)
+                    | ViewEvent::Look(_)
+                    | ViewEvent::Orbit(_)
+                    | ViewEvent::Pan(_)
+                    | ViewEvent::Zoom(_)
+                    | ViewEvent::Fly(..)
+            )
+        );
+        if !only_looks {
+            self.of = None;
+        }
+    }
+
+    /// Something is done elsewhere.
+    pub fn forget(&mut self) {
+        self.of = None;
+    }
+
+    /// Says anew what has changed.
+    pub fn renew(&mut self, texts: &Texts, scene: &RoomScene) {
+        let now = (scene.document().revision(), texts.language());
+        if self.of == Some(now) {
+            return;
+        }
+        *self = Self {
+            of: Some(now),
+            objects: rows::objects(texts, scene),
+            fields: fields::rows(texts, scene),
+            parts: parts::rows(texts),
+            history: rows::history(texts, scene),
+            chosen: chosen_words(texts, scene),
+        };
+    }
+}
+
+/// What is told of what is chosen.
+fn chosen_words(texts: &Texts, scene: &RoomScene) -> String {
+    match chosen::indices(scene)[..] {
+        [] => texts.say("workshop-room-itself"),
+        [index] => {
+            let object = &scene.room().objects[index];
+            let values = [
+                ("name", object.name.as_str().into()),
+                ("kind", rows::kind(texts, &object.what).into()),
+            ];
+            texts.say_with("workshop-one", &values)
+        }
+        ref several => texts.say_with("workshop-several", &[("count", several.len().into())]),
+    }
+}
