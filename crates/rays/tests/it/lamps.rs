@@ -23,7 +23,7 @@ fn floor_and_boxes() -> RayScene {
     scene.fog_m = 1e5;
     let outer = boxed(DVec3::new(1.0, 1.4, 1.6), Sides::Soft);
     let mut inner = boxed(DVec3::new(0.8, 1.0, 1.3), Sides::Soft);
-    inner.name = "inner".to_owned();
+    "inner".clone_into(&mut inner.name);
     inner.half *= 0.5;
     scene.aberrations = Space::new(vec![outer, inner]).unwrap();
     scene
