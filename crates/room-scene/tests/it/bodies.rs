@@ -189,7 +189,13 @@ fn a_blow_through_a_portal_gives_as_much_as_it_takes() {
     ]);
     scene.set_gravity(DVec3::ZERO).unwrap();
     scene.strike("a", DVec3::new(0.0, 0.0, -3.0));
-    wait(&mut scene, 0.6);
+    wait(&mut scene, 0.3);
+    let [a, b] = ["a", "b"].map(|it| state(&scene, it));
+    assert!(
+        a.place.passage.count == 0 && b.velocity.x > 2.5,
+        "{a:?} {b:?}"
+    );
+    wait(&mut scene, 0.3);
     let [a, b] = ["a", "b"].map(|it| state(&scene, it));
     assert!(b.velocity.x > 2.5, "{b:?}");
     // Both in the axes of the far side, if a has come through; else -z is +x there.
