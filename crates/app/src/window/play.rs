@@ -299,6 +299,7 @@ impl Play {
         let session = match &self.phase {
             Phase::Paused(session) => session,
             Phase::RoomPaused(visit) => return visit.is_drawn && !self.portrait.is_wanted,
+            Phase::InRoom(visit) => return visit.is_drawn && visit.is_built_and_still(),
             _ => return false,
         };
         let lifts = matches!(self.veil, Veil::Drawn | Veil::Lifting(_));

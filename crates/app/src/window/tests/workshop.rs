@@ -310,6 +310,24 @@ fn what_is_wrong_is_said_and_leads_there() {
 }
 
 #[test]
+fn nothing_is_drawn_anew_where_nothing_happens() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("box")]);
+    assert!(!game.is_still());
+    let mut now = Instant::now();
+    let began = now;
+    while !game.is_still() {
+        assert!(began.elapsed() < Duration::from_mins(2), "it never rests");
+        now += Duration::from_millis(20);
+        game.tick(now);
+    }
+    ask(&mut game, [WorkshopWish::Nudge([1, 0, 0])]);
+    game.tick(now + Duration::from_millis(20));
+    assert!(!game.is_still());
+}
+
+#[test]
 fn what_was_built_is_kept_with_its_history() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = building(&dir);

@@ -15,6 +15,8 @@ pub struct Findings {
     /// The revision that it was told to look at.
     asked: Option<u64>,
     found: Vec<Finding>,
+    /// Whether that is all that there is to find in it.
+    is_all: bool,
 }
 
 impl Findings {
@@ -26,6 +28,7 @@ impl Findings {
             checker: checker.ok(),
             asked: None,
             found: Vec::new(),
+            is_all: false,
         }
     }
 
@@ -36,11 +39,18 @@ impl Findings {
         let revision = document.revision();
         if self.asked != Some(revision) && !document.is_dragging() {
             self.asked = Some(revision);
+            self.is_all = false;
             checker.look(revision, document.room_shared(), scene.assets().clone());
         }
         if let Some(news) = checker.poll() {
             self.found = news.findings;
+            self.is_all = news.is_all;
         }
+    }
+
+    /// Whether nothing more is to be found in the room as it is.
+    pub fn rest(&self) -> bool {
+        self.is_all || self.checker.is_none()
     }
 
     /// In words.

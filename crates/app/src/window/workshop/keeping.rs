@@ -54,6 +54,11 @@ impl Keeping {
         why
     }
 
+    /// Whether nothing has changed for so long that there is nothing more to keep.
+    pub fn rests(&self) -> bool {
+        self.rests_s > 2.0 * QUIET_S && self.asked == self.seen
+    }
+
     /// The room as it is now becomes its file.
     pub fn save(&mut self, scene: &mut RoomScene) {
         let document = scene.document_mut();

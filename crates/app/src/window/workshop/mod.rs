@@ -183,6 +183,12 @@ impl Visit {
         Task::start("leave", move || drop(workshop));
     }
 
+    /// Whether it is built in, and nothing moves until somebody does something.
+    pub fn is_built_and_still(&self) -> bool {
+        let workshop = self.workshop.as_ref();
+        workshop.is_some_and(|it| it.keeping.rests() && it.findings.rest())
+    }
+
     /// What a picture of it is of while it is built in.
     pub fn workshop_view(&self) -> Option<RoomView> {
         let workshop = self.workshop.as_ref()?;
