@@ -26,6 +26,7 @@ struct Beam {
     fades_per_m2: f32,  // as above
     full_cosine: f32,   // of the angle within which it is full
     dark_cosine: f32,   // of the angle outside which there is none
+    behind: vec4<f32>,  // a covector of view coordinates: nothing is lit that has a negative product with it
 }
 
 // A map of depth as the key light sees it.

@@ -27,7 +27,7 @@ struct VertexIn {
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
-    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the figure
+    @location(10) lights: vec4<u32>,    // which lamps (64 bits) and beams may light the figure; w: what of it is shown
     @location(13) glow_switch: u32,     // what switches the glow: 0 nothing, 1 the lights, 2 these and the brake lights
 }
 
@@ -47,6 +47,20 @@ struct VertexOut {
     @location(6) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(7) @interpolate(flat) lights: vec3<u32>,
     @location(8) place: vec3<f32>,      // from the reference, m, in the common axes
+    @location(9) kept_m: f32,           // how far it is on the side of a cut that is shown
+}
+
+// A figure that is shown whole, and how far from its origin a cut may lie, metres.
+const WHOLE: u32 = 0x80008000u;
+const CUT_REACH_M: f32 = 8.0;
+const HALF_TURN: f32 = 3.14159265;
+
+// How far on the side that is shown a place from the origin is, in the chart.
+fn kept(cut: u32, place: vec3<f32>) -> f32 {
+    let packed = unpack2x16snorm(cut);
+    let heading = packed.x * HALF_TURN;
+    let along = place.x * cos(heading) + place.z * sin(heading);
+    return select(along - packed.y * CUT_REACH_M, 1.0, cut == WHOLE);
 }
 
 // A vertex of the model: where it is from the origin, in metres, and its normal.
@@ -130,9 +144,10 @@ fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     out.veil = vec4<f32>(haze_before(view) * fog, 1.0 - fog);
     out.glow = glow(in);
     out.view = view;
-    out.lights = in.lights;
+    out.lights = in.lights.xyz;
+    out.kept_m = kept(in.lights.w, stance.place);
     out.place = in_common_axes(p);
-    if wants_model_normal(in.lights) {
+    if wants_model_normal(in.lights.xyz) {
         out.frame_normal = frame_vector(space, p, chart_normal);
     }
     return out;
@@ -210,7 +225,8 @@ fn vertex_hand(in: VertexIn) -> VertexOut {
     out.view = vec4<f32>(v, 1.0);
     out.place = scene.right * v.x + scene.up * v.y - scene.front * v.z;
     out.frame_normal = vec4<f32>(normal, 0.0);
-    out.lights = in.lights;
+    out.lights = in.lights.xyz;
+    out.kept_m = 1.0;
     return out;
 }
 
@@ -253,7 +269,7 @@ fn is_open(clip: vec4<f32>) -> bool {
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     var light = figure_light(in, in.albedo.a);
     let is_ghost = in.glow < -0.5;
-    if is_cut(in.view) || (is_ghost && is_open(in.clip)) {
+    if is_cut(in.view) || in.kept_m < 0.0 || (is_ghost && is_open(in.clip)) {
         discard;
     }
     light = select(light, ghost_light(in), is_ghost);
@@ -265,7 +281,7 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
 fn fragment_clear(in: VertexOut) -> @location(0) vec4<f32> {
     let cover = in.albedo.a;
     let light = figure_light(in, 0.9) * in.veil.a + in.veil.rgb;
-    if is_cut(in.view) {
+    if is_cut(in.view) || in.kept_m < 0.0 {
         discard;
     }
     return vec4<f32>(light * cover, cover);

@@ -178,12 +178,16 @@ fn lamplight_at(space: Space, view: vec4<f32>, normal: vec4<f32>, mask: vec3<u32
 }
 
 // Light of all beams of a mask on a point: full within the inner cone, none outside the outer.
-fn beams_on(lit: Lit, mask: u32, gloss: f32) -> vec3<f32> {
+fn beams_on(lit: Lit, view: vec4<f32>, mask: u32, gloss: f32) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     var left = mask;
     while left != 0u {
         let beam = scene.beams[firstTrailingBit(left)];
         left &= left - 1u;
+        // Light that has come by a door begins there.
+        if dot(beam.behind, view) < 0.0 {
+            continue;
+        }
         let toward = beam.place - lit.view;
         let at = away(lit, toward);
         let along = -model_dot(lit, beam.axis, toward) / at.sine;
@@ -199,5 +203,5 @@ fn beams_on(lit: Lit, mask: u32, gloss: f32) -> vec3<f32> {
 
 fn lights_on(view: vec4<f32>, normal: vec4<f32>, mask: vec3<u32>, gloss: f32) -> vec3<f32> {
     let lit = lit_at(scene.space, view, normal);
-    return lamps_on(lit, mask.xy, gloss) + beams_on(lit, mask.z, gloss);
+    return lamps_on(lit, mask.xy, gloss) + beams_on(lit, view, mask.z, gloss);
 }

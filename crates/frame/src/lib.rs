@@ -17,13 +17,13 @@ mod view;
 
 use std::sync::Arc;
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, Leaf};
 use glam::{DQuat, DVec3};
 
 pub use hit_shapes::{HitForm, HitShape};
 pub use land::{ChunkChange, Land, LandCursor, LandNews};
 pub use model::{ModelId, ModelShape};
-pub use opening::Opening;
+pub use opening::{Opening, sheet_behind};
 pub use posture::{Clip, Posture};
 pub use quality::{ParseQualityError, Quality};
 pub use view::{Hand, View};
@@ -150,6 +150,8 @@ pub struct BeamLight {
     pub range_m: f64,
     /// Angles from its middle within which it is full, and outside which there is none, radians.
     pub cone_rad: (f64, f64),
+    /// A leaf behind which alone it lights, of light that has come by a door: on the side that its front looks to, or on the other.
+    pub behind: Option<(Leaf, bool)>,
 }
 
 /// Sky and light of a moment. Colours are linear light; directions are unit vectors at the eye, in the axes of
@@ -249,6 +251,29 @@ pub struct Figure {
     pub brakes: bool,
     /// Whether it is there.
     pub presence: Presence,
+    /// What of it is shown, of one that stands in a door.
+    pub cut: Option<Cut>,
+}
+
+/// The part of a figure on one side of an upright plane of its chart: where the way along a heading from its origin is long enough.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// The heading across the plane, radians from +x towards +z.
+    pub heading_rad: f64,
+    /// How far along it from the figure's origin the part begins, metres.
+    pub from_m: f64,
+}
+
+impl Cut {
+    /// The same plane, from an origin that lies so much farther.
+    #[must_use]
+    pub fn from_origin_moved(self, by: DVec3) -> Self {
+        let along_m = by.x * self.heading_rad.cos() + by.z * self.heading_rad.sin();
+        Self {
+            from_m: self.from_m - along_m,
+            ..self
+        }
+    }
 }
 
 /// Whether a figure is there, or only shown where it would be.
@@ -277,6 +302,7 @@ impl Figure {
             lights: false,
             brakes: false,
             presence: Presence::Real,
+            cut: None,
         }
     }
 }

@@ -17,12 +17,21 @@ pub struct Opening {
     pub leaf: Leaf,
     /// The view of the other side, by the isometry of the space; cut off at the other leaf.
     pub view: View,
+    /// What the same leaf shows where that view sees it once more.
+    pub again: Option<Box<View>>,
 }
 
 impl Opening {
     /// What a picture's view shows through each leaf of a pair.
     pub fn all(view: &View, doors: &Doorway) -> [Self; 2] {
-        [0, 1].map(|leaf| Self::of(view, doors, leaf))
+        [0, 1].map(|leaf| {
+            let once = Self::of(view, doors, leaf);
+            let again = Self::of(&once.view, doors, leaf).view;
+            Self {
+                again: Some(Box::new(again)),
+                ..once
+            }
+        })
     }
 
     fn of(view: &View, doors: &Doorway, leaf: usize) -> Self {
@@ -35,24 +44,34 @@ impl Opening {
             hand: None,
             ..view.clone()
         };
-        view.cuts[0] = cut(&view, &far, if is_before { 1.0 } else { -1.0 });
-        Self { leaf: near, view }
+        let ahead = if is_before { 1.0 } else { -1.0 };
+        view.cuts[0] = sheet(&view, &far, -ahead * BEGINS_BEFORE_M, ahead);
+        Self {
+            leaf: near,
+            view,
+            again: None,
+        }
     }
 }
 
+/// The covector of view coordinates that is 0 in a leaf, and positive on the side that its front looks to, or on the other.
+pub fn sheet_behind(view: &View, leaf: &Leaf, is_in_front: bool) -> DVec4 {
+    sheet(view, leaf, 0.0, if is_in_front { 1.0 } else { -1.0 })
+}
+
 /// The covector of view coordinates that is 0 on the sheet through the lower corners of a leaf and the middle of its upper edge, but
-/// [`BEGINS_BEFORE_M`] before them, and positive on one side: `ahead` is 1 for that which the front looks to, and -1 for the other.
+/// so far along its front from them, metres, and positive on one side: `ahead` is 1 for that which the front looks to, and -1 for the
+/// other.
 ///
 /// Geodesic planes are where a linear form of the model's four coordinates is 0, so three points decide it up to its
 /// sign: its components are the minors of the three vectors. Where a leaf is no geodesic plane, as through a hyperbolic
 /// lens, the sheet is right at the sill, where land meets it, and strays from the leaf's by centimetres.
-fn cut(view: &View, leaf: &Leaf, ahead: f64) -> DVec4 {
+fn sheet(view: &View, leaf: &Leaf, at_m: f64, ahead: f64) -> DVec4 {
     let at = |x: f64, y: f64, z: f64| view.point(leaf.place(DVec3::new(x, y, z)));
-    let before_m = -ahead * BEGINS_BEFORE_M;
     let [a, b, c] = [
-        at(before_m, 0.0, -HALF_WIDTH_M),
-        at(before_m, 0.0, HALF_WIDTH_M),
-        at(before_m, HEIGHT_M, 0.0),
+        at(at_m, 0.0, -HALF_WIDTH_M),
+        at(at_m, 0.0, HALF_WIDTH_M),
+        at(at_m, HEIGHT_M, 0.0),
     ];
     let minor = |without: usize| {
         let rest = |v: DVec4| {

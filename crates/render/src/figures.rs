@@ -16,7 +16,8 @@ use crate::plan::{FramePlan, Tolerance};
 use crate::rig::Posed;
 use crate::shadow::Caster;
 use crate::uniforms::{
-    BARRED_FLAG, BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, POSSIBLE_FLAG, frame_rows,
+    BARRED_FLAG, BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, POSSIBLE_FLAG, WHOLE,
+    frame_rows, packed_cut,
 };
 
 /// The models, which all views draw figures with.
@@ -117,6 +118,7 @@ impl Figures {
             let place = figure.turn * place.as_dvec3();
             let figure = Figure {
                 turn: figure.turn * turn.as_dquat(),
+                cut: figure.cut.map(|cut| cut.from_origin_moved(place)),
                 ..Figure::standing(model, figure.point.moved(place), 0.0)
             };
             let thing = number(model);
@@ -147,6 +149,7 @@ fn put(
         turn: figure.turn.as_quat().to_array(),
         frame: [[0.0; 4]; 4],
         lights: [0; 3],
+        cut: figure.cut.as_ref().map_or(WHOLE, packed_cut),
     };
     let mut way = Way::Shade;
     let throws = wanted.shades && figure.presence == Presence::Real;

@@ -8,7 +8,7 @@ use glam::{Quat, Vec3};
 
 use crate::lamps::{BEAMS, LAMPS, lights_near};
 use crate::rig::HandPose;
-use crate::uniforms::FigureInstance;
+use crate::uniforms::{FigureInstance, WHOLE};
 
 /// The gun's muzzle from its grip, metres.
 pub const MUZZLE_M: Vec3 = Vec3::new(0.275, 0.085, 0.0);
@@ -115,6 +115,7 @@ pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
         turn: held.turn.to_array(),
         frame: [[0.0; 4]; 4],
         lights,
+        cut: WHOLE,
     };
     let all = before_eye(hand).into_iter();
     all.map(|held| (held.model, instance(held))).collect()

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_frame::{BeamLight, Frame, LampLight};
+use antipode_frame::{BeamLight, Frame, LampLight, sheet_behind};
 use antipode_geometry::{ChartId, ChartPoint};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4};
@@ -40,6 +40,8 @@ pub struct BeamUniform {
     pub(crate) full_cosine: f32,
     pub(crate) dark_cosine: f32,
     padding: [f32; 2],
+    /// A covector of view coordinates: nothing is lit that has a negative product with it.
+    pub(crate) behind: [f32; 4],
 }
 
 /// The curvature of a picture: its sign and its radius in metres, none where it is flat or as good as flat. A way off
@@ -111,6 +113,14 @@ pub fn beams(frame: &Frame) -> [BeamUniform; BEAMS] {
             full_cosine: inner.cos() as f32,
             dark_cosine: outer.cos() as f32,
             padding: [0.0; 2],
+            behind: beam
+                .behind
+                .as_ref()
+                .map_or([0.0; 4], |(leaf, is_in_front)| {
+                    sheet_behind(&frame.view, leaf, *is_in_front)
+                        .as_vec4()
+                        .into()
+                }),
         };
     }
     uniforms

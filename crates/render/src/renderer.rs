@@ -78,6 +78,8 @@ pub struct Renderer {
     further: Vec<ViewState>,
     /// What is seen through the openings of the last frame.
     openings: Vec<ViewState>,
+    /// What is seen in each of them through the same opening again, once it was.
+    deeper: Vec<Option<ViewState>>,
     /// Width and height of the pictures, pixels, and whether they are drawn at full resolution.
     asked: (u32, u32, bool),
     /// The number of the world that the targets hold a picture of.
@@ -150,6 +152,7 @@ impl Renderer {
             picture,
             further: Vec::new(),
             openings: Vec::new(),
+            deeper: Vec::new(),
             asked: (1, 1, false),
             pictured: None,
             tonemap,
@@ -228,6 +231,7 @@ impl Renderer {
         self.picture.draw_singly();
         self.further.clear();
         self.openings.clear();
+        self.deeper.clear();
         self.shadows.draw_singly();
     }
 
@@ -264,6 +268,7 @@ impl Renderer {
             .and_then(|timing| timing.collect(&self.device));
         let is_shared = !further.is_empty() || !frame.openings.is_empty();
         let map = self.map_of(frame);
+        self.foresee_openings(frame, map);
         if !self.is_ready(map) {
             let last = DrawStats {
                 gpu_ms,
@@ -360,7 +365,9 @@ impl Renderer {
                 heavens: &self.heavens,
                 shadows: &self.shadows,
             };
+            let deeper = self.deeper.iter_mut().flatten();
             let others = self.further.iter_mut().chain(&mut self.openings);
+            let others = others.chain(deeper);
             for view in std::iter::once(&mut self.picture).chain(others) {
                 view.rebind(&self.device, shared);
             }

@@ -1,6 +1,6 @@
 //! Uniforms and instances of a frame, laid out as the shaders read them.
 
-use antipode_frame::{Frame, Orbs, View};
+use antipode_frame::{Cut, Frame, Orbs, View};
 use antipode_geometry::{ChartPoint, ChunkCoord, NoiseFrame, SpaceUniform};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
@@ -263,13 +263,29 @@ pub struct FigureInstance {
     pub frame: [[f32; 4]; 4],
     /// Which lamps, by 64 bits, and which beams may light the figure.
     pub lights: [u32; 3],
+    /// What of it is shown: [`packed_cut`], or [`WHOLE`].
+    pub cut: u32,
+}
+
+/// A figure that is shown whole: two numbers that no packing gives.
+pub const WHOLE: u32 = 0x8000_8000;
+/// Cuts farther from a figure's origin than this are as good as at this, metres.
+const CUT_REACH_M: f64 = 8.0;
+
+/// A cut as its instance carries it: the heading's share of half a turn, and above it the distance as a share of
+/// [`CUT_REACH_M`], each as a normalised integer of 16 bits: to 0.1 mrad and 0.3 mm.
+pub fn packed_cut(cut: &Cut) -> u32 {
+    let snorm = |share: f64| (share.clamp(-1.0, 1.0) * 32767.0).round() as i16 as u16;
+    let turn = cut.heading_rad / std::f64::consts::PI;
+    let turn = turn - 2.0 * (0.5 * turn).round();
+    u32::from(snorm(turn)) | u32::from(snorm(cut.from_m / CUT_REACH_M)) << 16
 }
 
 impl FigureInstance {
     /// Attributes from location 3 on.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
         3 => Float32x3, 4 => Uint32, 5 => Float32x4,
-        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x3
+        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x4
     ];
 }
 

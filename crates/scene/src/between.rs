@@ -205,17 +205,18 @@ impl Way<'_> {
         // Both are in about the same order.
         let mut next = 0;
         for (who, pose) in after {
-            let (passed, coming) = before.split_at(next.min(before.len()));
-            let is_it = |(other, _): &(Who, T)| other == who;
-            let found = coming.iter().position(is_it).map(|at| passed.len() + at);
-            let Some(at) = found.or_else(|| passed.iter().position(is_it)) else {
+            // One that stands in a door is shown twice, and one that has passed it comes from where its other part was.
+            let places = (next.min(before.len())..before.len()).chain(0..next.min(before.len()));
+            let mut those = places.filter(|at| before[*at].0 == *who);
+            let came = those.find_map(|at| {
+                let from = before[at].1.point();
+                Some((at, self.place(from, pose.point())?))
+            });
+            let Some((at, (point, turn))) = came else {
                 continue;
             };
             next = at + 1;
-            let from = before[at].1;
-            if let Some((point, turn)) = self.place(from.point(), pose.point()) {
-                pose.go(&from, point, turn, self.share);
-            }
+            pose.go(&before[at].1, point, turn, self.share);
         }
     }
 
@@ -265,6 +266,8 @@ impl Pose for Figure {
     }
 
     fn go(&mut self, from: &Self, point: ChartPoint, turn: DQuat, share: f64) {
+        let by = point.pos - self.point.pos;
+        self.cut = self.cut.map(|cut| cut.from_origin_moved(by));
         self.point = point;
         self.turn = (turn * from.turn).slerp(self.turn, share);
         go_posture(&mut self.posture, &from.posture, share as f32);

@@ -1,6 +1,8 @@
 //! The dip of the head on landing: a critically damped spring, pushed down by the speed of the fall.
 //!
 //! With the rate w, a push of v sinks the head by v / (w e) after 1 / w seconds, and it comes up without swinging.
+//!
+//! Who goes through a door to ground that lies higher or lower there is set on it at once; the head follows within 0.3 s.
 
 use crate::tuning::{DIP_FROM_M_S, DIP_PUSH, DIP_PUSH_MOST_M_S, DIP_RATE_PER_S};
 
@@ -12,12 +14,27 @@ const REST: (f64, f64) = (1e-4, 1e-3);
 pub(crate) struct HeadDip {
     depth_m: f64,
     speed_m_s: f64,
+    /// How far the body was lifted that the head has not followed yet, metres.
+    behind_m: f64,
 }
+
+/// The share of the way to a body that was lifted that is left after a second is e to the power of minus this.
+const FOLLOWS_PER_S: f64 = 11.0;
 
 impl HeadDip {
     /// Metres below where the head belongs; never negative.
     pub fn depth_m(&self) -> f64 {
         self.depth_m
+    }
+
+    /// Metres below where the head belongs on a body that was lifted at a door; negative above it.
+    pub fn behind_m(&self) -> f64 {
+        self.behind_m
+    }
+
+    /// The body was lifted by so much at a door, metres.
+    pub fn lift(&mut self, by_m: f64) {
+        self.behind_m += by_m;
     }
 
     /// A fall at that speed has ended.
@@ -40,6 +57,11 @@ impl HeadDip {
         let depth_m = (self.depth_m + rise * dt_s) * decay;
         self.speed_m_s = (self.speed_m_s - rate * rise * dt_s) * decay;
         self.depth_m = depth_m.max(0.0);
+        self.behind_m *= (-FOLLOWS_PER_S * dt_s).exp();
+        if self.behind_m.abs() > REST.0 {
+            return;
+        }
+        self.behind_m = 0.0;
         if self.depth_m < REST.0 && self.speed_m_s.abs() < REST.1 {
             self.rest();
         }

@@ -4,8 +4,10 @@
 //! through keeps its speed, its height over the ground and its way in the doorway's own axes. Doors stand upright, so the
 //! view is level on the other side at once.
 
+use antipode_geometry::doorway::{HALF_WIDTH_M, HEIGHT_M};
 use antipode_geometry::{ChartPoint, Crossing, Doorway, Leaf, Passing};
 use antipode_items::{Item, Stands};
+use antipode_terrain::{Gate, Part, Stroke};
 use glam::DVec3;
 
 use crate::actors::Actors;
@@ -123,6 +125,11 @@ impl World {
     /// How somebody or something who went from one place to another is to be carried on, if the way led through a door. It
     /// goes on as high over the ground as before, where there is ground at hand.
     pub fn through_door(&self, from: ChartPoint, to: ChartPoint) -> Option<Crossing> {
+        self.led_through(from, to).map(|(crossing, _)| crossing)
+    }
+
+    /// The same, and by how much it is lifted besides, metres.
+    fn led_through(&self, from: ChartPoint, to: ChartPoint) -> Option<(Crossing, f64)> {
         let (doors, by) = self.door_between(from, to)?;
         let mut crossing = doors.pass(&*self.strategy, by, to)?;
         let over_m = |at: ChartPoint| {
@@ -130,27 +137,64 @@ impl World {
             let solid = |point: ChartPoint| self.ground.is_solid(point);
             height_below(above, STEP_UP_M + STEP_DOWN_M, solid).map(|y| at.pos.y - y)
         };
-        if let (Some(here_m), Some(there_m)) = (over_m(to), over_m(crossing.point)) {
-            crossing.point.pos.y += here_m - there_m;
-        }
-        Some(crossing)
+        let heights = over_m(to).zip(over_m(crossing.point));
+        let lifted_m = heights.map_or(0.0, |(here_m, there_m)| here_m - there_m);
+        crossing.point.pos.y += lifted_m;
+        Some((crossing, lifted_m))
     }
 }
 
-/// Carries a body on whose way led through a door; returns whether it did.
+/// The parts of a stroke whose ball reaches over a leaf: what is before the leaf, and what is reached through it, where that comes
+/// out of the other one. Of two leaves in its reach it goes through the nearer one.
+pub(crate) fn parted(world: &World, whole: Stroke) -> Vec<Stroke> {
+    let space = &*world.strategy;
+    let gate = |leaf: &Leaf, middle: ChartPoint| {
+        let crossing = space.carry_near(leaf.foot, middle)?;
+        let way = crossing.turn_vector(leaf.through());
+        Some(Gate {
+            foot: crossing.point.pos,
+            heading_rad: way.z.atan2(way.x),
+            half_width_m: HALF_WIDTH_M,
+            height_m: HEIGHT_M,
+        })
+    };
+    let away_m = |leaf: &Leaf| {
+        let at = leaf.local(space.carry_near(whole.centre, leaf.foot)?.point.pos);
+        let aside_m = (at.z.abs() - HALF_WIDTH_M).max(0.0);
+        let off_m = at.x.hypot(aside_m);
+        (off_m < whole.radius_m).then_some(off_m)
+    };
+    let parts = world.doors.as_ref().and_then(|doors| {
+        let reached = (0..2).filter_map(|at| Some((at, away_m(&doors.leaves[at])?)));
+        let (leaf, _) = reached.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let there = doors.carry(space, leaf, whole.centre)?.point;
+        let (own, far) = (doors.leaves[leaf], doors.leaves[1 - leaf]);
+        let before = Stroke {
+            part: Part::Before(gate(&own, whole.centre)?),
+            ..whole
+        };
+        let through = Stroke {
+            centre: there,
+            part: Part::Through(gate(&far, there)?),
+            ..whole
+        };
+        Some(vec![before, through])
+    });
+    parts.unwrap_or_else(|| vec![whole])
+}
+
+/// Carries a body on whose way led through a door; returns by how much it was lifted besides, metres, if it did.
 pub(crate) fn pass(
     world: &World,
     before: ChartPoint,
     position: &mut Position,
     look: &mut Look,
     body: &mut Body,
-) -> bool {
-    let Some(crossing) = world.through_door(before, position.0) else {
-        return false;
-    };
+) -> Option<f64> {
+    let (crossing, lifted_m) = world.led_through(before, position.0)?;
     position.0 = crossing.point;
     body.0.feet = crossing.point.pos;
     look.yaw = wrap_angle(look.yaw - crossing.turn_rad);
     body.0.velocity = crossing.turn_vector(body.0.velocity);
-    true
+    Some(lifted_m)
 }

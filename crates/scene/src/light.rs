@@ -6,6 +6,7 @@ use glam::{DMat3, DVec3, DVec4};
 use crate::aimed::ViewParams;
 use crate::car;
 use crate::crosshair::Crosshair;
+use crate::door_light::light_through;
 use crate::frame::{BeamLight, LampLight};
 use crate::gun::muzzle_of;
 use crate::moment::{Lit, Who};
@@ -57,7 +58,7 @@ pub(crate) fn lights(scene: &Scene, eye: &Eye) -> Lit {
     let in_hand = holds_lamp.then(|| shining(held_at(&now.head_through(&params))));
     let flashlight = is_free && now.player.flashlight;
     let beam = flashlight.then(|| (Who::InHand, flash_beam(now, &params, &scene.eye())));
-    Lit {
+    let mut lit = Lit {
         lamps: shot
             .map(|light| (Who::Shot, light))
             .into_iter()
@@ -67,7 +68,14 @@ pub(crate) fn lights(scene: &Scene, eye: &Eye) -> Lit {
             .take(MOST_LIT)
             .collect(),
         beams: beam.into_iter().chain(of_cars.beams).collect(),
+    };
+    if let Some(doors) = &now.world.doors {
+        let space = &*now.world.strategy;
+        let beyond = light_through(space, doors, &lit);
+        lit.beams
+            .extend(beyond.into_iter().map(|it| (Who::Beyond, it)));
     }
+    lit
 }
 
 /// The light of a lamp whose glass is there.
@@ -100,6 +108,7 @@ fn flash_beam(now: Situation<'_>, params: &ViewParams, eye: &Eye) -> BeamLight {
         colour: FLASH_COLOUR,
         range_m: FLASH_RANGE_M,
         cone_rad: FLASH_CONE_RAD,
+        behind: None,
     }
 }
 

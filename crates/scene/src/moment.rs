@@ -47,6 +47,8 @@ pub(crate) enum Who {
     CarLight(ActorId, bool),
     Shot,
     InHand,
+    /// Light that has come by a door.
+    Beyond,
 }
 
 /// By which camera a picture is taken.

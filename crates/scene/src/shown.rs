@@ -7,6 +7,7 @@ use hecs::Entity;
 
 use crate::bot::Bot;
 use crate::car::lights::{seat_figure, show_cars};
+use crate::door_astride::show_astride;
 use crate::drops::{self, Drop};
 use crate::frame::Figure;
 use crate::moment::Who;
@@ -73,7 +74,13 @@ pub(crate) fn figures_seen_by(scene: &Scene, eye: &Eye, sees_player: bool) -> Ve
     }
     show_things(now, &mut seen);
     show_cars(now, &mut seen);
-    seen
+    match &now.world.doors {
+        Some(doors) => {
+            let cars = actors.car_views();
+            show_astride(&*now.world.strategy, doors, &cars, seen)
+        }
+        None => seen,
+    }
 }
 
 /// Where the soles of a body are drawn. Its capsule is wider than its feet: on a slope or in a hollow it is carried at

@@ -62,7 +62,12 @@ impl<'a> Situation<'a> {
             CameraMode::First if params.dips => self.player.gaze.dip.depth_m(),
             CameraMode::First | CameraMode::Third => 0.0,
         };
-        let height_m = self.actors.tuning.eye_height_m() - dip_m;
+        let behind_m = if params.dips {
+            self.player.gaze.dip.behind_m()
+        } else {
+            0.0
+        };
+        let height_m = self.actors.tuning.eye_height_m() - dip_m - behind_m;
         player::eye(&position, &look, params.dial, height_m)
     }
 

@@ -69,9 +69,9 @@ impl Simulation {
         }
         world.pass(STEP_S);
         let now = Situation::of(world, actors, player);
-        let (mark, stroke) = tool::work(now, actions, outbox);
+        let (mark, strokes) = tool::work(now, actions, outbox);
         player.tool = mark;
-        if let Some(stroke) = stroke {
+        for stroke in strokes {
             world.streamer.edit(stroke);
         }
         gun::use_in_hand(world, actors, player, outbox, actions);
@@ -186,7 +186,10 @@ fn walk(
             body.0.velocity.y = 0.0;
         }
     }
-    player.body_unchecked |= door::pass(world, before, position, look, body);
+    if let Some(lifted_m) = door::pass(world, before, position, look, body) {
+        player.body_unchecked = true;
+        player.gaze.dip.lift(lifted_m);
+    }
     player::cross(strategy, position, look, body);
     let damage = fall_damage(body.0.hardest_m_s(), actors.tuning.gravity_m_s2);
     player.gaze.dip.land(body.0.impact_m_s);

@@ -1,11 +1,12 @@
 //! The tools that dig and build: where they work, what they do to the ground, and what they may not do.
 
 use antipode_geometry::ChartPoint;
-use antipode_terrain::Stroke;
+use antipode_terrain::{Part, Stroke};
 use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::crosshair::Crosshair;
+use crate::door;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::player::Player;
@@ -44,33 +45,33 @@ fn strength_in_hand(now: Situation<'_>) -> Option<f32> {
     held.and_then(Item::brush_strength_per_s)
 }
 
-/// Marks where the tool in hand works and uses it there; returns the mark, and what that does to the ground.
+/// Marks where the tool in hand works and uses it there; returns the mark, and what that does to the ground: beyond a door on
+/// the other side.
 pub(crate) fn work(
     now: Situation<'_>,
     actions: &Actions,
     outbox: &mut Outbox,
-) -> (Option<ToolMark>, Option<Stroke>) {
+) -> (Option<ToolMark>, Vec<Stroke>) {
     let sign = f32::from(i8::from(actions.primary) - i8::from(actions.secondary));
     let (mark, radius_m) = (mark(now), now.player.brush_radius_m);
     hear(now.world, mark, radius_m, sign, outbox);
     let (Some(mark), Some(strength), true) = (mark, strength_in_hand(now), sign != 0.0) else {
-        return (mark, None);
+        return (mark, Vec::new());
     };
-    let centre = mark.point;
-    let is_barred = sign < 0.0 && would_immure(now, centre);
-    if is_barred && !now.player.secondary_before {
-        outbox.hints.push(Hint::InTheWay);
-    }
-    let stroke = Stroke {
-        centre,
+    let whole = Stroke {
+        centre: mark.point,
         radius_m,
         amount: sign * strength * STEP_S as f32,
+        part: Part::Whole,
     };
+    let mut strokes = door::parted(now.world, whole);
+    let before = strokes.len();
+    strokes.retain(|stroke| sign > 0.0 || !would_immure(now, stroke.centre));
+    if strokes.len() < before && !now.player.secondary_before {
+        outbox.hints.push(Hint::InTheWay);
+    }
     let active = true;
-    (
-        Some(ToolMark { active, ..mark }),
-        (!is_barred).then_some(stroke),
-    )
+    (Some(ToolMark { active, ..mark }), strokes)
 }
 
 /// Tells what a tool did in a step: `sign` is 1 for digging, -1 for building and 0 for rest.

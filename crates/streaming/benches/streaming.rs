@@ -43,6 +43,7 @@ fn edit_over_eight_chunks(bencher: divan::Bencher<'_, '_>, radius_m: f64) {
             centre: ChartPoint::a(corner),
             radius_m,
             amount,
+            part: antipode_terrain::Part::Whole,
         });
         streamer.wait(Until::Edits, LIMIT)
     });

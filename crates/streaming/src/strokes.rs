@@ -80,7 +80,10 @@ fn meaningful(stroke: &Stroke) -> bool {
 
 /// Mining and building are never merged: the field's limits clip each of them on its own.
 fn alike(a: &Stroke, b: &Stroke) -> bool {
-    a.centre == b.centre && a.radius_m == b.radius_m && (a.amount > 0.0) == (b.amount > 0.0)
+    a.centre == b.centre
+        && a.radius_m == b.radius_m
+        && a.part == b.part
+        && (a.amount > 0.0) == (b.amount > 0.0)
 }
 
 #[cfg(test)]
@@ -94,6 +97,7 @@ mod tests {
             centre: ChartPoint::a(DVec3::new(x, 0.0, 0.0)),
             radius_m: 5.0,
             amount,
+            part: antipode_terrain::Part::Whole,
         }
     }
 

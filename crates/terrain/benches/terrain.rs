@@ -79,6 +79,7 @@ fn stroke_into_a_chunk(bencher: Bencher<'_, '_>, radius_m: f64) {
         centre: ChartPoint::a(DVec3::new(14.0, 12.0, 15.0)),
         radius_m,
         amount: 0.05,
+        part: antipode_terrain::Part::Whole,
     };
     let mut edits = ChunkEdits::new();
     bencher.bench_local(|| stroke.apply(chunk(), &mut edits, &*strategy));

@@ -43,4 +43,4 @@ pub use level::Level;
 pub use march::{Mesher, march};
 pub use mesh::{ChunkMesh, PARTS_PER_M, UNITS_PER_M, Vertex, octahedral};
 pub use samples::{SAMPLES, Samples};
-pub use stroke::{FALLOFF_PER_M2, Stroke};
+pub use stroke::{FALLOFF_PER_M2, Gate, Part, Stroke};

@@ -28,6 +28,64 @@ pub struct Stroke {
     /// Metres of field at the middle: positive digs, negative builds. Strength per second
     /// times the time that the stroke stands for.
     pub amount: f32,
+    /// What of the ball is changed.
+    pub part: Part,
+}
+
+/// The part of a stroke's ball that is changed: all of it, or what is reached from its middle through a gate or not.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub enum Part {
+    /// All.
+    #[default]
+    Whole,
+    /// What is not reached through the gate.
+    Before(Gate),
+    /// What is reached through it alone.
+    Through(Gate),
+}
+
+/// An upright opening in the chart of a stroke's middle, as deep as the ground is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gate {
+    /// The middle of its sill.
+    pub foot: DVec3,
+    /// The heading across it, radians from +x towards +z.
+    pub heading_rad: f64,
+    /// Half of its width, metres.
+    pub half_width_m: f64,
+    /// Its height over the foot, metres.
+    pub height_m: f64,
+}
+
+impl Gate {
+    /// Whether the straight way between two places leads through.
+    ///
+    /// In the gate's axes, x across it, the way from a to b meets it at the share `a.x / (a.x - b.x)`.
+    fn is_between(&self, a: DVec3, b: DVec3) -> bool {
+        let (sine, cosine) = self.heading_rad.sin_cos();
+        let own = |place: DVec3| {
+            let off = place - self.foot;
+            let aside = off.z * cosine - off.x * sine;
+            DVec3::new(off.x * cosine + off.z * sine, off.y, aside)
+        };
+        let (a, b) = (own(a), own(b));
+        if (a.x >= 0.0) == (b.x >= 0.0) {
+            return false;
+        }
+        let at = a.lerp(b, a.x / (a.x - b.x));
+        at.z.abs() <= self.half_width_m && at.y <= self.height_m
+    }
+}
+
+impl Part {
+    /// Whether a place belongs to it, of a ball about that middle.
+    fn holds(&self, middle: DVec3, place: DVec3) -> bool {
+        match self {
+            Self::Whole => true,
+            Self::Before(gate) => !gate.is_between(middle, place),
+            Self::Through(gate) => gate.is_between(middle, place),
+        }
+    }
 }
 
 /// A square of lattice columns of one chart that holds all that a stroke changes there.
@@ -41,8 +99,8 @@ struct Window {
 struct Reached {
     x: i64,
     z: i64,
-    /// Squared horizontal distance in the stroke's chart, m^2.
-    distance2_m2: f64,
+    /// The way from the stroke's middle, in the chart of that, metres.
+    way: DVec2,
     y: RangeInclusive<i64>,
 }
 
@@ -114,7 +172,11 @@ impl Stroke {
             for column in self.columns(strategy, &window) {
                 for y in common(&column.y, &(y0..=y0 + 31)) {
                     let dy = y as f64 - self.centre.pos.y;
-                    let d2 = column.distance2_m2 + dy * dy;
+                    let off = DVec3::new(column.way.x, dy, column.way.y);
+                    if !self.part.holds(self.centre.pos, self.centre.pos + off) {
+                        continue;
+                    }
+                    let d2 = column.way.length_squared() + dy * dy;
                     let amount = f64::from(self.amount) * (-FALLOFF_PER_M2 * d2).exp();
                     let local = [column.x - x0, y - y0, column.z - z0].map(|c| c as usize);
                     changed |=
@@ -180,9 +242,10 @@ impl Stroke {
                 if domain.outside_m(here) > EDITED_PAST_RIM_M {
                     continue;
                 }
-                let Some(distance2_m2) = self.distance2(strategy, window.chart, here) else {
+                let Some(way) = self.way_to(strategy, window.chart, here) else {
                     continue;
                 };
+                let distance2_m2 = way.length_squared();
                 if distance2_m2 > radius2 {
                     continue;
                 }
@@ -190,24 +253,19 @@ impl Stroke {
                 let centre_y = self.centre.pos.y;
                 let y = common(&whole(centre_y - half, centre_y + half), &editable);
                 if !y.is_empty() {
-                    reached.push(Reached {
-                        x,
-                        z,
-                        distance2_m2,
-                        y,
-                    });
+                    reached.push(Reached { x, z, way, y });
                 }
             }
         }
         reached
     }
 
-    /// Squared horizontal distance from the middle to a column, in the middle's chart. Carrying
+    /// The horizontal way from the middle to a column, in the middle's chart. Carrying
     /// moves columns as wholes: it keeps heights and does not look at them.
-    fn distance2(&self, strategy: &dyn Atlas, chart: ChartId, column: DVec2) -> Option<f64> {
+    fn way_to(&self, strategy: &dyn Atlas, chart: ChartId, column: DVec2) -> Option<DVec2> {
         let point = ChartPoint::new(chart, DVec3::new(column.x, 0.0, column.y));
         let point = strategy.carry_near(point, self.centre)?.point;
         let offset = point.pos - self.centre.pos;
-        Some(offset.x * offset.x + offset.z * offset.z)
+        Some(DVec2::new(offset.x, offset.z))
     }
 }

@@ -99,6 +99,7 @@ fn stroke(corner: DVec3, n: usize) -> Stroke {
         centre: ChartPoint::a(corner + aside),
         radius_m: RADIUS_M,
         amount: sense * AMOUNT,
+        part: antipode_terrain::Part::Whole,
     }
 }
 

@@ -106,6 +106,7 @@ impl Renderer {
         self.shadows.set_quality(options.shadows);
         self.further.clear();
         self.openings.clear();
+        self.deeper.clear();
         self.fit();
     }
 

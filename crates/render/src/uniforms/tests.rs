@@ -124,7 +124,7 @@ fn lights_and_shadows_are_laid_out_as_the_shaders_read_them() {
         ("Lamp", laid_out!(LampUniform: place, colour, fades_per_m2)),
         (
             "Beam",
-            laid_out!(BeamUniform: place, axis, colour, fades_per_m2, full_cosine, dark_cosine),
+            laid_out!(BeamUniform: place, axis, colour, fades_per_m2, full_cosine, dark_cosine, behind),
         ),
         (
             "ShadowMap",

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::common::{GEOMETRIES, Studio, difference, frame, land, space, standing};
 
-use antipode_frame::{Figure, Frame, ModelId, Opening};
+use antipode_frame::{Cut, Figure, Frame, ModelId, Opening, Presence};
 use antipode_geometry::{ChartId, ChartPoint, Doorway, Geometry, Leaf};
 use antipode_render::ShadowQuality;
 use glam::DVec3;
@@ -119,4 +119,124 @@ fn a_picture_without_doors_is_the_same_after_one_with_doors() {
     let with = studio.picture(&with_doors(&frame, leaves));
     assert!(with != alone);
     assert!(studio.picture(&frame) == alone);
+}
+
+/// A figure that stands in a door is drawn on either side of it, each time as far as the leaf: both parts are the whole.
+#[test]
+fn both_parts_of_a_figure_that_is_cut_are_the_whole_and_each_is_less() {
+    for geometry in GEOMETRIES {
+        let Some(mut studio) = Studio::new(SIZE) else {
+            return;
+        };
+        let whole = before_an_astronaut(geometry);
+        let own = whole.content.figures[0];
+        let part = |side: f64| Figure {
+            cut: Some(Cut {
+                heading_rad: if side > 0.0 {
+                    1.7
+                } else {
+                    1.7 - std::f64::consts::PI
+                },
+                from_m: side * 0.05,
+            }),
+            ..own
+        };
+        let shown = |figures: &[Figure], studio: &mut Studio| {
+            let frame = whole.clone();
+            studio.picture(&frame.with_content(|it| it.figures = figures.to_vec()))
+        };
+        let (all, none) = (studio.picture(&whole), shown(&[], &mut studio));
+        let total = difference(&all, &none).1;
+        for side in [1.0, -1.0] {
+            let one = shown(&[part(side)], &mut studio);
+            let (less, more) = (difference(&one, &none).1, difference(&one, &all).1);
+            assert!(
+                less > 0.2 * total && more > 0.2 * total,
+                "{geometry}: {less} {more} of {total}"
+            );
+        }
+        let both = shown(&[part(1.0), part(-1.0)], &mut studio);
+        let off = difference(&both, &all).1;
+        assert!(off < 0.05 * total, "{geometry}: {off} of {total}");
+    }
+}
+
+/// What only could be put there is seen through, and is another colour where it cannot be.
+#[test]
+fn what_is_foreseen_is_seen_through_and_red_where_it_is_barred() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let real = before_an_astronaut(Geometry::Euclidean);
+    let shown = |presence: Option<Presence>, studio: &mut Studio| {
+        let frame = real.clone();
+        studio.picture(&frame.with_content(|it| match presence {
+            Some(presence) => it.figures[0].presence = presence,
+            None => it.figures.clear(),
+        }))
+    };
+    let none = shown(None, &mut studio);
+    let [possible, barred] =
+        [Presence::Possible, Presence::Barred].map(|it| shown(Some(it), &mut studio));
+    let changed = |picture: &[u8]| {
+        let pixels = picture.chunks(4).zip(none.chunks(4));
+        pixels
+            .filter(|(a, b)| a != b)
+            .map(|(a, _)| [a[0], a[1]])
+            .collect::<Vec<_>>()
+    };
+    let own = changed(&shown(Some(Presence::Real), &mut studio)).len();
+    for (picture, is_red) in [(&possible, false), (&barred, true)] {
+        let pixels = changed(picture);
+        let redder = pixels.iter().filter(|[red, green]| red > green).count();
+        assert!(
+            5 * pixels.len() < 4 * own && 4 * pixels.len() > own,
+            "{} of {own}",
+            pixels.len()
+        );
+        let of_that_hue = if is_red {
+            redder
+        } else {
+            pixels.len() - redder
+        };
+        assert!(
+            10 * of_that_hue > 9 * pixels.len(),
+            "{of_that_hue} of {}",
+            pixels.len()
+        );
+    }
+}
+
+/// Between two doors that look at each other one sees a row of oneself: who stands there is seen through the door, and once more through
+/// the door that is seen in that.
+#[test]
+fn a_door_that_is_seen_through_a_door_is_looked_through_once_more() {
+    for geometry in GEOMETRIES {
+        let Some(mut studio) = Studio::new(SIZE) else {
+            return;
+        };
+        let mut frame = before_an_astronaut(geometry);
+        frame.content_mut().land = Arc::default();
+        // The other one stands behind the eye and looks the same way: who goes into the one comes from behind.
+        let leaves = [leaf(&frame, 3.0, 0.0), leaf(&frame, -3.0, 0.0)];
+        let shown = |frame: &Frame, studio: &mut Studio| {
+            let mut seen = with_doors(frame, leaves);
+            let twice = studio.picture(&seen);
+            for opening in &mut seen.openings {
+                opening.again = None;
+            }
+            (twice, studio.picture(&seen))
+        };
+        // Beside the eye, and before the door: in the picture twice, and a third time through both.
+        let at = frame.view.eye.point.moved(DVec3::new(1.6, -1.6, -0.55));
+        frame.content_mut().figures[0].point = at;
+        let (twice, once) = shown(&frame, &mut studio);
+        let bare = frame.clone().with_content(|it| it.figures.clear());
+        let (bare_twice, bare_once) = shown(&bare, &mut studio);
+        let [more, less] =
+            [(&twice, &bare_twice), (&once, &bare_once)].map(|(a, b)| difference(a, b).1);
+        assert!(more > 1.01 * less, "{geometry}: {more} and {less}");
+        let haze = difference(&bare_twice, &bare_once).1;
+        assert!(haze > 0.01, "{geometry}: the haze is gone by {haze}");
+    }
 }

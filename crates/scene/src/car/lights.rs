@@ -105,6 +105,7 @@ fn head_light(car: &CarView, side: f64) -> BeamLight {
         colour: HEAD_COLOUR,
         range_m: HEAD_RANGE_M,
         cone_rad: HEAD_CONE_RAD,
+        behind: None,
     }
 }
 

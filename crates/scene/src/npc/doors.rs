@@ -37,17 +37,7 @@ pub(crate) struct Detour {
 impl Around<'_> {
     /// How far apart two places are in the space, by way of a door where that is shorter, metres.
     pub fn felt_m(&self, a: ChartPoint, b: ChartPoint) -> f64 {
-        let space = self.strategy();
-        let straight_m = apart_m(space, a, b);
-        let by_door = |doors: &Doorway| {
-            let ways = [0, 1].map(|leaf| {
-                let [near, far] = [leaf, 1 - leaf].map(|at| doors.leaves[at].foot);
-                apart_m(space, a, near) + apart_m(space, far, b)
-            });
-            ways[0].min(ways[1])
-        };
-        let doors = self.world.doors.as_ref();
-        doors.map_or(straight_m, |doors| straight_m.min(by_door(doors)))
+        felt_m(self.world, a, b)
     }
 
     /// The way through a door from one place to another, where that is shorter than the way over the ground.
@@ -78,6 +68,21 @@ impl Around<'_> {
             }
         })
     }
+}
+
+/// How far apart two places of a world are, by way of a door where that is shorter, metres.
+pub(super) fn felt_m(world: &World, a: ChartPoint, b: ChartPoint) -> f64 {
+    let space = &*world.strategy;
+    let straight_m = apart_m(space, a, b);
+    let by_door = |doors: &Doorway| {
+        let ways = [0, 1].map(|leaf| {
+            let [near, far] = [leaf, 1 - leaf].map(|at| doors.leaves[at].foot);
+            apart_m(space, a, near) + apart_m(space, far, b)
+        });
+        ways[0].min(ways[1])
+    };
+    let doors = world.doors.as_ref();
+    doors.map_or(straight_m, |doors| straight_m.min(by_door(doors)))
 }
 
 impl Npc<'_> {

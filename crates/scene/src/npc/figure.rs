@@ -281,7 +281,7 @@ impl Npc<'_> {
         let before = self.position.0;
         self.settle(around, input);
         self.bear_fall(around);
-        if door::pass(around.world, before, self.position, self.look, self.body) {
+        if door::pass(around.world, before, self.position, self.look, self.body).is_some() {
             // What was planned leads from where it was.
             self.mind.steps.clear();
             self.mind.anchor = None;

@@ -5,7 +5,8 @@ use antipode_physics::{Ball, meets_capsule};
 use glam::DVec3;
 use hecs::Entity;
 
-use super::bearing::{apart_m, way};
+use super::bearing::way;
+use super::doors::felt_m;
 use super::figure::Npc;
 use super::hidden::IN_SIGHT_S;
 use super::mind::State;
@@ -165,7 +166,7 @@ pub(super) fn fire(
     shot: Shot,
 ) {
     projectile::fire(actors, shot.muzzle, shot.velocity, by);
-    let away_m = apart_m(&*world.strategy, actors.feet(), shot.muzzle);
+    let away_m = felt_m(world, actors.feet(), shot.muzzle);
     if away_m < HEARD_M {
         outbox.sounds.push(SoundEvent::Shot);
     }

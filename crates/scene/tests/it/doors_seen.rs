@@ -1,11 +1,12 @@
 //! What is seen of doors, and through them.
 
-use antipode_geometry::Geometry;
 use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M, HEIGHT_M};
-use antipode_scene::Actions;
+use antipode_geometry::{Doorway, Geometry, Leaf};
+use antipode_scene::frame::{Figure, ModelId};
+use antipode_scene::{Actions, Scene};
 use glam::DVec3;
 
-use crate::common::doors::{ahead, before_the_player, local, still};
+use crate::common::doors::{ahead, before_the_player, local, put_up, still};
 use crate::common::{LIMIT, steps};
 
 /// From behind one sees who has gone through a door through that door, from feet to head, however steeply one looks down; and as
@@ -84,4 +85,134 @@ fn ground_behind_the_far_leaf_is_not_in_the_cameras_way() {
     }
     let camera = local(&scene, &near, scene.eye().point);
     assert!(camera.x < -3.0, "{camera}");
+}
+
+/// Where a figure's cut lies, in the axes of each leaf: how far from it.
+fn cut_off_m(scene: &Scene, pair: &Doorway, it: &Figure) -> f64 {
+    let cut = it.cut.unwrap();
+    let way = DVec3::new(cut.heading_rad.cos(), 0.0, cut.heading_rad.sin());
+    let at = it.point.moved(way * cut.from_m);
+    let off_m = |leaf| local(scene, leaf, at).x.abs();
+    off_m(&pair.leaves[0]).min(off_m(&pair.leaves[1]))
+}
+
+/// Who stands in a door is seen before the one and behind the other leaf, each time as far as that.
+#[test]
+fn who_stands_in_a_door_is_shown_on_both_sides_of_it_in_every_space() {
+    for geometry in Geometry::ALL {
+        let (mut scene, pair) = before_the_player(geometry);
+        let [near, far] = pair.leaves;
+        let toggle = Actions {
+            toggle_camera: true,
+            ..still()
+        };
+        steps(&mut scene, 1, &toggle);
+        let own = |scene: &mut Scene| -> Vec<Figure> {
+            let frame = scene.frame(1.2, 1.5, 1);
+            let all = frame.content.figures.iter();
+            all.filter(|it| it.model == ModelId::Astronaut)
+                .copied()
+                .collect()
+        };
+        assert!(own(&mut scene).iter().all(|it| it.cut.is_none()));
+        let mut both = [0, 0];
+        for _ in 0..60 {
+            steps(&mut scene, 1, &ahead());
+            let here = local(&scene, &near, scene.feet());
+            let there = local(&scene, &far, scene.feet());
+            let figures = own(&mut scene);
+            if here.length().min(there.length()) > 0.9 {
+                continue;
+            }
+            both[usize::from(there.length() < here.length())] += 1;
+            assert_eq!(figures.len(), 2, "{geometry} {here} {there}");
+            for it in &figures {
+                let off_m = cut_off_m(&scene, &pair, it);
+                assert!(off_m < 0.02, "{geometry}: cut {off_m} m from the leaf");
+            }
+            let at = |leaf| {
+                figures
+                    .iter()
+                    .any(|it| local(&scene, leaf, it.point).length() < 1.2)
+            };
+            assert!(at(&near) && at(&far), "{geometry}");
+        }
+        assert!(both[0] > 3 && both[1] > 3, "{geometry}: {both:?}");
+    }
+}
+
+/// A lamp before one leaf lights what is behind the other: a beam comes out of that, as wide as the opening.
+#[test]
+fn a_lamp_before_a_door_shines_out_of_the_other_in_every_space() {
+    for geometry in Geometry::ALL {
+        let (mut scene, pair) = before_the_player(geometry);
+        let [near, far] = pair.leaves;
+        let beams = |scene: &mut Scene| scene.frame(1.2, 1.5, 1).content.lights.beams.clone();
+        assert!(beams(&mut scene).is_empty(), "{geometry}");
+        assert!(scene.spawn_lamp(near.place(DVec3::new(-1.5, 0.0, 0.2))));
+        steps(&mut scene, 1, &still());
+        let beams = beams(&mut scene);
+        assert_eq!(beams.len(), 1, "{geometry}");
+        let beam = beams[0];
+        let from = local(&scene, &far, beam.point);
+        assert!(
+            (from.x + 1.5).abs() < 0.1 && from.length() < 2.0,
+            "{geometry}: {from}"
+        );
+        assert_eq!(beam.behind, Some((far, true)), "{geometry}");
+        // Its axis leads through the opening.
+        let ahead = local(&scene, &far, beam.point.moved(beam.direction));
+        let at = from.lerp(ahead, from.x / (from.x - ahead.x));
+        assert!(
+            at.z.abs() < 0.1 && (0.8..1.4).contains(&at.y),
+            "{geometry}: {at}"
+        );
+        // A lamp that is farther off than its light reaches sends none.
+        assert!(scene.spawn_lamp(near.place(DVec3::new(-14.0, 0.0, 0.0))));
+        steps(&mut scene, 1, &still());
+        assert_eq!(
+            scene.frame(1.2, 1.5, 1).content.lights.beams.len(),
+            1,
+            "{geometry}"
+        );
+    }
+}
+
+/// Where the ground lies lower behind the far leaf the body is on it at once, and the eye comes after it: the picture does not jump.
+#[test]
+fn the_eye_follows_a_body_that_a_door_has_set_lower() {
+    let (scene, pair) = before_the_player(Geometry::Euclidean);
+    let near = pair.leaves[0];
+    // The far leaf floats over the ground.
+    let far = Leaf {
+        foot: pair.leaves[1].foot.moved(DVec3::Y * 0.5),
+        ..pair.leaves[1]
+    };
+    let mut scene = {
+        let feet = scene.feet();
+        let yaw = scene.eye().yaw;
+        let mut fresh = crate::common::scene(Geometry::Euclidean);
+        fresh.set_npcs(antipode_scene::NpcMode::Still);
+        fresh.teleport(feet.moved(DVec3::Y * 0.1));
+        assert!(fresh.wait_for_step(LIMIT));
+        steps(&mut fresh, 20, &still());
+        fresh.aim(yaw, 0.0);
+        put_up(&mut fresh, [near, far]);
+        fresh
+    };
+    let up_m = |scene: &Scene, leaf: &Leaf| local(scene, leaf, scene.eye().point).y;
+    let mut last_m = up_m(&scene, &near);
+    let (mut worst_m, mut after) = (0.0f64, 0);
+    while after < 40 {
+        steps(&mut scene, 1, &ahead());
+        let is_through = local(&scene, &far, scene.feet()).length() < 6.0;
+        let now_m = up_m(&scene, if is_through { &far } else { &near });
+        worst_m = worst_m.max((now_m - last_m).abs());
+        (last_m, after) = (now_m, after + usize::from(is_through));
+    }
+    assert!(worst_m < 0.12, "{worst_m}");
+    assert!(
+        (last_m - 1.12).abs() < 0.25,
+        "it has come down with the body: {last_m}"
+    );
 }

@@ -84,6 +84,7 @@ fn a_hole_is_in_every_chart_that_has_it_and_stays() {
             centre: at,
             radius_m: 4.0,
             amount: 3.0,
+            part: antipode_terrain::Part::Whole,
         });
         game.wait(Until::Idle);
         let dug = triangles(&game);

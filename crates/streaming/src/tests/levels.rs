@@ -140,6 +140,7 @@ fn a_coarse_neighbour_looks_the_same_whether_it_was_there_before_the_edit_or_cam
         centre: ChartPoint::a(edge - DVec3::X * 3.5),
         radius_m: 1.9,
         amount: 30.0,
+        part: antipode_terrain::Part::Whole,
     };
     assert!(!stroke.remeshed(&*game.space).contains(&coarse));
     let before = Arc::clone(&game.chunks[&coarse].mesh);

@@ -183,6 +183,7 @@ fn stroke(at: DVec3, amount: f32) -> Stroke {
         centre: ChartPoint::a(at),
         radius_m: 5.0,
         amount,
+        part: antipode_terrain::Part::Whole,
     }
 }
 

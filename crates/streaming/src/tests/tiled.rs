@@ -71,6 +71,7 @@ fn a_hole_at_a_corner_is_in_every_chart_that_meets_there_and_stays() {
         centre: at,
         radius_m: 4.0,
         amount: 2.0,
+        part: antipode_terrain::Part::Whole,
     });
     game.wait(Until::Idle);
     let dug = triangles(&game);

@@ -104,6 +104,7 @@ fn strokes() -> Vec<Stroke> {
         centre: Cone::around(angle_rad, away_m, 6.0),
         radius_m,
         amount: if radius_m > 5.0 { 2.0 } else { -1.5 },
+        part: antipode_terrain::Part::Whole,
     };
     places.into_iter().map(stroke).collect()
 }
@@ -185,6 +186,7 @@ fn meshes_agree_to_the_bit_on_every_edge_also_where_it_was_dug() {
                     centre: place.moved(DVec3::Y * at),
                     radius_m: 4.0,
                     amount: 3.0,
+                    part: antipode_terrain::Part::Whole,
                 });
             }
         }

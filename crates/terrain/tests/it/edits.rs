@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use crate::common::{Random, World, chunk, flat, sphere};
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
-use antipode_terrain::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, Level, Stroke};
+use antipode_terrain::{
+    ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, Gate, Level, Part, Stroke,
+};
 use glam::{DVec2, DVec3};
 
 fn stroke(pos: DVec3, radius_m: f64, amount: f32) -> Stroke {
@@ -13,6 +15,7 @@ fn stroke(pos: DVec3, radius_m: f64, amount: f32) -> Stroke {
         centre: ChartPoint::a(pos),
         radius_m,
         amount,
+        part: Part::Whole,
     }
 }
 
@@ -329,4 +332,45 @@ fn nonsense_strokes_do_nothing() {
     assert!(edits.is_empty());
     let far = stroke(DVec3::new(1e30, 0.0, 1e30), 5.0, 1.0);
     assert!(far.touched(&*flat()).is_empty(), "past the last chunk");
+}
+
+/// A gate parts a stroke: what is reached through it and what is not are the whole, and have no sample in common.
+#[test]
+fn a_stroke_before_a_gate_and_through_it_are_the_whole_stroke() {
+    let whole = stroke(DVec3::new(16.3, 15.2, 15.9), 6.0, 1.5);
+    let gate = Gate {
+        foot: DVec3::new(17.5, 14.0, 16.4),
+        heading_rad: 0.6,
+        half_width_m: 1.0,
+        height_m: 2.2,
+    };
+    let edited = |part: Part| {
+        let mut world = World::new(2, flat());
+        world.apply(&Stroke { part, ..whole });
+        world.edits[&chunk(ChartId::FIRST, 0, 0, 0)].clone()
+    };
+    let [all, before, through] = [Part::Whole, Part::Before(gate), Part::Through(gate)].map(edited);
+    let mut counts = [0, 0];
+    for i in 0..32 {
+        for j in 0..32 {
+            for k in 0..32 {
+                let [all, a, b] = [&all, &before, &through].map(|it| it.get(i, j, k));
+                assert!(a == 0 || b == 0);
+                assert_eq!(a + b, all, "{i} {j} {k}");
+                counts[0] += usize::from(a != 0);
+                counts[1] += usize::from(b != 0);
+            }
+        }
+    }
+    assert!(counts[0] > 300 && counts[1] > 30, "{counts:?}");
+    // Right behind the gate, beside it as far off, and above its lintel.
+    for (at, is_through) in [
+        ([19, 15, 17], true),
+        ([17, 15, 20], false),
+        ([17, 20, 17], false),
+    ] {
+        let [i, j, k] = at;
+        assert_eq!(through.get(i, j, k) != 0, is_through, "{at:?}");
+        assert_eq!(before.get(i, j, k) != 0, !is_through, "{at:?}");
+    }
 }

@@ -126,6 +126,7 @@ fn tunnel(world: &mut World, chart: ChartId, first: IVec3, size: i32, random: &m
                 centre: ChartPoint::new(chart, first.as_dvec3() * 32.0 + DVec3::from(at)),
                 radius_m,
                 amount,
+                part: antipode_terrain::Part::Whole,
             });
         }
     }

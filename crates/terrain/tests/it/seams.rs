@@ -119,6 +119,7 @@ fn edit_corners(space: &Arc<dyn Strategy>, chart: ChartId, count: usize, first: 
             centre: ChartPoint::new(chart, first.as_dvec3() * 32.0 + DVec3::from(corner)),
             radius_m: random.between(1.0, 10.0),
             amount: random.between(-6.0, 6.0) as f32,
+            part: antipode_terrain::Part::Whole,
         };
         world.apply(&stroke);
         let again = stroke.remeshed(&**space);

@@ -100,6 +100,7 @@ fn strokes() -> Vec<Stroke> {
         centre: TiledFlat::at(at),
         radius_m,
         amount: if radius_m > 5.0 { 2.0 } else { -1.5 },
+        part: antipode_terrain::Part::Whole,
     };
     places.into_iter().zip(radii).map(stroke).collect()
 }
@@ -220,6 +221,7 @@ fn the_surface_over_an_edge_and_a_corner_is_that_of_one_chart() {
             centre: TiledFlat::at(place),
             radius_m: 4.0,
             amount: 1.0,
+            part: antipode_terrain::Part::Whole,
         };
         many.apply(&stroke);
         one.apply(&in_one_chart(&stroke));

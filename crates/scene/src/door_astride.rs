@@ -1,0 +1,89 @@
+//! Who stands in a door is on both sides of it: shown twice, each time cut at the leaf.
+//!
+//! A body is on the side where its middle is. What of it has gone through the leaf is shown where it came out, and what has not is
+//! not shown there. With n the way through the leaf and s the side of the middle, the one here keeps s n . (p - f) >= 0, and the
+//! one there the rest.
+
+use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M, HEIGHT_M};
+use antipode_geometry::{Atlas, ChartPoint, Doorway, Leaf};
+use glam::DVec3;
+
+use crate::actors::ActorId;
+use crate::car::CarView;
+use crate::frame::{Cut, Figure};
+use crate::moment::Who;
+use crate::pick::over;
+
+/// How far from its middle a body may reach, and a car with its driver, metres.
+const REACH_M: f64 = 1.2;
+const CAR_REACH_M: f64 = 2.6;
+
+/// Shows those that stand in a door on both sides of it.
+pub(crate) fn show_astride(
+    space: &dyn Atlas,
+    doors: &Doorway,
+    cars: &[CarView],
+    seen: Vec<(Who, Figure)>,
+) -> Vec<(Who, Figure)> {
+    let car_of = |id: ActorId| cars.iter().find(|car| car.id == id);
+    let mut all = Vec::with_capacity(seen.len() + 2);
+    for (who, mut figure) in seen {
+        let carried = match who {
+            Who::Fixture(..) | Who::Foreseen => None,
+            Who::Car(id) | Who::Wheel(id, _) => car_of(id).map(|car| (car.middle(), CAR_REACH_M)),
+            Who::Player {
+                drives: Some(id), ..
+            } => car_of(id).map(|car| (car.middle(), CAR_REACH_M)),
+            _ => Some((figure.point, REACH_M)),
+        };
+        let astride =
+            carried.and_then(|(middle, reach_m)| stands_in(space, doors, middle, reach_m));
+        let there = astride.and_then(|(leaf, side)| {
+            let crossing = doors.carry(space, leaf, figure.point)?;
+            let mut there = Figure {
+                point: crossing.point,
+                turn: crossing.rotation() * figure.turn,
+                ..figure
+            };
+            there.cut = Some(cut(space, &doors.leaves[1 - leaf], -side, there.point));
+            figure.cut = Some(cut(space, &doors.leaves[leaf], side, figure.point));
+            Some(there)
+        });
+        all.push((who, figure));
+        all.extend(there.map(|it| (who, it)));
+    }
+    all
+}
+
+/// The leaf that a body with its middle there stands in, and the side of it that the middle is on.
+fn stands_in(
+    space: &dyn Atlas,
+    doors: &Doorway,
+    middle: ChartPoint,
+    reach_m: f64,
+) -> Option<(usize, f64)> {
+    (0..2).find_map(|leaf| {
+        let door = &doors.leaves[leaf];
+        let there = over(space, door.foot, middle);
+        let at = door.local(there.pos);
+        let is_in = there.chart == door.foot.chart
+            && at.x.abs() < reach_m
+            && at.z.abs() < HALF_WIDTH_M
+            && (-BELOW_FOOT_M..HEIGHT_M).contains(&at.y);
+        is_in.then_some((leaf, if at.x < 0.0 { -1.0 } else { 1.0 }))
+    })
+}
+
+/// What is kept of a figure whose origin is there, on a side of a leaf.
+fn cut(space: &dyn Atlas, leaf: &Leaf, side: f64, origin: ChartPoint) -> Cut {
+    // The leaf as it lies in the chart of the origin.
+    let (foot, way) = match space.carry_near(leaf.foot, origin) {
+        Some(crossing) => (crossing.point.pos, crossing.turn_vector(leaf.through())),
+        None => (leaf.foot.pos, leaf.through()),
+    };
+    let way: DVec3 = way * side;
+    Cut {
+        heading_rad: way.z.atan2(way.x),
+        from_m: way.dot(foot - origin.pos),
+    }
+}
