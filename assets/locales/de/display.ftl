@@ -72,7 +72,7 @@ room-smaller-level = Am Boden entlang bist du hier { $times }-mal kleiner als dr
 room-larger-level = Am Boden entlang bist du hier { $times }-mal größer als draußen
 room-smaller-up = In der Höhe bist du hier { $times }-mal kleiner als draußen
 room-larger-up = In der Höhe bist du hier { $times }-mal größer als draußen
-room-keys = { $look }: anders hinsehen · { $camera }: von hinten · { $gun }: schießen · { $lamp }: Lampe hinstellen oder aufheben · { $ball }: Ball werfen · { $anew }: von vorn · { $again }: dies noch einmal · { $edges }: Kanten der Kästen
+room-keys = { $look }: anders hinsehen · { $camera }: von hinten · { $gun }: schießen · { $lamp }: Lampe hinstellen oder aufheben · { $lift }: Loses heben oder absetzen · { $ball }: Ball werfen · { $anew }: von vorn · { $again }: dies noch einmal · { $edges }: Kanten der Kästen
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = Links nach der Regel der Arbeit, dem ersten Versuch mit solchen Räumen, rechts genau
 room-look-thesis = Nach der Regel der Arbeit, dem ersten Versuch mit solchen Räumen

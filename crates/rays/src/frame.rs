@@ -13,6 +13,7 @@ use crate::scene::{Eye, Lamp, MAX_LAMPS, RayScene};
 /// Cosine of the angle of the sun's radius.
 const SUN_COSINE: f64 = 0.9995;
 
+/// A lamp, as frame.wgsl has it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 pub struct PackedLamp {

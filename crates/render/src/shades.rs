@@ -1,6 +1,6 @@
 //! The soft shades on the ground below figures: which are drawn, and on which land each falls.
 
-use antipode_frame::Frame;
+use antipode_frame::{Figure, Frame, Presence};
 use antipode_geometry::ChartPoint;
 use glam::DVec3;
 
@@ -58,7 +58,10 @@ impl Shades {
         let (space, eye) = (&*frame.view.strategy, &frame.view.eye);
         let view = space.viewer(eye);
         let figures = frame.content.figures.iter();
-        let casting = figures.filter(|figure| figure.model.casts_shade());
+        let is_there = |figure: &&Figure| figure.presence == Presence::Real;
+        let casting = figures
+            .filter(|figure| figure.model.casts_shade())
+            .filter(is_there);
         let away_m = |point: ChartPoint| (space.eye_distance_m(eye, view(point)), point);
         let mut feet: Vec<_> = casting.map(|figure| away_m(figure.point)).collect();
         feet.sort_by(|(a, _), (b, _)| a.total_cmp(b));

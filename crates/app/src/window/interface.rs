@@ -135,16 +135,8 @@ impl Game {
             Intent::Worlds(intent) => self.menus.list.follow(intent),
             Intent::BuildNewRoom => self.leave(Next::Open(Request::BuildNew)),
             Intent::NewRoom => self.leave(Next::Open(Request::NewRoom(None))),
-            Intent::EnterRoom { slug } => {
-                match self.menus.rooms.work_on(&self.menus.texts, &slug) {
-                    Some(work) => self.menus.shell.toast(work, ToastKind::State),
-                    None => self.leave(Next::Open(Request::Room(slug))),
-                }
-            }
-            Intent::BuildIn { slug } => match self.menus.rooms.work_on(&self.menus.texts, &slug) {
-                Some(work) => self.menus.shell.toast(work, ToastKind::State),
-                None => self.leave(Next::Open(Request::Build(slug))),
-            },
+            Intent::EnterRoom { slug } => self.open_room(&slug.clone(), Request::Room(slug)),
+            Intent::BuildIn { slug } => self.open_room(&slug.clone(), Request::Build(slug)),
             Intent::DeleteRoom { slug } => self.menus.rooms.delete(slug),
             Intent::Rooms(intent) => self.menus.rooms.follow(intent),
             Intent::Quit => self.leave(Next::Quit),
@@ -159,6 +151,14 @@ impl Game {
                     self.menus.shell.open(Screen::Main);
                 }
             }
+        }
+    }
+
+    /// Leaves for a room, unless something is being done with it.
+    fn open_room(&mut self, slug: &str, request: Request) {
+        match self.menus.rooms.work_on(&self.menus.texts, slug) {
+            Some(work) => self.menus.shell.toast(work, ToastKind::State),
+            None => self.leave(Next::Open(request)),
         }
     }
 

@@ -60,9 +60,7 @@ impl Game {
                 Some(visit) => visit.room.outlines = visit.room.outlines.next(),
                 None => display.hit_shapes = !display.hit_shapes,
             },
-            Action::PhotoMode | Action::Backpack | Action::FrameFigures
-                if self.play.phase.visit().is_some() =>
-            {
+            Action::PhotoMode | Action::FrameFigures if self.play.phase.visit().is_some() => {
                 self.say_for_worlds(action);
             }
             Action::FrameFigures => display.figures = !display.figures,

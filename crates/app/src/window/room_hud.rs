@@ -61,6 +61,7 @@ fn keys(texts: &Texts, profiles: &Profiles) -> String {
         ("camera", Action::Camera),
         ("gun", Action::Use),
         ("lamp", Action::SecondUse),
+        ("lift", Action::Backpack),
         ("ball", Action::Drop),
         ("anew", Action::FlipCar),
         ("again", Action::Talk),

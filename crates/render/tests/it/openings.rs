@@ -233,9 +233,16 @@ fn a_door_that_is_seen_through_a_door_is_looked_through_once_more() {
         let (twice, once) = shown(&frame, &mut studio);
         let bare = frame.clone().with_content(|it| it.figures.clear());
         let (bare_twice, bare_once) = shown(&bare, &mut studio);
-        let [more, less] =
-            [(&twice, &bare_twice), (&once, &bare_once)].map(|(a, b)| difference(a, b).1);
-        assert!(more > 1.01 * less, "{geometry}: {more} and {less}");
+        // The third one is far off: it has pixels of its own, about ten at this size.
+        let differs = |a: &[u8], b: &[u8]| {
+            let pixels = a.chunks(4).zip(b.chunks(4));
+            pixels.map(|(a, b)| a != b).collect::<Vec<_>>()
+        };
+        let (with, without) = (differs(&twice, &bare_twice), differs(&once, &bare_once));
+        let pixels = with.iter().zip(&without);
+        let own = pixels.filter(|(with, without)| **with && !**without);
+        let own = own.count();
+        assert!(own >= 5, "{geometry}: the third one has {own} pixels");
         let haze = difference(&bare_twice, &bare_once).1;
         assert!(haze > 0.01, "{geometry}: the haze is gone by {haze}");
     }

@@ -108,8 +108,10 @@ pub(super) fn read(
     if is_naming || context.text_edit_focused() {
         return;
     }
+    let mut takes = false;
     context.input(|input| {
         for event in &input.events {
+            takes |= matches!(event, egui::Event::Copy | egui::Event::Cut);
             match event {
                 egui::Event::Copy => wishes.push(WorkshopWish::Copy),
                 egui::Event::Cut => wishes.push(WorkshopWish::Cut),
@@ -118,6 +120,12 @@ pub(super) fn read(
             }
         }
     });
+    // Ctrl+V is told only while the system's clipboard holds some text: it gets the names of what is taken.
+    let chosen = model.objects.iter().filter(|it| it.selected);
+    let names: Vec<_> = chosen.map(|it| it.name.as_str()).collect();
+    if takes && !names.is_empty() {
+        context.copy_text(names.join("\n"));
+    }
     let is_flying = model.bar.flies
         || context.input(|input| input.pointer.button_down(egui::PointerButton::Secondary));
     for shortcut in SHORTCUTS {

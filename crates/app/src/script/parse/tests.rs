@@ -171,7 +171,10 @@ fn words_of_rooms_are_orders_or_mistakes() {
     assert_eq!(one("room save"), room(RoomOrder::Save(None)));
     assert_eq!(one("room list"), room(RoomOrder::List));
     let words = ["room", "set", "sky=#123456"].map(str::to_owned);
-    assert_eq!(one("room set sky=\"#123456\""), Ok(Order::Edit(words.to_vec())));
+    assert_eq!(
+        one("room set sky=\"#123456\""),
+        Ok(Order::Edit(words.to_vec()))
+    );
     assert_eq!(
         one("carry none a \"b c\""),
         Ok(Order::Edit(

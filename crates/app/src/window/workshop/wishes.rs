@@ -105,21 +105,8 @@ impl Workshop {
         }
         let document = bench.scene.document_mut();
         match wish {
-            WorkshopWish::Undo => {
-                document.end_drag();
-                let plan = document.plan_undo(1)?;
-                bench.commit(plan)?;
-            }
-            WorkshopWish::Redo => {
-                document.end_drag();
-                let plan = document.plan_redo(1)?;
-                bench.commit(plan)?;
-                bench.scene.document_mut().select_made();
-            }
-            WorkshopWish::GoTo(step) => {
-                document.end_drag();
-                let plan = document.plan_jump(step);
-                bench.commit(plan)?;
+            WorkshopWish::Undo | WorkshopWish::Redo | WorkshopWish::GoTo(_) => {
+                return go_in_history(bench, &wish);
             }
             WorkshopWish::Copy if !names.is_empty() => {
                 document.copy();
@@ -310,4 +297,20 @@ fn choose_all(scene: &mut RoomScene, all: bool) {
     let free = objects.filter(|it| all && !document.is_locked(&it.name));
     let names: Vec<_> = free.map(|it| it.name.clone()).collect();
     scene.document_mut().select(names);
+}
+
+/// Takes a step back, makes one again, or goes to one.
+fn go_in_history(bench: &mut Bench<'_>, wish: &WorkshopWish) -> Result<(), WorkshopError> {
+    let document = bench.scene.document_mut();
+    document.end_drag();
+    let plan = match wish {
+        WorkshopWish::GoTo(step) => document.plan_jump(*step),
+        WorkshopWish::Redo => document.plan_redo(1)?,
+        _ => document.plan_undo(1)?,
+    };
+    bench.commit(plan)?;
+    if matches!(wish, WorkshopWish::Redo) {
+        bench.scene.document_mut().select_made();
+    }
+    Ok(())
 }
