@@ -212,7 +212,7 @@ fn what_is_foreseen_is_seen_through_and_red_where_it_is_barred() {
 #[test]
 fn a_door_that_is_seen_through_a_door_is_looked_through_once_more() {
     for geometry in GEOMETRIES {
-        let Some(mut studio) = Studio::new(SIZE) else {
+        let Some(mut studio) = Studio::new((2 * SIZE.0, 2 * SIZE.1)) else {
             return;
         };
         let mut frame = before_an_astronaut(geometry);
@@ -233,7 +233,7 @@ fn a_door_that_is_seen_through_a_door_is_looked_through_once_more() {
         let (twice, once) = shown(&frame, &mut studio);
         let bare = frame.clone().with_content(|it| it.figures.clear());
         let (bare_twice, bare_once) = shown(&bare, &mut studio);
-        // The third one is far off: it has pixels of its own, about ten at this size.
+        // The third one is far off: it has pixels of its own, some tens at this size.
         let differs = |a: &[u8], b: &[u8]| {
             let pixels = a.chunks(4).zip(b.chunks(4));
             pixels.map(|(a, b)| a != b).collect::<Vec<_>>()
@@ -242,8 +242,6 @@ fn a_door_that_is_seen_through_a_door_is_looked_through_once_more() {
         let pixels = with.iter().zip(&without);
         let own = pixels.filter(|(with, without)| **with && !**without);
         let own = own.count();
-        assert!(own >= 5, "{geometry}: the third one has {own} pixels");
-        let haze = difference(&bare_twice, &bare_once).1;
-        assert!(haze > 0.01, "{geometry}: the haze is gone by {haze}");
+        assert!(own >= 10, "{geometry}: the third one has {own} pixels");
     }
 }
