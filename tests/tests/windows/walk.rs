@@ -411,6 +411,7 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
         ("Tab", "focus: Load"),
         ("Tab", "focus: Delete"),
         ("Tab", "focus: Rooms"),
+        ("Tab", "focus: Workshop"),
         ("Tab", "focus: Settings"),
         ("Tab", "focus: Controls"),
         ("Tab", "focus: About"),

@@ -21,6 +21,7 @@ fn settings_are_found_changed_and_reset_and_a_key_does_what_it_was_given() {
         ("Tab", "focus: Load"),
         ("Tab", "focus: Delete"),
         ("Tab", "focus: Rooms"),
+        ("Tab", "focus: Workshop"),
         ("Tab", "focus: Settings"),
         ("Return", "pressed: Settings"),
     ]);
@@ -64,6 +65,7 @@ fn settings_are_found_changed_and_reset_and_a_key_does_what_it_was_given() {
         ("Tab", "focus: Wczytaj"),
         ("Tab", "focus: Usuń"),
         ("Tab", "focus: Pokoje"),
+        ("Tab", "focus: Warsztat"),
         ("Tab", "focus: Ustawienia"),
         ("Tab", "focus: Sterowanie"),
         ("Return", "pressed: Sterowanie"),
