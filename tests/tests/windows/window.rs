@@ -14,7 +14,7 @@ const CREATE: (u32, u32) = (332, 672);
 const SAVE_AND_QUIT: (u32, u32) = (132, 220);
 const LOAD: (u32, u32) = (132, 150);
 const FIRST_WORLD: (u32, u32) = (640, 100);
-const QUIT: (u32, u32) = (132, 439);
+const QUIT: (u32, u32) = (132, 487);
 
 /// What it says of what is done in its menus and of what it shows is what the test waits for.
 const TOLD: [&str; 6] = [
