@@ -60,6 +60,7 @@ pub(crate) struct Names {
 }
 
 impl Names {
+    /// Those that a room has taken.
     pub fn of(room: &Room) -> Self {
         Self {
             taken: room.objects.iter().map(|it| it.name.clone()).collect(),

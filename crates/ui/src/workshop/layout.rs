@@ -29,6 +29,7 @@ const NARROW: &str =
 const WIDE_FROM: f32 = 1100.0;
 
 impl Pane {
+    /// All of them.
     pub const ALL: [Self; 6] = [
         Self::View,
         Self::List,
@@ -38,6 +39,7 @@ impl Pane {
         Self::History,
     ];
 
+    /// What it is called in the settings.
     pub fn id(self) -> &'static str {
         match self {
             Self::View => "view",

@@ -63,6 +63,10 @@ pub(crate) struct Keeper {
 }
 
 impl Keeper {
+    /// Starts a worker on a thread of its own.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
     pub fn start(worker: Worker) -> Result<Self, StorageError> {
         let (notes, taken) = unbounded();
         let (told, news) = unbounded();
@@ -82,6 +86,7 @@ impl Keeper {
         })
     }
 
+    /// Hands the worker a note, without waiting for it.
     pub fn hand(&self, note: Note) {
         if let Some(notes) = &self.notes {
             // The worker ends after this only.
@@ -89,6 +94,7 @@ impl Keeper {
         }
     }
 
+    /// What the worker has told since this was asked last.
     pub fn news(&self) -> impl Iterator<Item = News> + '_ {
         self.news.try_iter()
     }

@@ -45,6 +45,7 @@ pub(crate) struct Written {
 }
 
 impl Written {
+    /// Of a step, and the room as it is behind it.
     pub fn of(step: &Step, after: &Room) -> Self {
         let delta = &step.delta;
         let mut room = frame(after);

@@ -53,6 +53,7 @@ struct Due {
 }
 
 impl Worker {
+    /// The folder that it writes into.
     pub fn dir(&self) -> &Path {
         &self.dir
     }
