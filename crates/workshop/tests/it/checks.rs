@@ -80,9 +80,9 @@ fn rooms_of_the_game_have_nothing_that_does_not_work() {
             .iter()
             .filter(|it| it.said.id == "unreached")
             .collect();
-        // One jumps into the shaft of the falling crate, and what is looked for are ways on foot.
-        let is_jumped_into = |it: &&Finding| shipped.id == "falling-crate" && it.objects == ["top"];
-        assert!(lost.iter().all(is_jumped_into), "{}: {lost:?}", shipped.id);
+        // To be mended: one can step into the shaft of the falling crate and fall out of its upper portal, which is not found.
+        let is_missed = |it: &&Finding| shipped.id == "falling-crate" && it.objects == ["top"];
+        assert!(lost.iter().all(is_missed), "{}: {lost:?}", shipped.id);
     }
 }
 
