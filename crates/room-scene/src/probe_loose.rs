@@ -3,12 +3,13 @@
 use antipode_deformation::Place;
 use glam::{DQuat, DVec3};
 
+use crate::bodies::Owner;
 use crate::scene::RoomScene;
 
 /// Something loose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LooseState {
-    /// The name of its object.
+    /// The name of its object; `ball` of one that was thrown.
     pub name: String,
     /// Where its centre of mass is.
     pub place: Place,
@@ -35,17 +36,17 @@ impl RoomScene {
         let Some((object, _)) = self.room().find(name) else {
             return false;
         };
-        if let Some(body) = self.bodies.of_object(object) {
+        if let Some(body) = self.bodies.of(Owner::Object(object)) {
             body.strike(body.place.point, by);
             return true;
         }
         false
     }
 
-    /// All that is loose, in the order of the room's objects.
+    /// All that is loose: objects of the room in their order, then balls that were thrown.
     pub fn loose_states(&self) -> Vec<LooseState> {
         let state = |it: &crate::bodies::Body| LooseState {
-            name: self.room().objects[it.object].name.clone(),
+            name: self.name_of(it.owner),
             place: it.place,
             point: it.place.point,
             turn: it.turn,
