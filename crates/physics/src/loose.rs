@@ -226,6 +226,19 @@ impl LooseBodies {
         }
     }
 
+    /// Something weighs on a body at a place, as much as would give it that acceleration, m/s^2, if it were free and struck in its
+    /// middle; until it is told otherwise.
+    pub fn load(&mut self, number: usize, acceleration: DVec3, at: DVec3) {
+        if let Some(body) = self.body_mut(number) {
+            body.reset_forces(false);
+            body.reset_torques(false);
+            if acceleration != DVec3::ZERO {
+                let force = acceleration.as_vec3() * body.mass();
+                body.add_force_at_point(force, at.as_vec3(), false);
+            }
+        }
+    }
+
     /// Where a body is and how it moves; nothing where that is no longer a number.
     pub fn motion(&self, number: usize) -> Option<LooseMotion> {
         let body = self.body(number)?;

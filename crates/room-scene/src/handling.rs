@@ -3,10 +3,10 @@
 //! All of it goes by `trace`, so through faces and portals too. What is held is drawn towards a place before the eye; on which way
 //! it is seen from there is tried in turn: straight, and through each portal that is near.
 
-use antipode_deformation::{Place, Trace, Traveller, What, felt_gravity, trace};
+use antipode_deformation::{Place, Trace, Traveller, What, trace};
 use glam::{DQuat, DVec3};
 
-use crate::bodies::{Body, Owner};
+use crate::bodies::{Body, Load, Owner};
 use crate::hints::RoomHint;
 use crate::scene::RoomScene;
 use crate::tuning::{
@@ -23,8 +23,6 @@ const SIDES: [f64; 3] = [0.0, 0.6, -0.6];
 const OFF_MIDDLE: f64 = 0.25;
 /// What is nearer below the feet than this, felt metres, is stood on.
 const STANDS_M: f64 = 0.06;
-/// Of who stands on something much lighter no more is felt than would make it so many times as heavy.
-const MOST_STEPS: f64 = 8.0;
 /// What of its size a way may miss what it is to lead to.
 const MISSES: f64 = 0.2;
 
@@ -88,25 +86,23 @@ impl RoomScene {
         }
     }
 
-    /// Who stands on something loose weighs on it for a step.
+    /// Who stands on something loose weighs on it.
     pub(crate) fn weigh_on_bodies(&mut self) {
+        let load = self.load();
+        self.bodies.bear(load);
+    }
+
+    fn load(&self) -> Option<(Owner, Load)> {
         if !self.walker.grounded {
-            return;
+            return None;
         }
         let middle = self.walker.body.place;
         let down = -self.felt_up(&middle);
         let path = self.reach_for(&middle, down, RADIUS_M + STANDS_M);
-        let Some(owner) = self.loose_hit(&path) else {
-            return;
-        };
-        let there = path.place;
-        let force = WALKER_MASS_KG * there.scale.powi(4);
-        let g = self.room().gravity;
-        if let Some(body) = self.bodies.of(owner) {
-            let falls = felt_gravity(body.squeeze, g) / body.place.scale;
-            let gives = force * STEP_S / body.mass_kg();
-            body.strike(there.point, falls * gives.min(MOST_STEPS * STEP_S));
-        }
+        let owner = self.loose_hit(&path)?;
+        let at = path.place.point;
+        let mass_kg = WALKER_MASS_KG * path.place.scale.powi(3);
+        Some((owner, Load { at, mass_kg }))
     }
 
     /// Pushes a body for a step, at most until it goes at that felt velocity of who pushes.

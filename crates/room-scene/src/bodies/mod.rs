@@ -12,6 +12,7 @@
 mod doors;
 mod frame;
 mod ground;
+mod load;
 mod make;
 mod owner;
 mod port;
@@ -30,6 +31,7 @@ use frame::Frame;
 use ground::Region;
 use make::{made, middle, surface};
 
+pub use load::Load;
 pub use owner::Owner;
 pub use shown::{LooseSolids, Solid};
 
@@ -84,6 +86,7 @@ pub struct Body {
     pub held: bool,
     /// Whether it has left their hands and is not clear of them yet: till then it does not meet them.
     pub leaves: bool,
+    load: Option<Load>,
 }
 
 /// All that is loose in a room.
@@ -248,6 +251,7 @@ impl Bodies {
             let in_chart = velocity * body.place.scale;
             self.solver.set_velocity(number, body.frame.way(in_chart));
         }
+        self.weigh(around);
         self.solver.step(time, &meetings);
         for number in 0..self.all.len() {
             if self.all[number].owner == Owner::Walker {
@@ -312,6 +316,7 @@ impl Body {
             turns: 0.0,
             held: false,
             leaves: false,
+            load: None,
         }
     }
 

@@ -84,7 +84,8 @@ impl Body {
                 ..whole
             });
         }
-        if solids.len() == 1 {
+        // What is thrown is small enough to change at its middle.
+        if solids.len() == 1 && matches!(self.owner, Owner::Object(_)) {
             self.part_by_doors(space, &mut solids);
         }
         solids

@@ -460,7 +460,7 @@ fn who_walks_into_a_ball_that_was_thrown_kicks_it_and_may_lift_it() {
 fn who_stands_on_the_end_of_a_plank_tips_it_and_a_crate_bears_them() {
     let mut scene = with(&[
         "add box name=block at=6,0.25,0 size=0.3,0.5,1",
-        "add box name=plank at=6,0.55,0 size=3,0.08,0.8 mass=20",
+        "add box name=plank at=6,0.55,0 size=3,0.1,0.8 mass=20",
         "add box name=crate at=0,0.3,-4 size=0.6,0.6,0.6 mass=12",
     ]);
     wait(&mut scene, 1.0);
