@@ -23,6 +23,10 @@ pub struct LooseState {
     pub spin: DVec3,
     /// From its centre of mass to its farthest corner, metres of its own size.
     pub reach_m: f64,
+    /// Its mass at its own size, kilograms.
+    pub own_kg: f64,
+    /// Its energy of motion, turning and height for each of these, by its own metres, J.
+    pub energy_j_kg: f64,
     /// Whether it lies still.
     pub rests: bool,
     /// Whether it stands astride a portal, or a door of an aberration.
@@ -53,6 +57,8 @@ impl RoomScene {
             velocity: it.velocity,
             spin: it.spin,
             reach_m: it.reach_m,
+            own_kg: it.mass_kg() / it.place.scale.powi(3),
+            energy_j_kg: it.energy(self.room().gravity),
             rests: it.rests,
             astride: it.is_astride(&self.space),
         };

@@ -366,7 +366,7 @@ impl Body {
     }
 
     /// Its energy for each kilogram of its own size, J: kept between portals by what does not move.
-    fn energy(&self, g: DVec3) -> f64 {
+    pub fn energy(&self, g: DVec3) -> f64 {
         let falls = g.dot(self.place.point) / self.place.scale;
         0.5 * self.velocity.length_squared() + self.turns - falls
     }

@@ -47,7 +47,7 @@ impl Bodies {
         let is_walker = |it: usize| self.all[it].owner == Owner::Walker;
         let in_hand = |it: usize| self.all[it].held || self.all[it].leaves;
         let free = |tie: &&Tie| {
-            !(in_hand(tie.from) && is_walker(tie.to)) && !(in_hand(tie.to) && is_walker(tie.from))
+            !(in_hand(tie.from) && is_walker(tie.to) || in_hand(tie.to) && is_walker(tie.from))
         };
         ties.iter().filter(meet).filter(free).map(pair).collect()
     }

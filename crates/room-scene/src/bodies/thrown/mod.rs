@@ -48,3 +48,6 @@ impl Bodies {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;
