@@ -35,7 +35,7 @@ impl Bodies {
     /// Tells rapier what weighs on its bodies.
     pub(super) fn weigh(&mut self, around: &Around<'_>) {
         for (number, body) in self.all.iter().enumerate() {
-            let (share, at) = body.weight(around);
+            let (share, at) = body.pressed(around);
             let at = body.frame.place(body.squeeze.inverse() * at);
             self.solver
                 .load(number, body.frame.way(share * body.place.scale), at);
@@ -45,7 +45,7 @@ impl Bodies {
 
 impl Body {
     /// The acceleration that its load would give it if nothing held it, felt metres of its own size per second squared, and where.
-    fn weight(&self, around: &Around<'_>) -> (DVec3, DVec3) {
+    fn pressed(&self, around: &Around<'_>) -> (DVec3, DVec3) {
         let Some(load) = self.load else {
             return (DVec3::ZERO, self.place.point);
         };

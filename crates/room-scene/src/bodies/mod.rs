@@ -10,6 +10,7 @@
 //! u t + a t^2/2 far, the parabola's own way, and (u + a t)^2/2 - a (u t + a t^2/2) = u^2/2: in free flight energy is kept exactly.
 
 mod doors;
+mod energy;
 mod frame;
 mod ground;
 mod load;
@@ -252,6 +253,7 @@ impl Bodies {
             self.solver.set_velocity(number, body.frame.way(in_chart));
         }
         self.weigh(around);
+        let had = self.have(around.g);
         self.solver.step(time, &meetings);
         for number in 0..self.all.len() {
             if self.all[number].owner == Owner::Walker {
@@ -270,17 +272,13 @@ impl Bodies {
                 continue;
             };
             let turns = self.solver.turning(number);
-            let is_alone = !meetings.iter().any(|(a, b)| *a == number || *b == number);
             let body = &mut self.all[number];
-            let (had, passage) = (body.energy(around.g), body.place.passage);
             let scale = body.place.scale * body.frame.scale;
             let struck = body.go(&motion, around, time);
             body.turns = turns / (scale * scale);
-            if is_alone && !body.held && body.place.passage == passage {
-                body.spend(had, around.g);
-            }
             self.blows.push((number, struck));
         }
+        self.spend(&had, &meetings, around.g);
     }
 }
 
@@ -369,15 +367,6 @@ impl Body {
     pub fn energy(&self, g: DVec3) -> f64 {
         let falls = g.dot(self.place.point) / self.place.scale;
         0.5 * self.velocity.length_squared() + self.turns - falls
-    }
-
-    /// What stands gives nothing: a blow that ends a step sooner than gravity has done so must not gain by it.
-    fn spend(&mut self, had: f64, g: DVec3) {
-        let gained = self.energy(g) - had;
-        if gained > 0.0 {
-            let left = self.velocity.length_squared() - 2.0 * gained;
-            self.velocity = self.velocity.normalize_or_zero() * left.max(0.0).sqrt();
-        }
     }
 
     /// Its mass where it is now, kilograms.

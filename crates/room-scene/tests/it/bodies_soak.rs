@@ -51,9 +51,9 @@ impl Kept {
             .iter()
             .map(|it| (it.place.passage.count, it.place.stack.len()))
             .collect();
-        let crosses = crossed != self.crossed;
+        let crosses = !self.crossed.is_empty() && crossed != self.crossed;
         self.since_s += 1.0 / 60.0;
-        if crosses || thrown {
+        if crosses || thrown || self.crossed.is_empty() {
             (self.crossed, self.since_s) = (crossed, 0.0);
         }
         if self.since_s < SETTLES_S {
