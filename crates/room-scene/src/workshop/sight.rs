@@ -9,6 +9,9 @@ use glam::{DVec2, DVec3};
 use crate::scene::RoomScene;
 use crate::tuning::PICK_M;
 
+/// From so high above a point the ground below it is looked for, and so far down, metres.
+const ABOVE_M: f64 = 1.0;
+const DOWN_M: f64 = 4.0;
 /// Surfaces in a row that are left out at most.
 const MOST_LEFT_OUT: u32 = 256;
 
@@ -122,6 +125,14 @@ impl RoomScene {
             felt_m: path.length,
             chain: Chain::of(&self.space, start, &path),
         })
+    }
+
+    /// The ground below a point of the scene; none where there is none near by.
+    pub fn ground_below(&self, point: DVec3) -> Option<DVec3> {
+        let from = Place::at(&self.space, point + DVec3::Y * ABOVE_M);
+        let who = Traveller::Body;
+        let path = trace(&self.space, &from, DVec3::NEG_Y, DOWN_M, &self.solids, &who);
+        path.hit().map(|_| path.place.point)
     }
 
     /// All that can be meant by a place of the picture, by their places among the objects: what is seen, then the aberrations

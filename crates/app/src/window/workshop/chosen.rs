@@ -7,6 +7,8 @@ use antipode_rooms::portal::Opening;
 use antipode_rooms::{Object, Room, What, poses};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
+use super::kits::bounds_of_group;
+
 /// Half sizes of what has none of its own, metres.
 const POINT_M: f64 = 0.3;
 
@@ -34,7 +36,7 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     Some(Held {
         origin: sum / chosen.len() as f64,
         axes,
-        half: half(&object.what),
+        half: half_of(room, object),
         felt,
     })
 }
@@ -74,6 +76,18 @@ pub fn rotation_of(pose: &DAffine3) -> DMat3 {
     )
 }
 
+/// The same of an object of a room: a group is as large as what it carries, and stands on the lowest of that.
+fn half_of(room: &Room, object: &Object) -> DVec3 {
+    if object.what != What::Group {
+        return half(&object.what);
+    }
+    let bounds = bounds_of_group(room, &object.name);
+    bounds.map_or(DVec3::splat(POINT_M), |(low, high)| {
+        let far = low.abs().max(high.abs());
+        DVec3::new(far.x, -low.y, far.z)
+    })
+}
+
 /// Half sizes along its own axes, metres.
 pub fn half(what: &What) -> DVec3 {
     let flat = |size: DVec2| DVec3::new(0.04, size.y, size.x) / 2.0;
@@ -106,7 +120,7 @@ pub fn reach_m(scene: &RoomScene, origin: DVec3) -> f64 {
     let room = scene.room();
     let poses = poses(room);
     let reach = indices(scene).into_iter().map(|index| {
-        half(&room.objects[index].what).length() + poses[index].translation.distance(origin)
+        half_of(room, &room.objects[index]).length() + poses[index].translation.distance(origin)
     });
     reach.fold(0.5, f64::max)
 }

@@ -10,6 +10,7 @@ use antipode_ui::workshop::ViewLine;
 use egui::Color32;
 use glam::{DAffine3, DVec2, DVec3};
 
+use super::kits::bounds_of_group;
 use super::{Workshop, chosen};
 
 /// Colours of the axes: x, y and z.
@@ -195,7 +196,13 @@ fn edges(
     all: &mut Vec<ViewLine>,
 ) {
     let object = &scene.room().objects[index];
-    let half = chosen::half(&object.what);
+    let (middle, half) = match object.what {
+        What::Group => match bounds_of_group(scene.room(), &object.name) {
+            Some((low, high)) => ((low + high) / 2.0, (high - low) / 2.0),
+            None => return,
+        },
+        _ => (DVec3::ZERO, chosen::half(&object.what)),
+    };
     // A box that space is stretched in is seen from outside, and so are its edges.
     let Some((through, at)) = workshop.through(scene, pose.translation, Some(index)) else {
         return;
@@ -208,7 +215,7 @@ fn edges(
                 local[axis] = half[axis] * share;
                 local[b] = half[b] * side_b;
                 local[c] = half[c] * side_c;
-                pose.transform_point3(local)
+                pose.transform_point3(middle + local)
             };
             edge(&through, at, point, all);
         }

@@ -9,6 +9,7 @@ mod findings;
 mod game;
 mod hand;
 mod keeping;
+mod kits;
 mod lines;
 mod parts;
 mod rows;

@@ -249,14 +249,21 @@ mod tests {
     use antipode_workshop::Document;
 
     use super::*;
+    use crate::window::workshop::kits::Site;
     use crate::window::workshop::parts::put;
 
     fn tunnel() -> Document {
         let mut document = Document::new(Room::new("a"));
         for id in ["tunnel", "box"] {
             let x = document.room().objects.len() as f64 * 10.0;
-            let ground = (DVec3::new(x, 0.0, 0.0), DVec3::Y);
-            let edit = put(document.room(), id, ground, |metres| metres).unwrap();
+            let site = Site {
+                point: DVec3::new(x, 0.0, 0.0),
+                normal: DVec3::Y,
+                front: DVec3::NEG_Z,
+                snap: &|metres| metres,
+                ground: &|_| None,
+            };
+            let edit = put(document.room(), id, &site).unwrap();
             document.edit(&edit).unwrap();
         }
         document

@@ -8,6 +8,7 @@ use antipode_workshop::{Array, Edit, WorkshopError};
 use glam::DVec3;
 
 use super::hand::{middle, nudge};
+use super::kits::Site;
 use super::rows::free_name;
 use super::{Workshop, chosen, parts, set};
 
@@ -153,8 +154,15 @@ impl Workshop {
             WorkshopWish::Reset(key) => set::reset(room, &chosen::indices(scene), key)?,
             WorkshopWish::Put(id) => {
                 let snap = self.snap(false);
-                let place = self.before_camera(scene);
-                parts::put(room, id, place, |metres| snap.length(metres))?
+                let (point, normal) = self.before_camera(scene);
+                let site = Site {
+                    point,
+                    normal,
+                    front: self.camera.axes().0,
+                    snap: &|metres| snap.length(metres),
+                    ground: &|point| scene.ground_below(point),
+                };
+                parts::put(room, id, &site)?
             }
             WorkshopWish::Paste if !scene.document().clipboard().is_empty() => Edit::Paste {
                 clip: scene.document().clipboard().clone(),
