@@ -30,8 +30,17 @@ impl Viewpoint {
         self.eye.direction(at.x, at.y, self.aspect)
     }
 
-    /// Where a felt direction is in the picture; none behind the eye.
+    /// Where the light of a place of the picture comes in.
+    pub fn start(&self, at: DVec2) -> Place {
+        self.eye.start(at.x, at.y, self.aspect)
+    }
+
+    /// Where in the picture a way from the eye would end, felt metres; none behind the eye.
     pub fn place_of(&self, w: DVec3) -> Option<DVec2> {
+        if let Some(half) = self.eye.parallel_m {
+            let at = DVec2::new(self.eye.right.dot(w) / self.aspect, self.eye.up.dot(w));
+            return Some(at / half);
+        }
         let depth = self.eye.front.dot(w);
         let half = (0.5 * self.eye.fov_y_rad).tan();
         let at = DVec2::new(self.eye.right.dot(w) / self.aspect, self.eye.up.dot(w));
@@ -103,7 +112,7 @@ impl RoomScene {
             place: path.place,
             normal: hit.normal,
             felt_m: path.length,
-            chain: Chain::of(&self.space, &view.eye.place, &path),
+            chain: Chain::of(&self.space, &view.start(at), &path),
         })
     }
 
@@ -113,7 +122,7 @@ impl RoomScene {
             solids: &self.solids,
             hidden,
         };
-        let start = &view.eye.place;
+        let start = &view.start(at);
         let who = Traveller::Body;
         let w = view.direction(at);
         let path = trace(&self.space, start, w, PICK_M, &solids, &who);
@@ -156,6 +165,6 @@ impl RoomScene {
     fn path_of(&self, view: &Viewpoint, at: DVec2) -> Trace {
         let w = view.direction(at);
         let who = Traveller::Body;
-        trace(&self.space, &view.eye.place, w, PICK_M, &self.solids, &who)
+        trace(&self.space, &view.start(at), w, PICK_M, &self.solids, &who)
     }
 }

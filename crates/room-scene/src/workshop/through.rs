@@ -41,7 +41,7 @@ impl<'a> Through<'a> {
     /// The ray behind the chain of a place of the picture.
     pub fn leg(&self, at: DVec2) -> Option<Leg> {
         let w = self.view.direction(at);
-        let start = &self.view.eye.place;
+        let start = &self.view.start(at);
         self.chain.follow(self.space, start, w, &Traveller::Body)
     }
 
@@ -199,7 +199,7 @@ impl RoomScene {
     ) -> Option<(Chain, DVec2)> {
         let around = |number: &usize| Some(*number) != beside;
         let boxes: Vec<_> = wanted.stack.iter().filter(around).collect();
-        let start = &view.eye.place;
+        let start = &view.start(at);
         let w = view.direction(at);
         let who = Traveller::Body;
         let path = trace(&self.space, start, w, PICK_M, &Void, &who);

@@ -13,6 +13,7 @@ mod edits;
 mod eyes;
 mod figure;
 mod hands;
+mod parallel;
 mod picture;
 mod portals;
 mod raster;

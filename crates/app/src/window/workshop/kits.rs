@@ -81,7 +81,11 @@ pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
         laid(&kit, at, turn, apart, site.ground)
     };
     let all = || {
-        let shares: &[f64] = if has_second(&kit) { &APART } else { &APART[..1] };
+        let shares: &[f64] = if has_second(&kit) {
+            &APART
+        } else {
+            &APART[..1]
+        };
         let places = ELSEWHERE_M.into_iter();
         places.flat_map(move |place| shares.iter().map(move |it| (place, *it)))
     };
@@ -172,7 +176,9 @@ fn poses_of(room: &Room) -> Vec<Bounds> {
 fn is_in_the_way(room: &[Bounds], kit: &[Object]) -> bool {
     let own = boxes_of(kit);
     let lowest = own.iter().fold(DVec3::INFINITY, |it, own| it.min(own.0));
-    let highest = own.iter().fold(DVec3::NEG_INFINITY, |it, own| it.max(own.1));
+    let highest = own
+        .iter()
+        .fold(DVec3::NEG_INFINITY, |it, own| it.max(own.1));
     own.iter().any(|(low, high, _)| {
         let low = *low + DVec3::Y * UNDER_M;
         room.iter().any(|(from, to, is_space)| {
@@ -209,8 +215,8 @@ pub fn bounds_of_group(room: &Room, group: &str) -> Option<(DVec3, DVec3)> {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-    use antipode_rooms::Assets;
     use antipode_room_scene::tuning::SHAPE;
+    use antipode_rooms::Assets;
     use antipode_rooms::aberration::{Aberration, Axis, Lengths, Sides, Ways};
     use antipode_workshop::{Document, find_in};
     use glam::DVec2;
@@ -245,7 +251,10 @@ mod tests {
             }
             let room = document.room();
             let all = poses_of(room);
-            let lowest = all[1..].iter().map(|it| it.0.y).fold(f64::INFINITY, f64::min);
+            let lowest = all[1..]
+                .iter()
+                .map(|it| it.0.y)
+                .fold(f64::INFINITY, f64::min);
             assert!((-0.03..0.03).contains(&lowest), "{id}: {lowest}");
             assert!(space_in_parts(room).closed.is_empty(), "{id}");
             let found = find_in(room, &Assets::default(), &SHAPE, &|| true, &mut |_| {});
@@ -308,8 +317,14 @@ mod tests {
         assert!(first.distance(second) > 3.0);
         for door in [first, second] {
             let flat = DVec2::new(door.x, door.z);
-            assert!((flat.x - 5.0).abs() > 2.8 || (flat.y + 4.0).abs() > 2.0, "{door}");
-            assert!((flat.x + 6.0).abs() > 1.8 || (flat.y + 4.0).abs() > 0.5, "{door}");
+            assert!(
+                (flat.x - 5.0).abs() > 2.8 || (flat.y + 4.0).abs() > 2.0,
+                "{door}"
+            );
+            assert!(
+                (flat.x + 6.0).abs() > 1.8 || (flat.y + 4.0).abs() > 0.5,
+                "{door}"
+            );
         }
     }
 }

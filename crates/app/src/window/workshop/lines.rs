@@ -4,7 +4,7 @@ use antipode_language::{Texts, Value};
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::tuning::EYE_M;
 use antipode_room_scene::workshop::{Handle, Handles, Through, Viewpoint};
-use antipode_rooms::aberration::Lengths;
+use antipode_rooms::aberration::{Lengths, Sides};
 use antipode_rooms::{What, direction, poses};
 use antipode_ui::workshop::ViewLine;
 use egui::Color32;
@@ -37,6 +37,9 @@ const PIECES: usize = 8;
 pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewLine> {
     let mut all = Vec::new();
     marks(workshop, scene, &mut all);
+    if scene.leaves_out_walls() {
+        left_out(workshop, scene, &mut all);
+    }
     let chosen = chosen::indices(scene);
     if !chosen.is_empty() {
         let poses = poses(scene.room());
@@ -59,6 +62,7 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
     if let Some((_, handles)) = workshop.handles(scene) {
         add_handles(workshop, scene, &handles, texts, &mut all);
     }
+    workshop.link_lines(scene, texts, &mut all);
     all
 }
 
@@ -97,6 +101,20 @@ fn marks(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
     let ahead = direction(DVec2::new(room.spawn.look.x, 0.0)) * 0.5;
     let points = [feet + DVec3::Y * EYE_M, feet, feet + ahead];
     mark(scene, &view, feet + DVec3::Y, points.into_iter(), all);
+}
+
+/// The edges of aberrations whose walls are left out.
+fn left_out(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
+    let room = scene.room();
+    let walled = room
+        .aberrations()
+        .filter(|(_, it)| it.sides == Sides::Walls);
+    let poses = poses(room);
+    for (index, _) in walled.take(MOST) {
+        let from = all.len();
+        edges(workshop, scene, (index, &poses[index]), all);
+        all[from..].iter_mut().for_each(|it| it.colour = MARK);
+    }
 }
 
 fn mark(
