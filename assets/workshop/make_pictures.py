@@ -13,12 +13,12 @@ import tempfile
 HERE = pathlib.Path(__file__).parent
 # Where the feet are, and where one looks: yaw and pitch, degrees.
 VIEWS = {
-    "house": ((3.4, 0, 6.6), (-119, 2)),
-    "tunnel-longer": ((1.5, 0, 5.5), (-105, -4)),
+    "house": ((2.6, 0, 5.4), (-118, 4)),
+    "tunnel-longer": ((1.3, 0, 4.6), (-105, -4)),
     "tunnel-shorter": ((1.9, 0, 11.5), (-101, -3)),
     "portals": ((2.2, 0, 6.0), (-83, -3)),
     "portals-of-size": ((2.2, 0, 8.5), (-78, 4)),
-    "falling-loop": ((5.6, 0, 7.0), (-128, 9)),
+    "falling-loop": ((4.4, 0, 5.6), (-128, 15)),
 }
 FLOOR = """(
             name: "floor",

@@ -8,6 +8,7 @@ use antipode_settings::Profiles;
 use antipode_ui::{HudModel, RoomModel, first_input_label};
 
 use super::visit::Visit;
+use super::workshop::Lesson;
 use crate::bindings::Action;
 use crate::wording;
 
@@ -39,6 +40,9 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
     };
     if is_new {
         state.push(keys(texts, profiles, visit.file().is_some()));
+    }
+    if visit.lesson.as_ref().is_some_and(Lesson::is_at_the_door) {
+        state.push(texts.say("workshop-lesson-walk"));
     }
     HudModel {
         fps,

@@ -46,7 +46,7 @@ impl Facing {
     /// Where one looks then: (yaw, pitch), degrees.
     pub fn aim_deg(self) -> DVec2 {
         match self {
-            Self::Top => DVec2::new(-90.0, -PITCH_LIMIT_RAD.to_degrees()),
+            Self::Top => DVec2::new(-90.0, -90.0),
             Self::Front => DVec2::new(-90.0, 0.0),
             Self::Side => DVec2::new(180.0, 0.0),
         }
@@ -143,7 +143,10 @@ impl FreeCamera {
         let front = self.axes().0;
         let (place, turn) = go(space, pivot, -front, self.pivot_m);
         self.place = place;
-        self.aim_deg = aim(turn * front);
+        // Who looks straight down looks to no side, so nothing but a turn by portals gives them another.
+        if turn != DQuat::IDENTITY {
+            self.aim_deg = aim(turn * front);
+        }
     }
 }
 

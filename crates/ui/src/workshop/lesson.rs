@@ -62,7 +62,6 @@ pub(super) fn point_out(ui: &Ui, model: &WorkshopModel<'_>, it: &LessonTarget, r
 
 fn ring(ui: &Ui, rect: Rect) {
     let stroke = Stroke::new(RING, ACCENT);
-    let within = rect.shrink(RING / 2.0);
     let painter = ui.painter();
-    painter.rect_stroke(within, ROUNDING, stroke, StrokeKind::Middle);
+    painter.rect_stroke(rect.expand(2.0), ROUNDING, stroke, StrokeKind::Middle);
 }

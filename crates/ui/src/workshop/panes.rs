@@ -106,6 +106,8 @@ impl WorkshopPanes {
         ui.spacing_mut().button_padding = egui::vec2(8.0, 3.0);
         let small = egui::FontId::proportional(14.0);
         ui.style_mut().override_font_id = Some(small);
+        // Bars are painted in what words on buttons are; fine ones do not outshine the words.
+        ui.spacing_mut().scroll.bar_width = 7.0;
         self.show_target(model);
         // Of a click and a key in one slow frame the first is done first.
         let late = keys::come_after_button(&ui);

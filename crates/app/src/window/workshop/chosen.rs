@@ -48,6 +48,19 @@ pub fn indices(scene: &RoomScene) -> Vec<usize> {
     found.map(|(index, _)| index).collect()
 }
 
+/// The spaces of a thing, by their places among all objects: those that a group carries, or the thing itself. It is held from outside
+/// of them.
+pub fn own_spaces(room: &Room, index: usize) -> Vec<usize> {
+    if room.objects[index].what != What::Group {
+        return vec![index];
+    }
+    let name = &room.objects[index].name;
+    let spaces = room.aberrations().map(|(space, _)| space);
+    let carried = spaces
+        .filter(|space| roots(room, &[name.clone(), room.objects[*space].name.clone()]).len() == 1);
+    carried.collect()
+}
+
 /// What is chosen and not carried by something else that is.
 pub fn roots(room: &Room, chosen: &[String]) -> Vec<usize> {
     let carries = |object: &Object| {

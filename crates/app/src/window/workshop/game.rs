@@ -27,10 +27,6 @@ impl Game {
             visit.walk();
             self.play.pace.rest();
             self.menus.shell.keep_toasts_within(None);
-            if visit.lesson.as_ref().is_some_and(Lesson::is_at_the_door) {
-                self.menus
-                    .toast(ToastKind::Info, "workshop-lesson-walk", &[]);
-            }
             return;
         }
         let kept = visit.room.kept.as_ref();

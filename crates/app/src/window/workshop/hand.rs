@@ -255,7 +255,7 @@ impl Workshop {
         let (low, high) = (a.min(b), a.max(b));
         let (room, document) = (scene.room(), scene.document());
         let is_within = |(index, point): (usize, DVec3)| {
-            let seen = scene.way_to(&view, point, Some(index));
+            let seen = scene.way_to(&view, point, &[index]);
             seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
         };
         let found: Vec<usize> = room
@@ -328,7 +328,7 @@ fn body_drag(
         let through = scene.through(view, seen.chain.clone());
         return Drag::begin_body(&through, held, seen.place.point, at);
     }
-    let (through, _) = scene.way_to(view, held.origin, Some(seen.object))?;
+    let (through, _) = scene.way_to(view, held.origin, &[seen.object])?;
     let leg = through.leg(at)?;
     let way = (held.origin - leg.place.point).dot(leg.velocity) / leg.velocity.length_squared();
     let nearest = leg.place.point + leg.velocity * way;

@@ -124,7 +124,7 @@ fn mark(
     points: impl Iterator<Item = DVec3>,
     all: &mut Vec<ViewLine>,
 ) {
-    let Some((through, at)) = scene.way_to(view, middle, None) else {
+    let Some((through, at)) = scene.way_to(view, middle, &[]) else {
         return;
     };
     let seen: Vec<_> = points
@@ -222,7 +222,11 @@ fn edges(
         _ => (DVec3::ZERO, chosen::half(&object.what)),
     };
     // A box that space is stretched in is seen from outside, and so are its edges.
-    let Some((through, at)) = workshop.through(scene, pose.translation, Some(index)) else {
+    let Some((through, at)) = workshop.through(
+        scene,
+        pose.translation,
+        &chosen::own_spaces(scene.room(), index),
+    ) else {
         return;
     };
     for axis in 0..3 {

@@ -33,7 +33,7 @@ impl Workshop {
         let name = chosen_portal(scene)?;
         let (index, object) = scene.room().find(&name)?;
         let pose = poses(scene.room())[index];
-        let (through, at) = self.through(scene, pose.translation, Some(index))?;
+        let (through, at) = self.through(scene, pose.translation, &[index])?;
         let top = DVec3::Y * chosen::half(&object.what).y;
         let top = through.seen_at(pose.transform_point3(top), at)?;
         let knob = top + DVec2::Y * self.half_heights(ABOVE_POINTS);
@@ -47,7 +47,7 @@ impl Workshop {
         let (_, knob) = self.link_knob(scene)?;
         let (index, _) = scene.room().find(to)?;
         let middle = poses(scene.room())[index].translation;
-        let (_, at) = scene.way_to(&self.viewpoint(scene), middle, None)?;
+        let (_, at) = scene.way_to(&self.viewpoint(scene), middle, &[])?;
         Some((knob, at))
     }
 
@@ -88,7 +88,7 @@ impl Workshop {
         let view = self.viewpoint(scene);
         let found = room.portals().filter_map(|(index, portal)| {
             let pose = poses[index];
-            let (through, from) = scene.way_to(&view, pose.translation, None)?;
+            let (through, from) = scene.way_to(&view, pose.translation, &[])?;
             let corner = |it: DVec2| {
                 let corner = pose.transform_point3(DVec3::new(0.0, it.y, -it.x));
                 through.seen_at(corner, from)

@@ -158,7 +158,7 @@ impl Workshop {
         &self,
         scene: &'s RoomScene,
         origin: glam::DVec3,
-        beside: Option<usize>,
+        beside: &[usize],
     ) -> Option<(Through<'s>, DVec2)> {
         let view = self.viewpoint(scene);
         if let Some(seen) = &self.seen {
@@ -174,7 +174,8 @@ impl Workshop {
     fn handles<'s>(&self, scene: &'s RoomScene) -> Option<(Through<'s>, Handles)> {
         let held = chosen::held(scene, self.bar.own_axes || self.tool() == Tool::Scale)?;
         let last = chosen::indices(scene).last().copied();
-        let (through, at) = self.through(scene, held.origin, last)?;
+        let own = last.map_or_else(Vec::new, |it| chosen::own_spaces(scene.room(), it));
+        let (through, at) = self.through(scene, held.origin, &own)?;
         let handles = Handles::of(&through, at, held, self.tool())?;
         Some((through, handles))
     }
@@ -199,6 +200,12 @@ impl Visit {
         self.room.scene.walk_from(&workshop.camera);
         // The thread of the checks is waited for elsewhere.
         Task::start("leave", move || drop(workshop));
+    }
+
+    /// How many messages there are about the room that is built in.
+    #[cfg(test)]
+    pub fn messages(&self) -> usize {
+        self.workshop.as_ref().map_or(0, |it| it.findings.count())
     }
 
     /// Whether it is built in, and nothing moves until somebody does something.
