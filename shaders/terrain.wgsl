@@ -206,7 +206,7 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     tone *= 1.0 - 0.55 * shade;
     let unlit = is_turned(in);
     let share = key_share(point, in.clip.xy, unlit, in.feet.w > 0.5 * SHADED);
-    var lit = daylit(LandLight(in.facing, in.dark), in.albedo, share);
+    var lit = daylit(LandLight(in.facing, in.dark), in.view, in.frame_normal, in.albedo, share);
     if any(in.lights != vec3<u32>(0u)) {
         lit += in.albedo * lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }

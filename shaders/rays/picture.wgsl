@@ -58,11 +58,34 @@ fn cone_in_scene(k: mat3x3<f32>, felt: f32) -> vec3<f32> {
     return felt * vec3<f32>(length(rows[0]), length(rows[1]), length(rows[2]));
 }
 
+// The plane of a cut, where light of the eye comes to it.
+struct Cap {
+    is_seen: bool,
+    normal: vec3<f32>,  // in the scene, against the ray
+    mesh_n: vec3<f32>,
+}
+
+// What is cut is full: who looks past its cut at the inside of its far side sees the plane of the cut in its place.
+fn cap_of(ended: ptr<function, Ended>, rows: mat3x4<f32>, v: vec3<f32>, from_inside: bool) -> Cap {
+    var cap = Cap(false, vec3<f32>(0.0), vec3<f32>(0.0));
+    if HAS_CUTS && from_inside {
+        let cut = bitcast<vec4<f32>>(instance_part((*ended).found.instance, 5u));
+        let plane = rows * cut.xyz + vec4<f32>(0.0, 0.0, 0.0, cut.w);
+        let onward = dot(plane.xyz, v);
+        if onward > 0.0 {
+            let back = min(dot(plane, vec4<f32>((*ended).path.x, 1.0)) / onward, (*ended).length);
+            (*ended).path.x -= back * v;
+            (*ended).length -= back;
+            cap = Cap(true, -normalize(plane.xyz), -cut.xyz);
+        }
+    }
+    return cap;
+}
+
 fn object_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     let found = (*ended).found;
-    let path = (*ended).path;
     let instance = found.instance;
-    let v = path.k * path.w;
+    let v = (*ended).path.k * (*ended).path.w;
     let rows = to_mesh_of(instance);
     let to_mesh = transpose(mat3x3<f32>(rows[0].xyz, rows[1].xyz, rows[2].xyz));
     let about = instance_part(instance, 3u);
@@ -75,11 +98,19 @@ fn object_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     var flat = normalize(normalize(cross(ab, ac)) * to_mesh);
     let turned = dot(flat, v) > 0.0;
     flat = select(flat, -flat, turned);
+    var mesh_n = select(1.0, -1.0, turned) * cross(ab, ac);
+    let cap = cap_of(ended, rows, v, turned);
+    let path = (*ended).path;
     let packed = attributes[3u * found.triangle];
     let share = vec3<f32>(1.0 - found.along.x - found.along.y, found.along);
     let own = share.x * octahedral(packed.x) + share.y * octahedral(packed.y) + share.z * octahedral(packed.z);
     var smooth_n = normalize(own * to_mesh);
     smooth_n = select(smooth_n, -smooth_n, turned);
+    if HAS_CUTS && cap.is_seen {
+        flat = cap.normal;
+        smooth_n = cap.normal;
+        mesh_n = cap.mesh_n;
+    }
     var n = normalize(smooth_n * path.k);
     // What is seen does not look away.
     let facing = dot(n, path.w);
@@ -95,7 +126,6 @@ fn object_surface(ended: ptr<function, Ended>, felt_width: f32) -> Surface {
     let width = cone_in_scene(path.k, felt_width) / max(flat_felt, 0.04);
     let in_mesh = abs_matrix(to_mesh) * width * scale;
     let material = about.z + packed.w;
-    let mesh_n = select(1.0, -1.0, turned) * cross(ab, ac);
     let colour = colour_of(material, at * scale, normalize(mesh_n), uv, in_mesh, uv_for_metre * greatest(in_mesh / scale));
     return Surface(colour * tint * tint, n, flat, material);
 }

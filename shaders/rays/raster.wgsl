@@ -6,7 +6,8 @@ struct Draw {
     to_clip: mat4x4<f32>,   // from a place of the mesh about `eye`
     eye: vec3<f32>,         // in the mesh's coordinates
     depth_factor: f32,      // of a face: by how much its depth is greater
-    cut: vec4<f32>,         // a plane in these: what is before it is not seen
+    cut: vec4<f32>,         // the plane of the view's door, in these: what is before it is not seen
+    own_cut: vec4<f32>,     // that of the mesh, if it is cut, or nought
     what: u32,              // of a face: what it is
     instance: u32,          // added to the instance of what stays
     view: u32,
@@ -17,7 +18,7 @@ struct Corner {
     @builtin(position) place: vec4<f32>,
     @location(0) @interpolate(flat) seen: vec2<u32>,
     @location(1) @interpolate(flat) door: u32,
-    @location(2) beyond: f32,   // how far it is behind the cut
+    @location(2) beyond: vec2<f32>, // how far it is behind the cuts
 }
 
 // Texels of a row of the list: 2 to the power of this, as in scene.wgsl.
@@ -34,7 +35,8 @@ fn part_of(triangle: u32, part: u32) -> vec4<u32> {
 }
 
 fn corner_at(at: u32, place: vec3<f32>, what: u32, instance: u32) -> Corner {
-    let beyond = dot(draws[at].cut, vec4<f32>(place, 1.0));
+    let whole = vec4<f32>(place, 1.0);
+    let beyond = vec2<f32>(dot(draws[at].cut, whole), dot(draws[at].own_cut, whole));
     let clip = draws[at].to_clip * vec4<f32>(place - draws[at].eye, 1.0);
     return Corner(clip, vec2<u32>(what, (instance << 8u) | draws[at].view), draws[at].door, beyond);
 }
@@ -70,11 +72,20 @@ fn first(corner: Corner) -> @location(0) vec2<u32> {
     return corner.seen;
 }
 
+// Of what is cut.
+@fragment
+fn first_cut(corner: Corner) -> @location(0) vec2<u32> {
+    if corner.beyond.y < 0.0 {
+        discard;
+    }
+    return corner.seen;
+}
+
 // Behind a door: only where that is seen, and only what is behind its plane.
 @fragment
 fn deeper(corner: Corner) -> @location(0) vec2<u32> {
     let seen = textureLoad(before, vec2<u32>(corner.place.xy), 0).x;
-    if seen != corner.door || corner.beyond < 0.0 {
+    if seen != corner.door || any(corner.beyond < vec2<f32>(0.0)) {
         discard;
     }
     return corner.seen;

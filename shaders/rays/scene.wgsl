@@ -15,6 +15,8 @@ const INSTANCE: u32 = 0x80000000u;
 const MOVES: u32 = 1u;
 const UNSEEN_BY_EYE: u32 = 2u;
 const HELD: u32 = 4u;             // seen by the eye alone
+// Whether movers may be cut, as at portals.
+override HAS_CUTS: bool = true;
 // Texels of a row of the lists: 2 to the power of this.
 const ROW_BITS: u32 = 11u;
 
@@ -78,8 +80,7 @@ fn meet(triangle: u32, o: vec3<f32>, d: vec3<f32>, instance: u32, cut: vec4<f32>
     let turned = cross(from_corner, ab);
     let c = dot(d, turned) * one;
     let time = dot(ac, turned) * one;
-    // Only portals cut.
-    let is_there = !HAS_PORTALS || dot(cut, vec4<f32>(o + time * d, 1.0)) >= 0.0;
+    let is_there = !HAS_CUTS || dot(cut, vec4<f32>(o + time * d, 1.0)) >= 0.0;
     if volume != 0.0 && b >= 0.0 && c >= 0.0 && b + c <= 1.0 && time >= 0.0 && time <= (*found).time && is_there {
         *found = Found(time, instance + third.w, triangle, vec2<f32>(b, c));
     }
@@ -156,7 +157,7 @@ fn scene_first(x: vec3<f32>, v: vec3<f32>, longest: f32, root: u32, any_will_do:
         instance = select(0u, at - INSTANCE, enters);
         let to_mesh = to_mesh_of(instance);
         let about = instance_part(instance, 3u);
-        if HAS_PORTALS {
+        if HAS_CUTS {
             cut = select(vec4<f32>(0.0), bitcast<vec4<f32>>(instance_part(instance, 5u)), enters);
         }
         o = select(x, vec4<f32>(x, 1.0) * to_mesh, enters);

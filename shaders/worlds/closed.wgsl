@@ -74,9 +74,12 @@ fn wants_model_normal(lights: vec3<u32>) -> bool {
     return true;
 }
 
-// The land's colour by day or night, and in the shadow: sun and moon stand among the land, and their light is three times
-// the work of a fixed direction's, and changes little along an edge.
+// By pixel the normal; else the land's colour by day or night, and in the shadow: sun and moon stand among the land, and their
+// light is three times the work of a fixed direction's, and changes little along an edge.
 fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albedo: vec3<f32>) -> LandLight {
+    if BY_PIXEL {
+        return LandLight(normal, vec3<f32>(0.0));
+    }
     var light = LandLight(albedo * orbs_on(view, model_normal, normal.y, 1.0), vec3<f32>(0.0));
     if SHADOWS != 0u {
         let unlit = is_unlit(view, normal, model_normal);
@@ -85,7 +88,10 @@ fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albed
     return light;
 }
 
-fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
+fn daylit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>, albedo: vec3<f32>, share: f32) -> vec3<f32> {
+    if BY_PIXEL {
+        return albedo * orbs_on(view, normalize(model_normal), normalize(light.facing).y, share);
+    }
     if SHADOWS == 0u {
         return light.facing;
     }
@@ -93,6 +99,9 @@ fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
 }
 
 fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {
+    if BY_PIXEL {
+        return is_unlit(view, light.facing, model_normal);
+    }
     return all(light.facing - light.dark <= 0.002 * light.facing);
 }
 

@@ -29,7 +29,7 @@ fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albed
     return LandLight(normal, vec3<f32>(0.0));
 }
 
-fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
+fn daylit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>, albedo: vec3<f32>, share: f32) -> vec3<f32> {
     return albedo * light_on(normalize(light.facing), share);
 }
 

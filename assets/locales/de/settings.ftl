@@ -25,6 +25,12 @@ setting-invert-look-about = Die Maus von sich weg zu schieben senkt den Blick, w
 setting-field-of-view = Sichtfeld
 setting-field-of-view-about = Der Winkel zwischen oberem und unterem Bildrand. Ein weiter zeigt mehr und macht alles kleiner.
 
+setting-preset = Bilder für
+setting-preset-about = Die Bilder sind für eine Grafikkarte gemacht oder, billiger, für den Prozessor. Automatisch: je nachdem, was zeichnet.
+setting-preset-auto = Automatisch
+setting-preset-card = Grafikkarte
+setting-preset-software = Prozessor
+
 setting-quality = Qualität
 setting-quality-about = Wie viel Genauigkeit die Bilder gegen Geschwindigkeit tauschen.
 setting-quality-fast = Schnell

@@ -25,6 +25,12 @@ setting-invert-look-about = Moving the mouse away looks down, as in an aeroplane
 setting-field-of-view = Field of view
 setting-field-of-view-about = The angle between the upper and the lower edge of the picture. Wide angles show more and make everything smaller.
 
+setting-preset = Made for
+setting-preset-about = Pictures are made for a graphics card, or cheaper for a processor. Automatic goes by what draws.
+setting-preset-auto = Automatic
+setting-preset-card = A graphics card
+setting-preset-software = A processor
+
 setting-quality = Quality
 setting-quality-about = How much accuracy the pictures give up for speed.
 setting-quality-fast = Fast

@@ -25,6 +25,12 @@ setting-invert-look-about = Alejar el ratón baja la vista, como en un avión.
 setting-field-of-view = Campo de visión
 setting-field-of-view-about = El ángulo entre el borde superior y el inferior de la imagen. Uno ancho muestra más y lo hace todo más pequeño.
 
+setting-preset = Imagen para
+setting-preset-about = La imagen se hace para una tarjeta gráfica o, más barata, para el procesador. Automática: según lo que dibuje.
+setting-preset-auto = Automática
+setting-preset-card = Tarjeta gráfica
+setting-preset-software = Procesador
+
 setting-quality = Calidad
 setting-quality-about = Cuánta exactitud cambia la imagen por velocidad.
 setting-quality-fast = Rápida

@@ -25,6 +25,12 @@ setting-invert-look-about = Odsunięcie myszy opuszcza wzrok, jak w samolocie.
 setting-field-of-view = Pole widzenia
 setting-field-of-view-about = Kąt między górną a dolną krawędzią obrazu. Szeroki pokazuje więcej, ale wszystko jest mniejsze.
 
+setting-preset = Obraz dla
+setting-preset-about = Obraz jest tworzony dla karty graficznej albo, taniej, dla procesora. Automatycznie: zależnie od tego, co rysuje.
+setting-preset-auto = Automatycznie
+setting-preset-card = Karty graficznej
+setting-preset-software = Procesora
+
 setting-quality = Jakość
 setting-quality-about = Ile dokładności obraz oddaje za szybkość.
 setting-quality-fast = Szybka

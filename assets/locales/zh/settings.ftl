@@ -25,6 +25,12 @@ setting-invert-look-about = 鼠标向前推时视线向下，如同驾驶飞机�
 setting-field-of-view = 视野
 setting-field-of-view-about = 画面上缘与下缘之间的角度。角度越大看到的越多，一切也越小。
 
+setting-preset = 画面针对
+setting-preset-about = 画面为显卡制作，或以更省的方式为处理器制作。自动：取决于由什么绘制。
+setting-preset-auto = 自动
+setting-preset-card = 显卡
+setting-preset-software = 处理器
+
 setting-quality = 质量
 setting-quality-about = 画面用多少精确度换取速度。
 setting-quality-fast = 快速

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use antipode_scene::frame::Quality;
+use antipode_settings::Preset;
 use clap::{Args, ValueEnum};
 
 use crate::log::LogLevel;
@@ -20,6 +21,9 @@ pub struct Common {
     /// balanced].
     #[arg(long, global = true)]
     pub quality: Option<Quality>,
+    /// For what pictures are made: auto, card or software [default: the settings', for commands auto].
+    #[arg(long, global = true, value_parser = parse_preset)]
+    pub preset: Option<Preset>,
     /// The file of the settings; without it commands go by the defaults, and the window by the player's own file.
     #[arg(long, global = true, value_name = "FILE")]
     pub config: Option<PathBuf>,
@@ -45,6 +49,11 @@ pub enum Adapter {
     Software,
     /// No pictures at all.
     None,
+}
+
+fn parse_preset(word: &str) -> Result<Preset, String> {
+    let known = Preset::IDS.join(", ");
+    Preset::from_id(word).ok_or_else(|| format!("\"{word}\" is no preset; there are {known}"))
 }
 
 fn parse_size(text: &str) -> Result<(u32, u32), String> {

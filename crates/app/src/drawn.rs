@@ -13,6 +13,8 @@ use serde::Serialize;
 pub struct Drawn {
     /// The quality that was asked for.
     pub quality: &'static str,
+    /// For what the picture was made: `card` or `software`.
+    pub preset: &'static str,
     /// Triangles drawn.
     pub triangles: usize,
     /// What the renderer chose.
@@ -25,6 +27,7 @@ impl Drawn {
     pub fn new(stats: &DrawStats, quality: Quality) -> Self {
         Self {
             quality: quality.name(),
+            preset: stats.preset.name(),
             triangles: stats.triangles,
             plan: stats.plan,
         }

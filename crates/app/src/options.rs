@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use antipode_geometry::HyperbolicMap;
 use antipode_language::{Language, Texts};
-use antipode_render::ShadowQuality;
+use antipode_render::{Preset, ShadowQuality};
 use antipode_scene::frame::{Frame, Quality};
 use antipode_scene::{Scene, Viewing};
 use antipode_settings::{Config, Map, Settings, Shadows, config_path};
@@ -86,7 +86,16 @@ pub fn quality(settings: &Settings) -> Quality {
     }
 }
 
-/// How shadows are drawn; `software`: whether the processor draws.
+/// For what pictures are made; `software`: whether the processor draws.
+pub fn preset(settings: &Settings, software: bool) -> Preset {
+    if settings.preset.is_software(software) {
+        Preset::Software
+    } else {
+        Preset::Card
+    }
+}
+
+/// How shadows are drawn; `software`: whether pictures are made for the processor.
 pub fn shadows(settings: &Settings, software: bool) -> ShadowQuality {
     match settings.shadows.resolved(software) {
         Shadows::Off => ShadowQuality::Off,
@@ -97,7 +106,10 @@ pub fn shadows(settings: &Settings, software: bool) -> ShadowQuality {
 
 /// Takes the mirror out of a picture that is to have none; `software`: whether the processor draws.
 pub fn fit_mirror(frame: &mut Frame, settings: &Settings, software: bool) {
-    if !settings.rear_mirror.is_on(software) {
+    if !settings
+        .rear_mirror
+        .is_on(settings.preset.is_software(software))
+    {
         frame.mirror = None;
     }
 }

@@ -3,7 +3,9 @@
 use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
-use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, Shaders};
+use antipode_render::{
+    AdapterChoice, DrawStats, Gpu, Offscreen, Options, Preset, Renderer, Shaders,
+};
 use antipode_scene::frame::{Frame, Quality};
 use antipode_settings::Settings;
 use antipode_ui::HudModel;
@@ -33,6 +35,19 @@ pub struct Studio {
     rooms: Option<RoomPictures>,
 }
 
+/// How pictures are made by the settings; `software`: whether the processor draws.
+fn asked(settings: &Settings, software: bool) -> Options {
+    let preset = options::preset(settings, software);
+    let is_cheap = preset == Preset::Software;
+    Options {
+        samples: settings.msaa.samples(is_cheap),
+        scale: 1.0,
+        output_format: FORMAT,
+        shadows: options::shadows(settings, is_cheap),
+        preset,
+    }
+}
+
 /// The renderer's choice of adapter for the command line's.
 pub fn adapter_choice(adapter: Adapter) -> AdapterChoice {
     match adapter {
@@ -57,12 +72,7 @@ impl Studio {
         shaders: Shaders,
     ) -> Result<Self, Failure> {
         let gpu = Gpu::headless(adapter_choice(common.adapter))?;
-        let options = Options {
-            samples: settings.msaa.samples(gpu.is_software()),
-            scale: 1.0,
-            output_format: FORMAT,
-            shadows: options::shadows(settings, gpu.is_software()),
-        };
+        let options = asked(settings, gpu.is_software());
         let mut renderer = Renderer::with_shaders(&gpu, options, shaders)?;
         renderer.resize(common.size.0, common.size.1);
         let overlay = Overlay::new(&gpu, FORMAT);
@@ -83,12 +93,7 @@ impl Studio {
     /// # Errors
     /// When the renderer refuses; it goes on as before then.
     pub fn follow(&mut self, settings: &Settings) -> Result<(), Failure> {
-        let software = self.gpu.is_software();
-        let options = Options {
-            samples: settings.msaa.samples(software),
-            shadows: options::shadows(settings, software),
-            ..self.options
-        };
+        let options = asked(settings, self.gpu.is_software());
         if options != self.options {
             self.renderer.set_options(options)?;
             self.options = options;

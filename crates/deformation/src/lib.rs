@@ -14,7 +14,6 @@
 
 mod aberration;
 mod air;
-mod ball;
 mod bvh;
 mod chain;
 mod column;
@@ -43,7 +42,6 @@ mod walk;
 mod walker;
 
 pub use aberration::{Aberration, Exit, Sides, Ways, stretch_of_legacy};
-pub use ball::{Ball, BallShape};
 pub use bvh::{Bvh, BvhNode};
 pub use chain::{Chain, Leg};
 pub use cut::{half, show_cut};

@@ -32,13 +32,5 @@ pub const CEILING_UP: f64 = -0.5;
 pub const WEDGED_SHARE: f64 = 0.3;
 /// Who goes up faster than this, felt metres per second, has left the ground.
 pub const LEAVES_M_S: f64 = 0.1;
-/// A ball that comes down slower than this, felt metres per second, rolls on rather than bounce.
-pub const LEAST_BOUNCE_M_S: f64 = 0.35;
-/// A ball that is slower than this, felt metres per second, for [`RESTS_AFTER_S`] lies still: nothing that falls is.
-pub const RESTS_BELOW_M_S: f64 = 0.08;
-/// Seconds after which a slow ball lies still.
-pub const RESTS_AFTER_S: f64 = 0.25;
-/// No ball is faster, felt metres per second: falling through portals gains for ever.
-pub const FASTEST_M_S: f64 = 60.0;
 /// Time in which an eye that a portal has turned is upright again, seconds.
 pub const RIGHTING_S: f64 = 0.4;

@@ -174,6 +174,33 @@ impl LooseBodies {
         number
     }
 
+    /// Takes a body out; those after it have the numbers before theirs from now on.
+    pub fn remove(&mut self, number: usize) {
+        if number >= self.slots.len() {
+            return;
+        }
+        self.set_ground(number, &[], &[]);
+        let slot = self.slots.remove(number);
+        self.bodies.remove(
+            slot.handle,
+            &mut self.islands,
+            &mut self.colliders,
+            &mut self.joints,
+            &mut self.multibody_joints,
+            &mut self.soft_bodies,
+            true,
+        );
+        for (number, slot) in self.slots.iter().enumerate().skip(number) {
+            for (handle, kind) in std::iter::once((slot.collider, 0))
+                .chain(slot.ground.iter().map(|it| (*it, GROUND)))
+            {
+                if let Some(collider) = self.colliders.get_mut(handle) {
+                    collider.user_data = number as u128 | kind;
+                }
+            }
+        }
+    }
+
     fn body(&self, number: usize) -> Option<&RigidBody> {
         self.bodies.get(self.slots.get(number)?.handle)
     }
@@ -196,6 +223,19 @@ impl LooseBodies {
     pub fn set_velocity(&mut self, number: usize, velocity: DVec3) {
         if let Some(body) = self.body_mut(number) {
             body.set_linvel(velocity.as_vec3(), false);
+        }
+    }
+
+    /// Something weighs on a body at a place, as much as would give it that acceleration, m/s^2, if it were free and struck in its
+    /// middle; until it is told otherwise.
+    pub fn load(&mut self, number: usize, acceleration: DVec3, at: DVec3) {
+        if let Some(body) = self.body_mut(number) {
+            body.reset_forces(false);
+            body.reset_torques(false);
+            if acceleration != DVec3::ZERO {
+                let force = acceleration.as_vec3() * body.mass();
+                body.add_force_at_point(force, at.as_vec3(), false);
+            }
         }
     }
 

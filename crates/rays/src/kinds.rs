@@ -13,6 +13,8 @@ pub struct Kinds {
     /// Whether there are boxes of *legacy*.
     legacy: bool,
     portals: bool,
+    /// Whether movers may be cut.
+    cuts: bool,
     /// Whether nothing is felt to be stretched.
     flat: bool,
     /// Whether it matters which faces light passes.
@@ -33,6 +35,7 @@ impl Kinds {
         snell: true,
         legacy: true,
         portals: true,
+        cuts: true,
         flat: false,
         faces: true,
         nests: true,
@@ -49,6 +52,7 @@ impl Kinds {
         let flat = !portals && (rule == Rule::Plain || space.placed().is_empty());
         let mut kinds = Self {
             portals,
+            cuts: portals,
             flat,
             faces: !flat,
             crowds: is_crowd(space.entrances(&Stack::default())),
@@ -64,6 +68,14 @@ impl Kinds {
             kinds.legacy |= matches!(it.sides, Sides::Legacy(_));
         }
         kinds
+    }
+
+    /// The same where movers may be cut.
+    pub fn with_cuts(self, are_cut: bool) -> Self {
+        Self {
+            cuts: self.cuts || are_cut,
+            ..self
+        }
     }
 
     /// The same where outlines are drawn, which are seen in faces.
@@ -82,11 +94,12 @@ impl Kinds {
     }
 
     /// The shaders' constants.
-    pub const fn constants(self) -> [(&'static str, bool); 9] {
+    pub const fn constants(self) -> [(&'static str, bool); 10] {
         [
             ("HAS_SNELL", self.snell),
             ("HAS_LEGACY", self.legacy),
             ("HAS_PORTALS", self.portals),
+            ("HAS_CUTS", self.cuts),
             ("IS_FLAT", self.flat),
             ("HAS_FACES", self.faces),
             ("HAS_NESTS", self.nests),

@@ -16,7 +16,9 @@ use crate::raster::{Chunk, Moved, tidy};
 use crate::scene::{Mover, RayScene};
 use crate::texels::{ROW, Texels};
 use crate::textures;
-use crate::top::{INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, bounds, build, pack};
+use crate::top::{
+    INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, bounds, build, pack, plane_in,
+};
 use crate::tree::NODE_TEXELS;
 
 /// A scene in the adapter's memory. What stays, materials, pictures and aberrations are as they were loaded; movers may be
@@ -86,7 +88,7 @@ impl Loaded {
             neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
             portals: portals(device, queue, scene)?,
             spaces: spaces(device, queue, scene, &near)?,
-            kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule)),
+            kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule).with_cuts(scene.cuts)),
             ways: filled(device, queue, "ways", &[ways], storage)?,
             materials: filled(device, queue, "materials", &materials, storage)?,
             textures: textures::upload(device, queue, &scene.textures)?,
@@ -141,12 +143,6 @@ impl Loaded {
         Ok(())
     }
 
-    /// Whether something that was shown is cut, which a raster does not know.
-    pub(crate) fn cuts(&self) -> bool {
-        let shown = self.shown.iter().flatten();
-        shown.into_iter().any(|it| it.cut.is_some())
-    }
-
     /// Movers, for a raster.
     fn moved(&self, movers: &[Mover]) -> Vec<Moved> {
         let moved = movers.iter().enumerate().filter_map(|(number, mover)| {
@@ -161,6 +157,7 @@ impl Loaded {
                 instance: self.resting.instances + number as u32,
                 is_held: mover.held,
                 is_unseen: mover.unseen_by_eye,
+                cut: mover.cut.map(|it| plane_in(&mover.pose, it)),
             })
         });
         moved.collect()

@@ -167,7 +167,7 @@ impl Rays {
         };
         let sight = sight(scene, loaded, eye, options);
         let way = way(&sight);
-        if options.raster && way != Way::Rays && !loaded.cuts() {
+        if options.raster && way != Way::Rays {
             let gpu = (device, queue);
             let what = (scene, loaded, way);
             self.draw_rastered(gpu, encoder, what, (eye, picture), options, rows);

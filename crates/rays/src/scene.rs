@@ -19,6 +19,8 @@ pub struct RayScene {
     pub meshes: Vec<Arc<Mesh>>,
     /// Meshes that may be elsewhere and have another shape in each picture, by a number of their own.
     pub movables: Vec<Arc<Mesh>>,
+    /// Whether movers may be cut; where there are portals they may always be.
+    pub cuts: bool,
     /// Materials, by number; there must be one at least.
     pub materials: Vec<Material>,
     /// Pictures on surfaces, by number.

@@ -146,7 +146,7 @@ fn pack_mover(mover: &Mover, root: u32) -> PackedInstance {
 }
 
 /// A plane of the scene in a mesh's coordinates: n.(P x + p) + e = (P^T n).x + (n.p + e).
-fn plane_in(pose: &Affine3A, plane: Vec4) -> Vec4 {
+pub fn plane_in(pose: &Affine3A, plane: Vec4) -> Vec4 {
     let normal = plane.truncate();
     let turned = pose.matrix3.transpose() * normal;
     turned.extend(normal.dot(pose.translation.into()) + plane.w)

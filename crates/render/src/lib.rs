@@ -63,7 +63,7 @@ pub use plan::{
     Affine, ChunkChoice, ChunkLand, FramePlan, Ground, LandIndex, PlanStats, Planner, Port, plan,
     tolerance_px,
 };
-pub use renderer::{DrawStats, FurtherView, Options, Picture, Renderer, ViewTarget};
+pub use renderer::{DrawStats, FurtherView, Options, Picture, Preset, Renderer, ViewTarget};
 pub use rig::HandPose;
 pub use shaders::{Shader, Shaders, TERRAIN};
 pub use shadow::{ShadowQuality, ShadowStats};

@@ -30,7 +30,8 @@ mod tests;
 mod view_state;
 
 use options::check;
-pub use options::{DrawStats, Options, Picture};
+pub use options::{DrawStats, Options, Picture, Preset};
+pub(crate) use readiness::PipelineQuality;
 use view_state::{LandSource, Part, Scenery, Shared, ViewState};
 
 /// Another view of what a frame shows, drawn with it.
@@ -387,6 +388,7 @@ impl Renderer {
         DrawStats {
             culled: self.chunks.len() - plan.chunks.len(),
             plan: plan.stats,
+            preset: self.options.preset,
             ..DrawStats::default()
         }
     }

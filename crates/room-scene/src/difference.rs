@@ -54,7 +54,7 @@ impl RoomScene {
     fn lying(&self, path: &Trace, turned_rad: f64) -> Lying {
         let hit = path.hit();
         Lying {
-            object: hit.map(|hit| self.room().objects[self.object_of(hit.what)].name.clone()),
+            object: hit.map(|hit| self.name_hit(hit.what)),
             felt: hit.map(|_| path.length),
             turned_deg: turned_rad.to_degrees(),
         }

@@ -9,10 +9,10 @@ use antipode_rooms::direction;
 use antipode_rooms::mesh::SolidMesh;
 use glam::{Affine3A, DAffine3, DMat3, DQuat, DVec2, DVec3, Vec3};
 
-use crate::bodies::Solid;
+use crate::bodies::{Owner, Solid};
 use crate::scene::RoomScene;
 use crate::things::{Thing, ThingKind};
-use crate::tuning::{DAYLIGHT, STEP_S};
+use crate::tuning::{DAYLIGHT, STEP_S, THROWN};
 
 /// The number of the mesh of a ball among the meshes that may move.
 const BALL: usize = 0;
@@ -67,43 +67,53 @@ impl RoomScene {
     /// Bullets, marks, balls and lamps that were put down as balls of their felt size, at a share of the way of the last step.
     /// Their numbers as objects come after that of who walks.
     pub fn movers_between(&self, share: f64) -> Vec<Mover> {
-        let first = self.room().objects.len() as u32 + 1;
         let of = |thing: &Thing| Mover {
             mesh: BALL,
             pose: self.felt_pose(&thing.place, shape_of(thing)),
-            object: first + (thing.id & 0x00ff_ffff) as u32,
+            object: self.number_of(thing.id),
             materials: THINGS_FROM + thing.kind as usize,
             unseen_by_eye: false,
             held: false,
             cut: None,
         };
         let loose = self.bodies.shown(&self.space, share);
-        let all = self.things_between(share);
-        let things = all.iter().map(of);
-        things
-            .chain(loose.iter().map(|it| self.loose_mover(it)))
-            .collect()
+        let loose = loose.iter().filter_map(|it| self.loose_mover(it));
+        let all = self.things.shown(&self.space, share);
+        all.iter().map(of).chain(loose).collect()
     }
 
-    fn loose_mover(&self, solid: &Solid) -> Mover {
-        let number = |it: &&SolidMesh| it.object == solid.object;
-        let mesh = self
-            .loose_meshes
-            .iter()
-            .take_while(|it| !number(it))
-            .count();
+    fn loose_mover(&self, solid: &Solid) -> Option<Mover> {
         let cut = solid
             .cut
             .map(|(n, least)| n.as_vec3().extend(-least as f32));
-        Mover {
-            mesh: BALL + 1 + mesh,
-            pose: solid.pose.as_affine3a(),
-            object: solid.object as u32,
-            materials: LOOSE_FROM + mesh,
+        let mover = |mesh: usize, pose: DAffine3, object: u32, materials: usize| Mover {
+            mesh,
+            pose: pose.as_affine3a(),
+            object,
+            materials,
             unseen_by_eye: false,
             held: false,
             cut,
+        };
+        match solid.owner {
+            Owner::Object(object) => {
+                let of_object = |it: &SolidMesh| it.object == object;
+                let mesh = self.loose_meshes.iter().position(of_object)?;
+                let (pose, number) = (solid.pose, object as u32);
+                Some(mover(BALL + 1 + mesh, pose, number, LOOSE_FROM + mesh))
+            }
+            Owner::Thrown(id) => {
+                let radius = DAffine3::from_scale(DVec3::splat(THROWN.radius_m));
+                let kind = THINGS_FROM + ThingKind::Ball as usize;
+                Some(mover(BALL, solid.pose * radius, self.number_of(id), kind))
+            }
+            Owner::Walker => None,
         }
+    }
+
+    /// What a thing is called where it is seen: the numbers after that of who walks.
+    fn number_of(&self, id: u64) -> u32 {
+        self.room().objects.len() as u32 + 1 + (id & 0x00ff_ffff) as u32
     }
 
     /// From the axes of what is at a place to the scene; `felt` takes them to felt metres about it.

@@ -6,12 +6,13 @@
 use antipode_deformation::{Place, Trace, Traveller, What, trace};
 use glam::{DQuat, DVec3};
 
-use crate::bodies::Body;
+use crate::bodies::{Body, Load, Owner};
 use crate::hints::RoomHint;
 use crate::scene::RoomScene;
 use crate::tuning::{
     BULLET_PUSH_N_S, GRASP_REACH_M, HOLD_M, HOLD_RATE, HURL_SPEED_M_S, LIFT_KG, LIGHT_KG, PUSH_N,
     PUSH_REACH_M, RADIUS_M, SHAPE, SLIPS_M, SPRINT_FACTOR, STEP_S, THROW_RISE, WALK_SPEED_M_S,
+    WALKER_MASS_KG,
 };
 use crate::walk::Steer;
 
@@ -20,14 +21,16 @@ const HEIGHTS: [f64; 3] = [0.0, 0.45, 0.9];
 const SIDES: [f64; 3] = [0.0, 0.6, -0.6];
 /// A push is so much of the way from the middle to where it is felt: who pushes sees to it that it does not topple.
 const OFF_MIDDLE: f64 = 0.25;
+/// What is nearer below the feet than this, felt metres, is stood on.
+const STANDS_M: f64 = 0.06;
 /// What of its size a way may miss what it is to lead to.
 const MISSES: f64 = 0.2;
 
 /// What is in the hands of who walks.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Grasp {
-    /// The object that is held.
-    pub object: Option<usize>,
+    /// Whose body is held.
+    pub held: Option<Owner>,
 }
 
 /// How something loose is seen from the eye.
@@ -57,11 +60,11 @@ impl RoomScene {
             for side in SIDES {
                 let w = DQuat::from_axis_angle(up, side) * way;
                 let path = self.reach_for(&from, w, RADIUS_M + PUSH_REACH_M);
-                if let Some(object) = self.loose_hit(&path)
-                    && !pushed.contains(&object)
+                if let Some(owner) = self.loose_hit(&path)
+                    && !pushed.contains(&owner)
                 {
-                    pushed.push(object);
-                    self.push(object, &path, way * speed);
+                    pushed.push(owner);
+                    self.push(owner, &path, way * speed);
                 }
             }
         }
@@ -72,23 +75,42 @@ impl RoomScene {
         trace(&self.space, from, w, length, &solids, &Traveller::Body)
     }
 
-    /// The loose object that a path has hit.
-    fn loose_hit(&self, path: &Trace) -> Option<usize> {
+    /// Whose body a path has hit, if that is loose.
+    fn loose_hit(&self, path: &Trace) -> Option<Owner> {
         match path.hit()?.what {
-            What::Object(object, _) => {
-                let object = object as usize;
-                self.room().objects[object].mass.map(|_| object)
-            }
+            What::Object(number, _) => match Owner::numbered(number) {
+                Owner::Object(object) if self.room().objects[object].mass.is_none() => None,
+                owner => Some(owner),
+            },
             What::Wall(..) => None,
         }
     }
 
+    /// Who stands on something loose weighs on it.
+    pub(crate) fn weigh_on_bodies(&mut self) {
+        let load = self.load();
+        self.bodies.bear(load);
+    }
+
+    fn load(&self) -> Option<(Owner, Load)> {
+        if !self.walker.grounded {
+            return None;
+        }
+        let middle = self.walker.body.place;
+        let down = -self.felt_up(&middle);
+        let path = self.reach_for(&middle, down, RADIUS_M + STANDS_M);
+        let owner = self.loose_hit(&path)?;
+        let at = path.place.point;
+        let mass_kg = WALKER_MASS_KG * path.place.scale.powi(3);
+        Some((owner, Load { at, mass_kg }))
+    }
+
     /// Pushes a body for a step, at most until it goes at that felt velocity of who pushes.
-    fn push(&mut self, object: usize, path: &Trace, velocity: DVec3) {
+    fn push(&mut self, owner: Owner, path: &Trace, velocity: DVec3) {
         let there = path.place;
         let wish = there.turn * velocity * there.scale;
         let force = PUSH_N * there.scale.powi(4);
-        let Some(body) = self.bodies.of_object(object) else {
+        let Some(body) = self.bodies.of(owner) else {
             return;
         };
         let way = wish.normalize_or_zero();
@@ -108,40 +130,40 @@ impl RoomScene {
         }
         let eye = self.walker.eye_place(&self.space, self.up());
         let path = self.reach_for(&eye, self.look.front(), GRASP_REACH_M);
-        let Some(object) = self.loose_hit(&path) else {
+        let Some(owner) = self.loose_hit(&path) else {
             self.hint(RoomHint::NothingToLift);
             return;
         };
         let most = LIFT_KG * path.place.scale.powi(3);
-        match self.bodies.of_object(object) {
+        match self.bodies.of(owner) {
             Some(body) if body.mass_kg() <= most => {
                 body.held = true;
-                self.grasp.object = Some(object);
+                self.grasp.held = Some(owner);
             }
             _ => self.hint(RoomHint::TooHeavy),
         }
     }
 
-    /// Lets go of what is held; the object.
-    pub(crate) fn release(&mut self) -> Option<usize> {
-        let object = self.grasp.object.take()?;
-        if let Some(body) = self.bodies.of_object(object) {
-            body.held = false;
+    /// Lets go of what is held; whose body it is.
+    pub(crate) fn release(&mut self) -> Option<Owner> {
+        let owner = self.grasp.held.take()?;
+        if let Some(body) = self.bodies.of(owner) {
+            (body.held, body.leaves) = (false, true);
         }
-        Some(object)
+        Some(owner)
     }
 
     /// Throws what is held, to where the crosshair is and a little above; whether something was.
     pub(crate) fn hurl(&mut self) -> bool {
-        let Some(object) = self.grasp.object else {
+        let Some(owner) = self.grasp.held else {
             return false;
         };
-        let sighted = self.sighted(object);
+        let sighted = self.sighted(owner);
         self.release();
         let up = self.up();
         let front = self.look.front();
         let own = self.walker.body.velocity;
-        if let (Some(seen), Some(body)) = (sighted, self.bodies.of_object(object)) {
+        if let (Some(seen), Some(body)) = (sighted, self.bodies.of(owner)) {
             let mass = body.mass_kg() / seen.scale.powi(3);
             let speed = HURL_SPEED_M_S * (LIGHT_KG / mass).sqrt().min(1.0);
             let velocity = (front + up * THROW_RISE) * speed + own;
@@ -154,13 +176,13 @@ impl RoomScene {
 
     /// Draws what is held to before the eye.
     pub(crate) fn carry_held(&mut self) {
-        let Some(object) = self.grasp.object else {
+        let Some(owner) = self.grasp.held else {
             return;
         };
         let front = self.look.front();
         let own = self.walker.body.velocity;
-        let sighted = self.sighted(object);
-        let held = sighted.zip(self.bodies.of_object(object));
+        let sighted = self.sighted(owner);
+        let held = sighted.zip(self.bodies.of(owner));
         let slips = held.is_none_or(|(seen, body)| {
             let larger = body.place.scale / seen.scale;
             let target = front * (HOLD_M + body.reach_m * larger);
@@ -177,9 +199,9 @@ impl RoomScene {
     }
 
     /// How something loose is seen from the eye, if it is.
-    fn sighted(&mut self, object: usize) -> Option<Sighted> {
+    fn sighted(&mut self, owner: Owner) -> Option<Sighted> {
         let eye = self.walker.eye_place(&self.space, self.up());
-        let body = self.bodies.of_object(object)?;
+        let body = self.bodies.of(owner)?;
         let (point, size) = (body.place.point, body.reach_m * body.place.scale);
         let front = self.look.front();
         let into = self.space.carry(&eye, front, &Traveller::Body).inverse();
@@ -207,10 +229,10 @@ impl RoomScene {
     /// Bullets give what they hit a push.
     pub(crate) fn push_by_bullets(&mut self) {
         for (what, place, w) in std::mem::take(&mut self.things.blows) {
-            let What::Object(object, _) = what else {
+            let What::Object(number, _) = what else {
                 continue;
             };
-            if let Some(body) = self.bodies.of_object(object as usize) {
+            if let Some(body) = self.bodies.of(Owner::numbered(number)) {
                 let gives = BULLET_PUSH_N_S * place.scale.powi(4) / body.mass_kg();
                 body.strike(place.point, w * (gives / body.place.scale));
             }

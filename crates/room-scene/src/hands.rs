@@ -10,8 +10,8 @@ use crate::scene::RoomScene;
 use crate::sounds::RoomSound;
 use crate::things::{Thing, ThingKind};
 use crate::tuning::{
-    AIM_REACH_M, BULLET_SPEED_M_S, LAMP_BODY_M, LAMP_GRIP_M, MUZZLE_M, REACH_M, SHOT_EVERY_S,
-    STEP_S, THROW_RISE, THROW_SPEED_M_S, THROWN,
+    AIM_REACH_M, BULLET_SPEED_M_S, LAMP_BODY_M, LAMP_GRIP_M, MOST_BALLS, MUZZLE_M, REACH_M,
+    SHOT_EVERY_S, STEP_S, THROW_RISE, THROW_SPEED_M_S, THROWN,
 };
 use crate::walk::Steer;
 
@@ -75,7 +75,8 @@ impl RoomScene {
         }
         if steer.throw && !self.hurl() {
             let thrown = self.thrown();
-            self.things.throw(thrown);
+            let number = self.things.count_one();
+            self.bodies.throw(&self.space, number, thrown, MOST_BALLS);
         }
         if steer.place && !before.places {
             self.use_lamp();

@@ -4,13 +4,14 @@ use antipode_deformation::{End, Event, EventKind, Traveller, What, trace};
 use antipode_rays::Eye;
 use serde::Serialize;
 
+use crate::bodies::Owner;
 use crate::scene::RoomScene;
 use crate::tuning::PICK_M;
 
 /// What the crosshair is on.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pick {
-    /// The object; null for the sky.
+    /// The object, or `ball` for one that was thrown; null for the sky.
     pub object: Option<String>,
     /// How far off it feels, metres.
     pub felt: Option<f64>,
@@ -42,7 +43,7 @@ impl RoomScene {
             &Traveller::Body,
         );
         let hit = match path.end {
-            End::Hit(hit) => Some(self.object_of(hit.what)),
+            End::Hit(hit) => Some(self.name_hit(hit.what)),
             End::Spent | End::TooManyEvents => None,
         };
         let corners = path.events.iter().map(|event| (event.point, event.onward));
@@ -54,18 +55,36 @@ impl RoomScene {
             sum + piece
         });
         Pick {
-            object: hit.map(|index| self.room().objects[index].name.clone()),
-            felt: hit.map(|_| path.length),
-            scene: hit.map(|_| scene),
+            felt: hit.as_ref().map(|_| path.length),
+            scene: hit.as_ref().map(|_| scene),
+            object: hit,
             events: path.events.iter().map(|it| self.told(it)).collect(),
         }
     }
 
-    /// The object that something belongs to.
-    pub(crate) fn object_of(&self, what: What) -> usize {
+    /// The object that something belongs to; none of what was thrown.
+    pub(crate) fn object_of(&self, what: What) -> Option<usize> {
         match what {
-            What::Object(object, _) => object as usize,
-            What::Wall(number, _) => self.boxes[number],
+            What::Object(number, _) => match Owner::numbered(number) {
+                Owner::Object(object) => Some(object),
+                Owner::Thrown(_) | Owner::Walker => None,
+            },
+            What::Wall(number, _) => Some(self.boxes[number]),
+        }
+    }
+
+    /// What that is called.
+    pub(crate) fn name_hit(&self, what: What) -> String {
+        let owner = self.object_of(what).map(Owner::Object);
+        self.name_of(owner.unwrap_or(Owner::Thrown(0)))
+    }
+
+    /// What somebody's body is called.
+    pub(crate) fn name_of(&self, owner: Owner) -> String {
+        match owner {
+            Owner::Object(object) => self.room().objects[object].name.clone(),
+            Owner::Thrown(_) => "ball".to_owned(),
+            Owner::Walker => "player".to_owned(),
         }
     }
 

@@ -51,6 +51,8 @@ impl RoomScene {
             sun: sun(room),
             sky: sky(room),
             fog_m: fog_m(room),
+            // Astride the doors of aberrations.
+            cuts: !self.boxes.is_empty() && !self.loose_meshes.is_empty(),
             ..RayScene::default()
         };
         for solid in &self.loose_meshes {

@@ -5,6 +5,7 @@ use antipode_rooms::poses;
 use glam::DMat3;
 use serde::Serialize;
 
+use crate::bodies::Owner;
 use crate::pick::Pick;
 use crate::scene::RoomScene;
 use crate::things::{Struck, Thing, ThingKind};
@@ -136,7 +137,7 @@ impl RoomScene {
     fn struck(&self) -> Option<Struck> {
         let (what, felt) = self.things.struck?;
         Some(Struck {
-            object: self.room().objects[self.object_of(what)].name.clone(),
+            object: self.name_hit(what),
             felt,
         })
     }
@@ -148,7 +149,9 @@ impl RoomScene {
         let room = self.room();
         let mut at: Vec<_> = poses(room).iter().map(|it| it.translation).collect();
         for body in self.bodies.loose() {
-            at[body.object] = body.place.point;
+            if let Owner::Object(object) = body.owner {
+                at[object] = body.place.point;
+            }
         }
         let objects = room.objects.iter().zip(at);
         RoomProbe {

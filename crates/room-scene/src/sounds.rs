@@ -1,5 +1,6 @@
-//! What is heard of who walks in a room.
+//! What is heard in a room: who walks, and what is loose. Sounds come straight, whatever stands between, or by one portal.
 
+use antipode_deformation::{Place, PlacedPortal};
 use glam::DVec3;
 
 use crate::scene::RoomScene;
@@ -46,16 +47,27 @@ impl RoomScene {
         if self.time_s - self.knocked_s < KNOCKS_APART_S {
             return;
         }
-        let ear = self.walker.body.place;
-        let loud = |(place, speed): (antipode_deformation::Place, f64)| {
-            let off = place.point.distance(ear.point) / ear.scale;
-            speed / (1.0 + off / HALF_AS_LOUD_M)
+        let loud = |(place, speed): (Place, f64)| {
+            speed / (1.0 + self.hears_from_m(&place) / HALF_AS_LOUD_M)
         };
         let loudest = self.bodies.blows().map(loud).fold(0.0, f64::max);
         if loudest > KNOCK_FROM_M_S {
             self.knocked_s = self.time_s;
             self.sound(RoomSound::Knocked(loudest));
         }
+    }
+
+    /// How far off who walks hears something, metres of their own size: by the shortest of the straight way and those to the middle
+    /// of a portal and on from its partner's, where they would be as much larger as it makes them.
+    fn hears_from_m(&self, place: &Place) -> f64 {
+        let ear = self.walker.body.place;
+        let straight = place.point.distance(ear.point) / ear.scale;
+        let portals = self.space.portals();
+        let through = |portal: &PlacedPortal| {
+            let beyond = portals[portal.portal.to].portal.at.distance(place.point) / portal.scale;
+            (ear.point.distance(portal.portal.at) + beyond) / ear.scale
+        };
+        portals.iter().map(through).fold(straight, f64::min)
     }
 
     /// Tells what the body did in a step: whether a foot came down, and how fast it fell before.

@@ -1,13 +1,14 @@
-//! Things that come and go while one is in a room: bullets and their marks, balls that were thrown, and lamps that were put
-//! down. Nothing of them is kept: who leaves a room, or begins anew in it, finds it as its file says.
+//! Things that come and go while one is in a room: bullets and their marks, and lamps that were put down. Balls that were thrown
+//! are loose bodies (`bodies/thrown.rs`), but counted here with the rest. Nothing of them is kept: who leaves a room, or begins
+//! anew in it, finds it as its file says.
 
-use antipode_deformation::{Ball, Flyer, Hit, Place, SceneQuery, Space, What};
+use antipode_deformation::{Flyer, Hit, Place, SceneQuery, Space, What};
 use glam::{DQuat, DVec3};
 use serde::Serialize;
 
 use crate::tuning::{
-    BULLET_RADIUS_M, BULLET_REACH_M, LAMP_BODY_M, MARK_RADIUS_M, MOST_BALLS, MOST_BULLETS,
-    MOST_MARKS, STEP_S, TERMINAL_SPEED_M_S, THROWN,
+    BULLET_RADIUS_M, BULLET_REACH_M, LAMP_BODY_M, MARK_RADIUS_M, MOST_BULLETS, MOST_MARKS, STEP_S,
+    THROWN,
 };
 
 /// What kind of thing it is.
@@ -41,6 +42,25 @@ pub struct Thing {
     pub normal: DVec3,
 }
 
+impl Thing {
+    /// One that is not turned.
+    pub(crate) fn new(id: u64, kind: ThingKind, place: Place) -> Self {
+        Self {
+            id,
+            kind,
+            place,
+            radius_m: match kind {
+                ThingKind::Bullet => BULLET_RADIUS_M,
+                ThingKind::Mark => MARK_RADIUS_M,
+                ThingKind::Ball => THROWN.radius_m,
+                ThingKind::Lamp => LAMP_BODY_M,
+            },
+            turn: DQuat::IDENTITY,
+            normal: DVec3::Y,
+        }
+    }
+}
+
 /// What the last bullet that hit something has hit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Struck {
@@ -54,7 +74,6 @@ pub struct Struck {
 #[derive(Clone, Copy, Debug)]
 enum Life {
     Bullet { body: Flyer, flown_m: f64 },
-    Ball(Ball),
     Still { place: Place, normal: DVec3 },
 }
 
@@ -82,29 +101,18 @@ impl One {
     fn place(&self) -> Place {
         match self.life {
             Life::Bullet { body, .. } => body.place,
-            Life::Ball(ball) => ball.body.place,
             Life::Still { place, .. } => place,
         }
     }
 
     fn shown(&self, place: Place) -> Thing {
-        let (turn, normal) = match self.life {
-            Life::Bullet { .. } => (DQuat::IDENTITY, DVec3::Y),
-            Life::Ball(ball) => (ball.turn, DVec3::Y),
-            Life::Still { normal, .. } => (DQuat::IDENTITY, normal),
+        let normal = match self.life {
+            Life::Bullet { .. } => DVec3::Y,
+            Life::Still { normal, .. } => normal,
         };
         Thing {
-            id: self.id,
-            kind: self.kind,
-            place,
-            radius_m: match self.kind {
-                ThingKind::Bullet => BULLET_RADIUS_M,
-                ThingKind::Mark => MARK_RADIUS_M,
-                ThingKind::Ball => THROWN.radius_m,
-                ThingKind::Lamp => LAMP_BODY_M,
-            },
-            turn,
             normal,
+            ..Thing::new(self.id, self.kind, place)
         }
     }
 }
@@ -128,11 +136,10 @@ impl Things {
         self.add(ThingKind::Bullet, life, MOST_BULLETS);
     }
 
-    /// A ball leaves the hand.
-    pub fn throw(&mut self, mut body: Flyer) {
-        body.straighten();
-        let ball = Ball::thrown(body.place, body.velocity, THROWN);
-        self.add(ThingKind::Ball, Life::Ball(ball), MOST_BALLS);
+    /// The number of one more that is kept elsewhere.
+    pub fn count_one(&mut self) -> u64 {
+        self.made += 1;
+        self.made
     }
 
     /// A lamp is put down on something of that felt normal; of more than `most` the oldest goes.
@@ -160,10 +167,6 @@ impl Things {
             anew(&mut one.was);
             match &mut one.life {
                 Life::Bullet { body, .. } => anew(&mut body.place),
-                Life::Ball(ball) => {
-                    anew(&mut ball.body.place);
-                    ball.wake();
-                }
                 Life::Still { place, .. } => anew(place),
             }
         }
@@ -176,9 +179,8 @@ impl Things {
             oldest += usize::from(it.kind == kind);
             it.kind != kind || oldest > over
         });
-        self.made += 1;
         let mut one = One {
-            id: self.made,
+            id: self.count_one(),
             kind,
             life,
             was: Place::default(),
@@ -204,11 +206,6 @@ impl Things {
         for one in &mut self.all {
             one.was = one.place();
             match &mut one.life {
-                Life::Ball(ball) => {
-                    ball.step(space, solids, g, STEP_S);
-                    let velocity = &mut ball.body.velocity;
-                    *velocity = velocity.clamp_length_max(TERMINAL_SPEED_M_S);
-                }
                 Life::Bullet { body, flown_m } => {
                     if let Some(hit) = fly(body, flown_m, space, solids, g) {
                         hits.push((one.id, *body, *flown_m, hit));

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use antipode_deformation::{BallShape, WalkerShape};
+use antipode_deformation::WalkerShape;
 
 /// Length of a step, seconds.
 pub const STEP_S: f64 = 1.0 / 60.0;
@@ -119,11 +119,23 @@ pub const MARK_RADIUS_M: f64 = 0.03;
 /// Marks at once; the oldest goes.
 pub const MOST_MARKS: usize = 64;
 /// What is thrown.
-pub const THROWN: BallShape = BallShape {
+pub struct ThrownBall {
+    /// Felt radius, metres.
+    pub radius_m: f64,
+    /// Kilograms.
+    pub mass_kg: f64,
+    /// The share of speed that comes back from a blow, 0 to 1.
+    pub bounce: f64,
+    /// What it loses of its spin, a second: rolling it loses two sevenths of that of its speed.
+    pub spin_damping_per_s: f64,
+}
+
+/// See [`ThrownBall`].
+pub const THROWN: ThrownBall = ThrownBall {
     radius_m: 0.12,
+    mass_kg: 1.5,
     bounce: 0.6,
-    slide: 0.9,
-    rolling_m_s2: 1.6,
+    spin_damping_per_s: 3.0,
 };
 /// Felt speed at which it is thrown, metres per second.
 pub const THROW_SPEED_M_S: f64 = 9.0;

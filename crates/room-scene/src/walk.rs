@@ -7,7 +7,7 @@ use antipode_frame::hand::HandMotion;
 use antipode_rooms::direction;
 use glam::{DVec2, DVec3};
 
-use crate::bodies::{Around, Bodies, LooseSolids};
+use crate::bodies::{Around, Bodies, LooseSolids, Owner};
 use crate::handling::Grasp;
 use crate::hints::RoomHint;
 use crate::righting::Righting;
@@ -161,11 +161,15 @@ impl RoomScene {
         };
         let objects = &self.document.room().objects;
         let is_loose = |what: What| match what {
-            What::Object(object, _) => objects[object as usize].mass.is_some(),
+            What::Object(number, _) => match Owner::numbered(number) {
+                Owner::Object(object) => objects[object].mass.is_some(),
+                Owner::Thrown(_) | Owner::Walker => true,
+            },
             What::Wall(..) => false,
         };
         self.things.step(&self.space, &solids, gravity, is_loose);
         self.push_bodies(steer);
+        self.weigh_on_bodies();
         self.push_by_bullets();
         self.carry_held();
         self.move_bodies();
@@ -194,12 +198,12 @@ impl RoomScene {
         self.bodies.step(&around);
         self.hear_knocks();
         let is_lost = self.is_lost();
-        let lost = self.bodies.lost(is_lost);
-        if !lost.is_empty() {
-            let new = Bodies::new(self.room(), &self.space);
-            self.bodies.begin_anew(&lost, new);
+        let found = self
+            .bodies
+            .find_again(self.document.room(), &self.space, is_lost);
+        if found || self.bodies.have_moved() {
+            self.loose = self.bodies.solids(&self.space);
         }
-        self.loose = self.bodies.solids(&self.space);
     }
 
     /// The view is turned by the portals of the last step, before which `before` was passed last, and rights itself.
@@ -314,6 +318,9 @@ impl RoomScene {
 
     /// The same at a share of the way of the last step.
     pub fn things_between(&self, share: f64) -> Vec<Thing> {
-        self.things.shown(&self.space, share)
+        let mut all = self.things.shown(&self.space, share);
+        all.extend(self.bodies.thrown_between(&self.space, share));
+        all.sort_by_key(|it| it.id);
+        all
     }
 }

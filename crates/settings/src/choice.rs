@@ -65,6 +65,29 @@ choice! {
 }
 
 choice! {
+    /// For what pictures are made.
+    Preset {
+        /// For a graphics card where one draws, else for the processor.
+        Auto = "auto",
+        /// What the game looks like: light, surfaces and shadows at each pixel.
+        Card = "card",
+        /// The same made cheaper.
+        Software = "software",
+    } default Auto
+}
+
+impl Preset {
+    /// Whether pictures are made for the processor; `software`: whether it draws.
+    pub fn is_software(self, software: bool) -> bool {
+        match self {
+            Self::Auto => software,
+            Self::Card => false,
+            Self::Software => true,
+        }
+    }
+}
+
+choice! {
     /// Most frames a second.
     FrameCap {
         /// 30 a second.
@@ -112,7 +135,7 @@ choice! {
 }
 
 impl Msaa {
-    /// Samples a pixel; `software`: whether the processor draws.
+    /// Samples a pixel; `software`: whether pictures are made for the processor.
     pub fn samples(self, software: bool) -> u32 {
         match (self, software) {
             (Self::Off, _) | (Self::Auto, true) => 1,
@@ -136,7 +159,7 @@ choice! {
 }
 
 impl Shadows {
-    /// What automatic stands for; `software`: whether the processor draws.
+    /// What automatic stands for; `software`: whether pictures are made for the processor.
     #[must_use]
     pub fn resolved(self, software: bool) -> Self {
         match (self, software) {
@@ -160,7 +183,7 @@ choice! {
 }
 
 impl RearMirror {
-    /// Whether there is one; `software`: whether the processor draws.
+    /// Whether there is one; `software`: whether pictures are made for the processor.
     pub fn is_on(self, software: bool) -> bool {
         match self {
             Self::Auto => !software,
@@ -189,7 +212,8 @@ choice! {
 }
 
 impl RenderScale {
-    /// The share, above 0 and at most 1; `software`: whether the processor draws.
+    /// The share, above 0 and at most 1; `software`: whether pictures are made for the
+    /// processor.
     pub fn share(self, software: bool) -> f32 {
         match self {
             Self::Quarter => 0.25,

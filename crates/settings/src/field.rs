@@ -5,7 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use crate::choice::{
-    FrameCap, Language, Map, Msaa, Quality, RearMirror, RenderScale, Shadows, words,
+    FrameCap, Language, Map, Msaa, Preset, Quality, RearMirror, RenderScale, Shadows, words,
 };
 use crate::settings::Settings;
 
@@ -316,7 +316,7 @@ macro_rules! choice_of {
 
 const PERCENT: Kind = slider(0.0, 100.0, 5.0, "unit-percent");
 
-static FIELDS: [Field; 34] = [
+static FIELDS: [Field; 35] = [
     number!(
         "mouse-sensitivity",
         Look,
@@ -330,6 +330,7 @@ static FIELDS: [Field; 34] = [
         field_of_view_deg,
         slider(40.0, 110.0, 1.0, "unit-degrees")
     ),
+    choice_of!("preset", Picture, preset, Preset),
     choice_of!("quality", Picture, quality, Quality),
     Field {
         id: "view-distance",

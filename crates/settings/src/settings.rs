@@ -1,6 +1,8 @@
 //! The settings as typed values. Ranges and words are in the table of [`crate::fields`].
 
-use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RearMirror, RenderScale, Shadows};
+use crate::choice::{
+    FrameCap, Language, Map, Msaa, Preset, Quality, RearMirror, RenderScale, Shadows,
+};
 use crate::field::{Field, Given, SetError, Value, field};
 
 /// What the player has chosen. Every value here is within the range of its field.
@@ -14,6 +16,8 @@ pub struct Settings {
     pub field_of_view_deg: f64,
     /// How far land is loaded, in chunks of 32 m.
     pub view_distance_chunks: u32,
+    /// For what pictures are made.
+    pub preset: Preset,
     /// How much exactness pictures trade for speed.
     pub quality: Quality,
     /// Most frames a second.
@@ -83,6 +87,7 @@ impl Default for Settings {
             invert_look: false,
             field_of_view_deg: 75.0,
             view_distance_chunks: 4,
+            preset: Preset::default(),
             quality: Quality::default(),
             frame_cap: FrameCap::default(),
             vsync: true,

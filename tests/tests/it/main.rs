@@ -17,6 +17,7 @@ mod maps;
 mod marker;
 mod npc;
 mod pictures;
+mod presets;
 mod purity;
 mod room_pictures;
 mod rooms;

@@ -49,7 +49,10 @@ pub fn run_file(file: &Path, common: &Common, shooting: Shooting) -> Result<(), 
 pub fn run_text(text: &str, common: &Common, shooting: Shooting) -> Result<(), Failure> {
     let lines = parse(text).map_err(|mistake| Failure::Script(mistake.to_string()))?;
     // Not earlier: who waits for a script on standard input is ended by a signal at once.
-    let config = options::for_script(common.config.as_deref())?;
+    let mut config = options::for_script(common.config.as_deref())?;
+    if let Some(preset) = common.preset {
+        config.settings.preset = preset;
+    }
     let mut runner = Runner::new(common.clone(), shooting, Ending::listen(), &config);
     let outcome = runner.run(&lines);
     match (outcome, runner.close()) {

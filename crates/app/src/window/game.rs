@@ -285,7 +285,7 @@ impl Game {
         let fov_y_rad = scene.viewing().fov_y_rad;
         let mut frame = session.between.frame(scene, shutter, fov_y_rad, aspect, id);
         let software = self.menus.software.is_some();
-        crate::options::fit_mirror(&mut frame, &self.options.config.settings, software);
+        crate::options::fit_mirror(&mut frame, &self.options.of_pictures(), software);
         self.display.apply_to(&mut frame, &session.scene, is_played);
         Some(frame)
     }

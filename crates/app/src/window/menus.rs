@@ -221,7 +221,12 @@ impl Menus {
     /// What the menu says of an adapter that is software.
     fn software_notice(&self, settings: &Settings) -> Option<String> {
         let adapter = self.software.as_ref()?;
-        let percent = (settings.render_scale.share(true) * 100.0).round() as u32;
+        let percent = (settings
+            .render_scale
+            .share(settings.preset.is_software(true))
+            * 100.0)
+            .round();
+        let percent = percent as u32;
         let values = [("adapter", adapter.into()), ("percent", percent.into())];
         Some(self.texts.say_with("adapter-software", &values))
     }

@@ -100,13 +100,13 @@ impl Open {
 
     /// Has the stage go by the settings, where they have changed.
     fn follow_settings(&mut self) {
-        let settings = &self.game.options.config.settings;
-        if self.followed.as_ref() == Some(settings) {
+        let settings = self.game.options.of_pictures();
+        if self.followed.as_ref() == Some(&settings) {
             return;
         }
-        self.followed = Some(settings.clone());
         self.redraw.touch(Instant::now());
-        if let Err(why) = self.stage.follow(settings) {
+        let followed = self.stage.follow(self.followed.insert(settings));
+        if let Err(why) = followed {
             self.game.menus.tell_not_applied(&why);
         }
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use antipode_scene::frame::Quality;
-use antipode_settings::{Config, Given, Keeper, Lesson, Value};
+use antipode_settings::{Config, Given, Keeper, Lesson, Preset, Settings, Value};
 use antipode_ui::ToastKind;
 
 use super::menus::Menus;
@@ -19,6 +19,7 @@ pub struct Options {
     pub(super) config: Config,
     keeper: Keeper,
     /// What the command line fixes until the player changes that very setting.
+    preset: Option<Preset>,
     quality: Option<Quality>,
     view_distance: Option<u32>,
 }
@@ -29,8 +30,18 @@ impl Options {
         Self {
             config,
             keeper,
+            preset: common.and_then(|common| common.preset),
             quality: common.and_then(|common| common.quality),
             view_distance: common.and_then(|common| common.view_distance),
+        }
+    }
+
+    /// The settings by which pictures are made: those of the file, below what the command line fixes.
+    pub fn of_pictures(&self) -> Settings {
+        let settings = &self.config.settings;
+        Settings {
+            preset: self.preset.unwrap_or(settings.preset),
+            ..settings.clone()
         }
     }
 
@@ -59,6 +70,7 @@ impl Options {
     ) {
         let settings = &self.config.settings;
         match id {
+            "preset" => self.preset = None,
             "quality" => self.quality = None,
             "view-distance" => self.view_distance = None,
             "language" => menus.texts = options::texts(settings),

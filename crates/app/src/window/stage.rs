@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use antipode_language::Texts;
-use antipode_render::{AdapterChoice, Gpu, Options, PictureReading, Renderer, Shaders};
+use antipode_render::{AdapterChoice, Gpu, Options, PictureReading, Preset, Renderer, Shaders};
 use antipode_room_scene::RoomScene;
 use antipode_settings::Settings;
 use winit::event_loop::OwnedDisplayHandle;
@@ -147,7 +147,8 @@ impl Stage {
     /// # Errors
     /// When the renderer refuses; it goes on as before then.
     pub fn follow(&mut self, settings: &Settings) -> Result<(), Failure> {
-        let software = self.gpu.is_software();
+        let preset = options::preset(settings, self.gpu.is_software());
+        let software = preset == Preset::Software;
         let context = self.overlay.context();
         context.set_zoom_factor(settings.ui_scale as f32);
         antipode_ui::set_calm(context, settings.reduced_motion);
@@ -169,6 +170,7 @@ impl Stage {
             scale: settings.render_scale.share(software),
             output_format: self.config.format,
             shadows: options::shadows(settings, software),
+            preset,
         };
         if options != self.options {
             self.renderer.set_options(options)?;

@@ -6,7 +6,6 @@
     reason = "tests fail by panicking"
 )]
 
-mod balls;
 mod bodies;
 mod checks;
 mod common;

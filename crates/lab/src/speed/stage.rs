@@ -2,7 +2,9 @@
 
 use std::time::Instant;
 
-use antipode_render::{DrawStats, FurtherView, Gpu, Offscreen, Options, Renderer, ShadowQuality};
+use antipode_render::{
+    DrawStats, FurtherView, Gpu, Offscreen, Options, Preset, Renderer, ShadowQuality,
+};
 use antipode_scene::frame::Frame;
 
 use crate::speed::clock::{median, worked_s};
@@ -19,7 +21,8 @@ pub struct Stage<'g> {
 }
 
 impl<'g> Stage<'g> {
-    /// A stage for pictures of that size without shadows, with the samples per pixel that the game takes on this adapter.
+    /// A stage for pictures of that size without shadows, with the preset and the samples per pixel that the game takes on this
+    /// adapter.
     ///
     /// # Errors
     /// When the renderer cannot be set up.
@@ -36,9 +39,14 @@ impl<'g> Stage<'g> {
         (width, height): (u32, u32),
         shadows: ShadowQuality,
     ) -> Result<Self, LabError> {
-        let samples = if gpu.is_software() { 1 } else { 4 };
+        let (samples, preset) = if gpu.is_software() {
+            (1, Preset::Software)
+        } else {
+            (4, Preset::Card)
+        };
         let options = Options {
             samples,
+            preset,
             scale: 1.0,
             output_format: FORMAT,
             shadows,

@@ -77,6 +77,8 @@ pub struct Moved {
     pub is_held: bool,
     /// Whether the eye looks through it: it is seen through portals only.
     pub is_unseen: bool,
+    /// A plane in its own coordinates, what is behind which is not there; none if it is whole.
+    pub cut: Option<Vec4>,
 }
 
 /// What is drawn at once, as raster.wgsl has it.
@@ -87,6 +89,7 @@ pub struct PackedDraw {
     eye: Vec3,
     depth_factor: f32,
     cut: Vec4,
+    own_cut: Vec4,
     what: u32,
     instance: u32,
     view: u32,
@@ -117,6 +120,8 @@ pub struct Call {
     pub extent: (DVec2, DVec2),
     /// Whether faces are drawn, or triangles.
     pub is_faces: bool,
+    /// Whether what is drawn is cut.
+    pub is_cut: bool,
     /// Vertices.
     pub vertices: Range<u32>,
     /// Which of the draws.
@@ -163,8 +168,11 @@ impl Draws {
                         ),
                         translation: moved.pose.translation.as_dvec3(),
                     };
-                    let draw = camera.packed(&pose, 0, moved.instance);
-                    self.call(view, vertices(&moved.triangles), [draw]);
+                    let draw = PackedDraw {
+                        own_cut: moved.cut.unwrap_or_default(),
+                        ..camera.packed(&pose, 0, moved.instance)
+                    };
+                    self.call(view, vertices(&moved.triangles), draw, moved.cut.is_some());
                 }
             }
             let own = std::iter::from_fn(|| faces.next_if(|face| face.view == number));
@@ -177,6 +185,7 @@ impl Draws {
                     level: view.level,
                     extent: view.extent,
                     is_faces: true,
+                    is_cut: false,
                     vertices,
                     draws: first..self.packed.len() as u32,
                 });
@@ -192,23 +201,24 @@ impl Draws {
                 Some(run) if run.end == chunk.triangles.start => run.end = chunk.triangles.end,
                 _ => {
                     if let Some(done) = run.replace(chunk.triangles.clone()) {
-                        self.call(camera.view, vertices(&done), [draw]);
+                        self.call(camera.view, vertices(&done), draw, false);
                     }
                 }
             }
         }
         if let Some(last) = run {
-            self.call(camera.view, vertices(&last), [draw]);
+            self.call(camera.view, vertices(&last), draw, false);
         }
     }
 
-    fn call(&mut self, view: &View, vertices: Range<u32>, draws: [PackedDraw; 1]) {
+    fn call(&mut self, view: &View, vertices: Range<u32>, draw: PackedDraw, is_cut: bool) {
         let first = self.packed.len() as u32;
-        self.packed.extend(draws);
+        self.packed.push(draw);
         self.calls.push(Call {
             level: view.level,
             extent: view.extent,
             is_faces: false,
+            is_cut,
             vertices,
             draws: first..first + 1,
         });
@@ -281,6 +291,7 @@ impl<'a> Camera<'a> {
             eye: pose.inverse().transform_point3(*origin).as_vec3(),
             depth_factor: 1.0,
             cut,
+            own_cut: Vec4::ZERO,
             what,
             instance,
             view: self.number as u32,

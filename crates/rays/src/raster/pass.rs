@@ -31,6 +31,7 @@ pub struct Raster {
     /// What the pass by rays is bound to beside what it has always.
     pub visible_layout: BindGroupLayout,
     first: Pair,
+    first_cut: RenderPipeline,
     deeper: Pair,
     /// By the number of what is told beforehand; compiled when they are asked for.
     rays: [[OnceLock<ComputePipeline>; Kinds::COUNT]; 2],
@@ -75,6 +76,7 @@ impl Raster {
         };
         Self {
             first: pair("first"),
+            first_cut: render_pipeline(device, &draws_layout, &module, ("triangle", "first_cut")),
             deeper: pair("deeper"),
             rays: std::array::from_fn(|_| std::array::from_fn(|_| OnceLock::new())),
             views: device.create_buffer(&wgpu::BufferDescriptor {
@@ -143,16 +145,16 @@ impl Raster {
             let bound = group(device, "draws of a raster", &self.draws_layout, resources);
             let mut pass = begin(encoder, visible, level);
             pass.set_bind_group(0, &bound, &[]);
-            let pair = if level == 0 {
-                &self.first
-            } else {
-                &self.deeper
+            // Behind doors all is cut.
+            let (pair, cut) = match level {
+                0 => (&self.first, &self.first_cut),
+                _ => (&self.deeper, &self.deeper.triangles),
             };
             let mut first = 0;
             for (number, draws) in samples.iter().enumerate() {
                 let top = number as u32 * region.size.1;
                 let calls = draws.calls.iter().filter(|call| call.level == level);
-                record(&mut pass, pair, (region, top), first, calls);
+                record(&mut pass, (pair, cut), (region, top), first, calls);
                 first += draws.packed.len() as u32;
             }
         }
@@ -204,7 +206,7 @@ impl Raster {
 
 fn record<'a>(
     pass: &mut RenderPass<'_>,
-    pair: &Pair,
+    (pair, cut): (&Pair, &RenderPipeline),
     (region, top): (&Region, u32),
     first: u32,
     calls: impl Iterator<Item = &'a Call>,
@@ -216,10 +218,10 @@ fn record<'a>(
             continue;
         };
         pass.set_scissor_rect(low.0, top + low.1, high.0 - low.0, high.1 - low.1);
-        pass.set_pipeline(if call.is_faces {
-            &pair.faces
-        } else {
-            &pair.triangles
+        pass.set_pipeline(match (call.is_faces, call.is_cut) {
+            (true, _) => &pair.faces,
+            (false, true) => cut,
+            (false, false) => &pair.triangles,
         });
         let draws = first + call.draws.start..first + call.draws.end;
         pass.draw(call.vertices.clone(), draws);

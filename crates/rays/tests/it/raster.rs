@@ -328,3 +328,50 @@ fn several_samples_and_parts_of_a_picture_agree_too() {
     let bit_by_bit = by(&[0..41, 41..100, 100..SIZE.1]);
     assert_eq!(whole.1, bit_by_bit.1);
 }
+
+#[test]
+fn what_is_cut_is_full_by_rays_and_by_a_raster() {
+    let Some(gpu) = Gpu::shared() else { return };
+    let mut scene = yard();
+    scene.cuts = true;
+    let half = DVec3::new(0.5, 0.8, 0.6);
+    let block =
+        |half: DVec3, at: DVec3| Arc::new(mesh(&rooms::cuboid(at, DQuat::IDENTITY, half, 0)));
+    // The second is what is left of the first.
+    let rest = DVec3::new(0.5, 0.8, 0.3);
+    scene.movables = vec![
+        block(half, DVec3::ZERO),
+        block(rest, DVec3::new(0.0, 0.0, -0.3)),
+    ];
+    let pose = Affine3A {
+        matrix3: Mat3A::from_quat(Quat::from_rotation_y(0.5))
+            * Mat3A::from_diagonal(Vec3::new(1.0, 0.6, 2.0)),
+        translation: Vec3::new(0.3, 1.1, 1.6).into(),
+    };
+    let normal = -(pose.matrix3 * Vec3::Z).normalize();
+    let plane = normal.extend(-normal.dot(pose.translation.into()));
+    let mover = |mesh, cut| Mover {
+        mesh,
+        pose,
+        object: 20,
+        materials: 0,
+        unseen_by_eye: false,
+        held: false,
+        cut,
+    };
+    // From before the cut, and from behind it.
+    for from in [DVec3::new(1.5, 2.2, 6.0), DVec3::new(-1.5, 3.2, -2.0)] {
+        let eye = looking(&scene, from, DVec3::new(0.3, 1.0, 1.6));
+        let options = with_raster(View::Exact);
+        let mut loaded = gpu.rays.upload(&gpu.device, &gpu.queue, &scene).unwrap();
+        let mut by = |raster, mesh, cut| {
+            let options = Options { raster, ..options };
+            let what = (&scene, &mut loaded);
+            drawn(gpu, what, &[mover(mesh, cut)], &eye, options, &[WHOLE])
+        };
+        let left = by(false, 1, None);
+        assert!(count(&left.1, |it| it == Seen::Object(20)) > 500);
+        same(&left, &by(false, 0, Some(plane)));
+        same(&left, &by(true, 0, Some(plane)));
+    }
+}

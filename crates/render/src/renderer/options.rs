@@ -7,6 +7,27 @@ use crate::error::RenderError;
 use crate::plan::PlanStats;
 use crate::shadow::{ShadowQuality, ShadowStats};
 
+/// For what pictures are made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Preset {
+    /// For graphics cards: what the game looks like. All light is worked out at each pixel.
+    #[default]
+    Card,
+    /// The same made cheaper, for adapters that draw on the processor: light of closed worlds is worked out at the corners of
+    /// triangles.
+    Software,
+}
+
+impl Preset {
+    /// Its lower-case name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Card => "card",
+            Self::Software => "software",
+        }
+    }
+}
+
 /// How pictures are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -18,6 +39,8 @@ pub struct Options {
     pub output_format: TextureFormat,
     /// How shadows of the key light are drawn.
     pub shadows: ShadowQuality,
+    /// For what they are made.
+    pub preset: Preset,
 }
 
 /// What a target shows after a frame was drawn into it.
@@ -37,6 +60,8 @@ pub enum Picture {
 pub struct DrawStats {
     /// What is shown.
     pub picture: Picture,
+    /// For what it was made.
+    pub preset: Preset,
     /// Triangles sent.
     pub triangles: usize,
     /// Calls to the adapter that draw something; one may draw many chunks.
@@ -97,6 +122,7 @@ mod tests {
             scale: 0.5,
             output_format: TextureFormat::Bgra8UnormSrgb,
             shadows: ShadowQuality::Off,
+            preset: Preset::Card,
         };
         assert_eq!(check(&good), Ok(()));
         for bad in [

@@ -3,7 +3,7 @@
 use antipode_frame::Frame;
 use wgpu::{BindGroupLayout, CommandEncoder, Device, TextureView};
 
-use super::{DrawStats, Options, Picture, Renderer, check};
+use super::{DrawStats, Options, Picture, Preset, Renderer, check};
 use crate::error::RenderError;
 use crate::pipeline_cache::{Key, PipelineCache};
 use crate::pipelines::{Pipelines, scene_layout};
@@ -12,12 +12,12 @@ use crate::shadow::ShadowQuality;
 use crate::targets::drawn_size;
 use crate::tonemap::Tonemap;
 
-/// Samples a pixel, and the shadows' quality.
-type PipelineQuality = (u32, ShadowQuality);
+/// What pipelines are made for: samples a pixel, the shadows' quality, and the preset.
+pub type PipelineQuality = (u32, ShadowQuality, Preset);
 
 impl Options {
     pub(super) fn pipeline_quality(&self) -> PipelineQuality {
-        (self.samples, self.shadows)
+        (self.samples, self.shadows, self.preset)
     }
 }
 
@@ -64,7 +64,7 @@ impl Renderer {
     }
 
     /// Draws with other options from the next frame on. The land stays on the adapter; pipelines are made anew where
-    /// the samples or the shadows differ. After [`Renderer::prepare_maps`] no frame waits for those: they are drawn
+    /// the samples, the shadows or the preset differ. After [`Renderer::prepare_maps`] no frame waits for those: they are drawn
     /// with the options before until the new ones are ready.
     ///
     /// # Errors

@@ -5,8 +5,10 @@ use antipode_rooms::What;
 use antipode_rooms::mesh::{Roundness, shape};
 use glam::DVec3;
 
-/// Parts of a full turn of what is round, for who walks into it.
-const AROUND: u32 = 16;
+use crate::tuning::THROWN;
+
+/// Parts of a full turn of what is round, for who walks into it; of what is thrown.
+const AROUND: [u32; 2] = [16, 8];
 
 /// The centre of mass about the middle of its box: that of a pyramid lies at a quarter of its height, that of a wedge at a third
 /// of its height and at a third of its length from its steep side.
@@ -20,9 +22,26 @@ pub fn middle(what: &What) -> DVec3 {
 
 /// The triangles of its surface about the middle of its box.
 pub fn surface(what: &What) -> Vec<[DVec3; 3]> {
-    let coarse = shape(what, Roundness { around: AROUND }).unwrap_or_default();
+    rounded(what, AROUND[0])
+}
+
+fn rounded(what: &What, around: u32) -> Vec<[DVec3; 3]> {
+    let coarse = shape(what, Roundness { around }).unwrap_or_default();
     let corner = |it: u32| coarse.positions[it as usize];
     coarse.triangles.iter().map(|it| it.map(corner)).collect()
+}
+
+/// A ball that is thrown, and its surface.
+pub fn ball() -> (LooseBody, Vec<[DVec3; 3]>) {
+    let radius = THROWN.radius_m;
+    let made = LooseBody {
+        shape: LooseShape::Ball(radius),
+        mass_kg: THROWN.mass_kg,
+        friction: 0.6,
+        bounce: THROWN.bounce,
+        spin_damping_per_s: THROWN.spin_damping_per_s,
+    };
+    (made, rounded(&What::Ball { radius }, AROUND[1]))
 }
 
 /// The body that it is, of that mass.

@@ -10,12 +10,16 @@
 //! u t + a t^2/2 far, the parabola's own way, and (u + a t)^2/2 - a (u t + a t^2/2) = u^2/2: in free flight energy is kept exactly.
 
 mod doors;
+mod energy;
 mod frame;
 mod ground;
+mod load;
 mod make;
+mod owner;
 mod port;
 mod relate;
 mod shown;
+mod thrown;
 mod who;
 
 use antipode_deformation::{Place, SceneQuery, Space, Traveller, felt_gravity};
@@ -28,6 +32,8 @@ use frame::Frame;
 use ground::Region;
 use make::{made, middle, surface};
 
+pub use load::Load;
+pub use owner::Owner;
 pub use shown::{LooseSolids, Solid};
 
 /// Who is slower than this, felt metres per second, feels boxes of one way as it did before.
@@ -45,10 +51,10 @@ pub struct Around<'a> {
 /// Something loose.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The place of its object among all.
-    pub object: usize,
-    /// Where its file puts it.
-    home: Home,
+    /// Whose it is.
+    pub owner: Owner,
+    /// Where its file puts it, if that is from where it is.
+    home: Option<Home>,
     made: LooseBody,
     /// Its centre of mass, which its place is that of, in metres of its own size about its object's middle.
     middle: DVec3,
@@ -75,12 +81,13 @@ pub struct Body {
     region: Option<Region>,
     /// Whether it lies still.
     pub rests: bool,
-    /// Whether it is who walks, whom no blow moves: that is for the walker to say.
-    driven: bool,
     /// The energy of its turning for each kilogram of its own size, J.
     turns: f64,
     /// Whether who walks holds it, so that it does not fall.
     pub held: bool,
+    /// Whether it has left their hands and is not clear of them yet: till then it does not meet them.
+    pub leaves: bool,
+    load: Option<Load>,
 }
 
 /// All that is loose in a room.
@@ -96,7 +103,7 @@ impl Clone for Bodies {
     fn clone(&self) -> Self {
         let mut all = self.all.clone();
         all.iter_mut().for_each(Body::lift);
-        Self::of(all)
+        Self::with(all)
     }
 }
 
@@ -113,18 +120,20 @@ impl Bodies {
         let body = |(index, object, mass): (usize, &Object, f64)| {
             let made = made(&object.what, mass)?;
             let (_, turn, at) = poses[index].to_scale_rotation_translation();
-            Some(Body::new(
-                index,
-                object,
+            let mut body = Body::new(
+                Owner::Object(index),
                 made,
-                (Place::at(space, at), turn),
-                space,
-            ))
+                surface(&object.what),
+                (at, turn),
+            );
+            body.home = Some(object_home(object));
+            body.hang(middle(&object.what), space);
+            Some(body)
         };
-        Self::of(room.loose().filter_map(body).collect())
+        Self::with(room.loose().filter_map(body).collect())
     }
 
-    fn of(all: Vec<Body>) -> Self {
+    fn with(all: Vec<Body>) -> Self {
         let mut solver = LooseBodies::default();
         for body in &all {
             solver.add(body.made.clone(), body.place.scale, &body.motion());
@@ -140,11 +149,9 @@ impl Bodies {
     pub fn changed(&mut self, room: &Room, space: &Space) {
         let mut new = Self::new(room, space);
         for body in &mut new.all {
-            let object = &room.objects[body.object];
-            let like = |it: &&Body| it.object == body.object && it.made == body.made;
-            if let Some(old) = self.all.iter().find(like)
-                && old.home == object_home(object)
-            {
+            let like =
+                |it: &&Body| it.owner == body.owner && it.made == body.made && it.home == body.home;
+            if let Some(old) = self.all.iter().find(like) {
                 let place = Place {
                     scale: old.place.scale,
                     ..Place::at(space, old.place.point)
@@ -152,6 +159,14 @@ impl Bodies {
                 (body.turn, body.velocity, body.spin) = (old.turn, old.velocity, old.spin);
                 body.stand(place, space);
             }
+        }
+        for mut body in self.thrown().cloned().collect::<Vec<_>>() {
+            let place = Place {
+                scale: body.place.scale,
+                ..Place::at(space, body.place.point)
+            };
+            body.stand(place, space);
+            new.put(body);
         }
         *self = new;
     }
@@ -170,15 +185,35 @@ impl Bodies {
         }
     }
 
-    /// What is loose, in the order of the room's objects.
-    pub fn loose(&self) -> impl Iterator<Item = &Body> {
-        self.all.iter().filter(|it| !it.driven)
+    fn put(&mut self, body: Body) {
+        self.solver
+            .add(body.made.clone(), body.place.scale, &body.motion());
+        self.all.push(body);
     }
 
-    /// That of an object.
-    pub fn of_object(&mut self, object: usize) -> Option<&mut Body> {
-        let mut all = self.all.iter_mut();
-        all.find(|it| it.object == object && !it.driven)
+    /// Takes out those of which that is true.
+    fn take_out(&mut self, is_out: impl Fn(&Body) -> bool) {
+        for number in (0..self.all.len()).rev() {
+            if is_out(&self.all[number]) {
+                self.all.remove(number);
+                self.solver.remove(number);
+            }
+        }
+    }
+
+    /// What is loose: the room's objects in their order, and then what was thrown, the oldest first.
+    pub fn loose(&self) -> impl Iterator<Item = &Body> {
+        self.all.iter().filter(|it| it.owner != Owner::Walker)
+    }
+
+    /// The body of somebody or something.
+    pub fn of(&mut self, owner: Owner) -> Option<&mut Body> {
+        self.all.iter_mut().find(|it| it.owner == owner)
+    }
+
+    /// Whether anything loose is elsewhere, or turned otherwise, than before the last step.
+    pub fn have_moved(&self) -> bool {
+        self.loose().any(|it| it.was != (it.place, it.turn))
     }
 
     /// Where something was struck in the last step, and by how much its felt speed changed, metres per second.
@@ -188,18 +223,26 @@ impl Bodies {
             .map(|(number, by)| (self.all[*number].place, *by))
     }
 
-    /// Those whose middle is at such a place.
-    pub fn lost(&self, is_lost: impl Fn(DVec3) -> bool) -> Vec<usize> {
-        let all = self.loose().enumerate();
-        let lost = all.filter(|(_, it)| is_lost(it.place.point));
-        lost.map(|(number, _)| number).collect()
-    }
-
-    /// These are as they are in another list of the same bodies.
-    pub fn begin_anew(&mut self, which: &[usize], mut like: Self) {
-        for number in which {
-            std::mem::swap(&mut self.all[*number], &mut like.all[*number]);
+    /// What has its middle at such a place is where the room's file puts it again; what was thrown is gone.
+    /// Whether anything was lost.
+    pub fn find_again(
+        &mut self,
+        room: &Room,
+        space: &Space,
+        is_lost: impl Fn(DVec3) -> bool,
+    ) -> bool {
+        let is_lost = |it: &Body| it.owner != Owner::Walker && is_lost(it.place.point);
+        if !self.all.iter().any(is_lost) {
+            return false;
         }
+        let at_home = Self::new(room, space);
+        for body in self.all.iter_mut().filter(|it| is_lost(it)) {
+            if let Some(new) = at_home.all.iter().find(|it| it.owner == body.owner) {
+                *body = new.clone();
+            }
+        }
+        self.take_out(is_lost);
+        true
     }
 
     fn part(&mut self, around: &Around<'_>, time: f64) {
@@ -209,9 +252,11 @@ impl Bodies {
             let in_chart = velocity * body.place.scale;
             self.solver.set_velocity(number, body.frame.way(in_chart));
         }
+        self.weigh(around);
+        let had = self.have(around.g);
         self.solver.step(time, &meetings);
         for number in 0..self.all.len() {
-            if self.all[number].driven {
+            if self.all[number].owner == Owner::Walker {
                 self.hold_still(number);
                 continue;
             }
@@ -227,38 +272,34 @@ impl Bodies {
                 continue;
             };
             let turns = self.solver.turning(number);
-            let is_alone = !meetings.iter().any(|(a, b)| *a == number || *b == number);
             let body = &mut self.all[number];
-            let (had, passage) = (body.energy(around.g), body.place.passage);
             let scale = body.place.scale * body.frame.scale;
             let struck = body.go(&motion, around, time);
             body.turns = turns / (scale * scale);
-            if is_alone && !body.held && body.place.passage == passage {
-                body.spend(had, around.g);
-            }
             self.blows.push((number, struck));
         }
+        self.spend(&had, &meetings, around.g);
     }
 }
 
 impl Body {
+    /// One at rest, its centre of mass at a place of the scene; its surface is about that.
     fn new(
-        index: usize,
-        object: &Object,
+        owner: Owner,
         made: LooseBody,
-        (place, turn): (Place, DQuat),
-        space: &Space,
+        surface: Vec<[DVec3; 3]>,
+        (at, turn): (DVec3, DQuat),
     ) -> Self {
-        let surface = surface(&object.what);
-        let middle = middle(&object.what);
-        let far = surface.iter().flatten().map(|it| it.distance(middle));
-        let place = Place::at(space, place.point + turn * middle);
-        let mut body = Self {
-            object: index,
-            home: object_home(object),
-            reach_m: far.fold(0.0, f64::max),
+        let place = Place {
+            point: at,
+            ..Place::default()
+        };
+        Self {
+            owner,
+            home: None,
+            reach_m: 0.0,
             made,
-            middle,
+            middle: DVec3::ZERO,
             surface,
             place,
             turn,
@@ -270,12 +311,20 @@ impl Body {
             laid: None,
             region: None,
             rests: false,
-            driven: false,
             turns: 0.0,
             held: false,
-        };
-        body.stand(place, space);
-        body
+            leaves: false,
+            load: None,
+        }
+    }
+
+    /// Its centre of mass is there about the middle of its surface, which it was about so far.
+    fn hang(&mut self, middle: DVec3, space: &Space) {
+        let far = self.surface.iter().flatten().map(|it| it.distance(middle));
+        self.reach_m = far.fold(0.0, f64::max);
+        self.middle = middle;
+        let at = self.place.point + self.turn * middle;
+        self.stand(Place::at(space, at), space);
     }
 
     /// Is at another place.
@@ -308,25 +357,16 @@ impl Body {
 
     /// Felt acceleration of its own size.
     fn falls(&self, g: DVec3) -> DVec3 {
-        if self.driven || self.held {
+        if self.owner == Owner::Walker || self.held {
             return DVec3::ZERO;
         }
         felt_gravity(self.squeeze, g)
     }
 
     /// Its energy for each kilogram of its own size, J: kept between portals by what does not move.
-    fn energy(&self, g: DVec3) -> f64 {
+    pub fn energy(&self, g: DVec3) -> f64 {
         let falls = g.dot(self.place.point) / self.place.scale;
         0.5 * self.velocity.length_squared() + self.turns - falls
-    }
-
-    /// What stands gives nothing: a blow that ends a step sooner than gravity has done so must not gain by it.
-    fn spend(&mut self, had: f64, g: DVec3) {
-        let gained = self.energy(g) - had;
-        if gained > 0.0 {
-            let left = self.velocity.length_squared() - 2.0 * gained;
-            self.velocity = self.velocity.normalize_or_zero() * left.max(0.0).sqrt();
-        }
     }
 
     /// Its mass where it is now, kilograms.

@@ -6,7 +6,7 @@ use antipode_deformation::{PlacedPortal, Space, crossing_out};
 use glam::DVec3;
 
 use super::frame::Frame;
-use super::{Around, Bodies, Body};
+use super::{Around, Bodies, Body, Owner};
 
 /// What is nearer to each other than this, metres of the chart, may meet in a step, besides what speed makes of it.
 const NEAR_M: f64 = 0.04;
@@ -23,6 +23,7 @@ impl Bodies {
     /// Lays all bodies out for the next `time` seconds, and shows rapier where they are and what is solid there; who may meet.
     pub fn lay_out(&mut self, around: &Around<'_>, time: f64) -> BTreeSet<(usize, usize)> {
         let ties = ties(&self.all, around, time);
+        self.clear_hands(&ties);
         let frames = frames(self.all.len(), &ties);
         for (number, frame) in frames.iter().enumerate() {
             let body = &mut self.all[number];
@@ -36,16 +37,34 @@ impl Bodies {
                 body.laid = self.solver.motion(number).map(|it| it.place);
                 body.rests = false;
             }
-            if !body.rests && !body.driven {
+            if !body.rests && body.owner != Owner::Walker {
                 body.tread(number, around, &mut self.solver, time);
             }
         }
         let meet = |tie: &&Tie| frames[tie.to].after(&tie.frame).is_like(&frames[tie.from]);
         let pair = |tie: &Tie| (tie.from.min(tie.to), tie.from.max(tie.to));
-        // Who holds something is not in its way.
-        let held = |number: usize, other: usize| self.all[number].held && self.all[other].driven;
-        let free = |tie: &&Tie| !held(tie.from, tie.to) && !held(tie.to, tie.from);
+        // Who holds something is not in its way, nor in that of what leaves their hands.
+        let is_walker = |it: usize| self.all[it].owner == Owner::Walker;
+        let in_hand = |it: usize| self.all[it].held || self.all[it].leaves;
+        let free = |tie: &&Tie| {
+            !(in_hand(tie.from) && is_walker(tie.to) || in_hand(tie.to) && is_walker(tie.from))
+        };
         ties.iter().filter(meet).filter(free).map(pair).collect()
+    }
+
+    /// What has left the hands of who walks, and is no longer near them, may meet them again.
+    fn clear_hands(&mut self, ties: &[Tie]) {
+        let Some(walker) = self.all.iter().position(|it| it.owner == Owner::Walker) else {
+            return;
+        };
+        for number in 0..self.all.len() {
+            let near = |it: &Tie| {
+                (it.from, it.to) == (number, walker) || (it.to, it.from) == (number, walker)
+            };
+            if self.all[number].leaves && !ties.iter().any(near) {
+                self.all[number].leaves = false;
+            }
+        }
     }
 }
 

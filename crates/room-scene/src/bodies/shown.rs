@@ -2,15 +2,15 @@
 //! aberration as large on either side as things are there.
 
 use antipode_deformation::{Place, SceneHit, SceneQuery, Space, Triangle, Triangles, half};
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 
-use super::{Bodies, Body};
+use super::{Bodies, Body, Owner};
 
 /// A body, or what of it is on the far side of a portal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid {
-    /// The place of its object among all.
-    pub object: usize,
+    /// Whose it is.
+    pub owner: Owner,
     /// From metres of its own size about its middle to the scene.
     pub pose: DAffine3,
     /// Only what is before this plane is there: n.x >= d.
@@ -36,17 +36,22 @@ impl Bodies {
 }
 
 impl Body {
-    fn shown(&self, space: &Space, share: f64) -> Vec<Solid> {
+    /// Where it is, and how turned, at a share of the way of the last step.
+    pub fn between(&self, space: &Space, share: f64) -> (Place, DQuat) {
         let (was, turned) = &self.was;
         let place = Place::between(space, was, &self.place, share);
-        let is_here = place.passage == self.place.passage;
         let turn = if was.passage == self.place.passage {
             turned.slerp(self.turn, share)
-        } else if is_here {
+        } else if place.passage == self.place.passage {
             self.turn
         } else {
             *turned
         };
+        (place, turn)
+    }
+
+    fn shown(&self, space: &Space, share: f64) -> Vec<Solid> {
+        let (place, turn) = self.between(space, share);
         let squeeze = if place.stack == self.place.stack {
             self.squeeze
         } else {
@@ -58,7 +63,7 @@ impl Body {
             place.point,
         ) * DAffine3::from_translation(-self.middle);
         let whole = Solid {
-            object: self.object,
+            owner: self.owner,
             pose,
             cut: None,
         };
@@ -79,7 +84,8 @@ impl Body {
                 ..whole
             });
         }
-        if solids.len() == 1 {
+        // What is thrown is small enough to change at its middle.
+        if solids.len() == 1 && matches!(self.owner, Owner::Object(_)) {
             self.part_by_doors(space, &mut solids);
         }
         solids
@@ -110,7 +116,7 @@ impl Body {
     }
 
     fn triangles(&self, solid: &Solid) -> Vec<Triangle> {
-        let object = solid.object as u32;
+        let object = solid.owner.number();
         let placed = self
             .surface
             .iter()

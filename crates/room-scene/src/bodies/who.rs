@@ -2,10 +2,9 @@
 
 use antipode_deformation::{Place, Space, Traveller};
 use antipode_physics::{LooseBody, LooseShape};
-use antipode_rooms::{Object, What};
 use glam::{DQuat, DVec3};
 
-use super::{Bodies, Body};
+use super::{Bodies, Body, Owner};
 use crate::tuning::{RADIUS_M, SHAPE, WALKER_MASS_KG};
 
 /// What is loose comes nearer to who walks than they go to it by this, felt metres, so that who only stands there moves nothing.
@@ -17,15 +16,10 @@ impl Bodies {
     /// Who walks is there, upright along `up`, felt and of length 1, and goes so fast, by the axes of the scene.
     pub fn set_who(&mut self, space: &Space, place: Place, up: DVec3, velocity: DVec3) {
         let turn = DQuat::from_rotation_arc(DVec3::Y, up);
-        let number = self.all.len().saturating_sub(1);
-        if !self.all.last().is_some_and(|it| it.driven) {
-            let body = who(place, turn, space);
-            self.solver
-                .add(body.made.clone(), place.scale, &body.motion());
-            self.all.push(body);
+        let Some(body) = self.of(Owner::Walker) else {
+            self.put(who(place, turn, space));
             return;
-        }
-        let body = &mut self.all[number];
+        };
         let squeeze = space.squeeze(&place.stack, velocity, &Traveller::Body);
         let is_there = body.place == place && body.squeeze == squeeze;
         if !is_there || body.velocity != velocity || body.turn != turn {
@@ -48,7 +42,6 @@ impl Bodies {
 }
 
 fn who(place: Place, turn: DQuat, space: &Space) -> Body {
-    let object = Object::new("", place.point, What::Group);
     let (radius, half_height) = (RADIUS_M - NEARER_M, SHAPE.axis_m() / 2.0);
     let made = LooseBody {
         shape: LooseShape::Capsule {
@@ -60,9 +53,8 @@ fn who(place: Place, turn: DQuat, space: &Space) -> Body {
         bounce: 0.0,
         spin_damping_per_s: 0.0,
     };
-    let mut body = Body::new(usize::MAX, &object, made, (place, turn), space);
-    body.place = place;
+    let mut body = Body::new(Owner::Walker, made, Vec::new(), (place.point, turn));
+    body.stand(place, space);
     body.reach_m = radius + half_height;
-    body.driven = true;
     body
 }

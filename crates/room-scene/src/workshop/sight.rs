@@ -108,7 +108,7 @@ impl RoomScene {
         let path = self.path_of(view, at);
         let hit = path.hit()?;
         Some(Sight {
-            object: self.object_of(hit.what),
+            object: self.object_of(hit.what)?,
             place: path.place,
             normal: hit.normal,
             felt_m: path.length,
@@ -128,7 +128,7 @@ impl RoomScene {
         let path = trace(&self.space, start, w, PICK_M, &solids, &who);
         let hit = path.hit()?;
         Some(Sight {
-            object: self.object_of(hit.what),
+            object: self.object_of(hit.what)?,
             place: path.place,
             normal: hit.normal,
             felt_m: path.length,
@@ -148,7 +148,7 @@ impl RoomScene {
     /// and portals that its light has come through, the last first.
     pub fn meant(&self, view: &Viewpoint, at: DVec2) -> Vec<usize> {
         let path = self.path_of(view, at);
-        let seen = path.hit().map(|hit| self.object_of(hit.what));
+        let seen = path.hit().and_then(|hit| self.object_of(hit.what));
         let through = path.events.iter().rev().map(|event| match event.kind {
             EventKind::Passed => self.portals[event.number],
             _ => self.boxes[event.number],

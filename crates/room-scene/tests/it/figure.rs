@@ -146,7 +146,8 @@ fn what_hands_leave_is_drawn_and_lamps_shine() {
         f64::from(shining[own].radius_m) > lamp.radius_m,
         "out of its globe"
     );
-    let movers = scene.movers_between(1.0);
+    let mut movers = scene.movers_between(1.0);
+    movers.sort_by_key(|it| it.object);
     assert_eq!(movers.len(), things.len());
     for (mover, thing) in movers.iter().zip(&things) {
         let middle = mover.pose.transform_point3(Vec3::ZERO).as_dvec3();

@@ -44,3 +44,32 @@ fn the_gun_is_heard_once_for_a_pull() {
     let shots = heard.iter().filter(|it| **it == RoomSound::Shot).count();
     assert_eq!(shots, 1, "{heard:?}");
 }
+
+#[test]
+fn what_falls_behind_a_portal_is_heard_as_from_there() {
+    let loudest = |portals: &[&str]| {
+        let mut scene = crate::empty();
+        let crate_there = ["add box name=crate at=80,2,0 size=0.6,0.6,0.6 mass=12"];
+        for command in crate_there.iter().chain(portals) {
+            let words: Vec<_> = command.split(' ').collect();
+            let read = |_: &antipode_rooms::Room| Ok(antipode_rooms::Assets::default());
+            scene.edit(&words, read).unwrap();
+        }
+        let heard = (0..90).flat_map(|_| {
+            scene.step(&Steer::default());
+            scene.take_sounds()
+        });
+        let knocks = heard.filter_map(|it| match it {
+            RoomSound::Knocked(speed_m_s) => Some(speed_m_s),
+            _ => None,
+        });
+        knocks.fold(0.0, f64::max)
+    };
+    let door = [
+        "add portal name=p at=0,1.25,-2 turn=90,0,0 size=2,2.5 to=q",
+        "add portal name=q at=78,1.25,0 turn=0,0,0 size=2,2.5 to=p",
+    ];
+    let (far, near) = (loudest(&[]), loudest(&door));
+    assert_eq!(far, 0.0, "80 m off it is not heard");
+    assert!(near > 2.0, "4 m off by the portal: {near}");
+}

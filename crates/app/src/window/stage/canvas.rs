@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_render::{AdapterChoice, Gpu, Options, Renderer, Shaders, ShadowQuality};
+use antipode_render::{AdapterChoice, Gpu, Options, Preset, Renderer, Shaders, ShadowQuality};
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
@@ -58,6 +58,11 @@ impl Canvas {
                 ShadowQuality::Low
             } else {
                 ShadowQuality::High
+            },
+            preset: if software {
+                Preset::Software
+            } else {
+                Preset::Card
             },
         };
         let mut renderer = Renderer::with_shaders(&gpu, options, shaders)?;

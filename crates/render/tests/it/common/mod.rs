@@ -18,8 +18,8 @@ use antipode_geometry::{
     Geometry, Projection, Strategy, strategy,
 };
 use antipode_render::{
-    AdapterChoice, DrawStats, FurtherView, Gpu, Offscreen, Options, Picture, Renderer, Shaders,
-    ShadowQuality, ViewTarget,
+    AdapterChoice, DrawStats, FurtherView, Gpu, Offscreen, Options, Picture, Preset, Renderer,
+    Shaders, ShadowQuality, ViewTarget,
 };
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
@@ -64,6 +64,7 @@ impl Studio {
                 scale,
                 output_format: format,
                 shadows: ShadowQuality::Off,
+                preset: Preset::Card,
             },
         )
     }
@@ -82,6 +83,7 @@ impl Studio {
                 scale: 1.0,
                 output_format: PLAIN,
                 shadows,
+                preset: Preset::Card,
             },
         )
     }
@@ -101,6 +103,7 @@ impl Studio {
             scale: 1.0,
             output_format: PLAIN,
             shadows,
+            preset: Preset::Card,
         };
         Self::made_with(size, options, shaders)
     }
