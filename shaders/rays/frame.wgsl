@@ -45,6 +45,10 @@ struct Frame {
     first_row: u32,
     end_row: u32,
     scale: f32,             // how many times larger than at first the eye is
+    parallel: u32,          // 1: all is seen along parallel lines, and right and up are metres of the scene
+    padding_x: u32,
+    padding_y: u32,
+    padding_z: u32,
 }
 
 struct Lamps {

@@ -275,13 +275,13 @@ struct Seen {
     length: f32,
 }
 
-// What is seen in a direction; `pixel` is where a raster has it.
-fn see(direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
+// What is seen in a direction from a place; `pixel` is where a raster has it.
+fn see(start: vec3<f32>, direction: vec3<f32>, pixel: vec2<u32>) -> Seen {
     var seen = Seen(vec3<f32>(0.0), 0u, frame.reach_m);
     var left = vec3<f32>(1.0);
     var far = 0.0;
     var in_glass = false;
-    var path = path_from(frame.eye, direction, frame.stack, frame.depth, true, frame.scale);
+    var path = path_from(start, direction, frame.stack, frame.depth, true, frame.scale);
     for (var bounce = 0u; bounce <= frame.bounces; bounce++) {
         var ended = next_seen(path, frame.reach_m - far, bounce, pixel);
         path = ended.path;
@@ -367,7 +367,10 @@ fn draw(@builtin(global_invocation_id) invocation: vec3<u32>) {
         let offset = select(vec2<f32>(0.0), 0.3953 * vec2<f32>(cos(angle), sin(angle)), frame.samples > 1u);
         let place = 2.0 * (vec2<f32>(id) + 0.5 + offset) / vec2<f32>(vec2<u32>(frame.width, frame.height)) - 1.0;
         let pixel = id + vec2<u32>(0u, sample * frame.height);
-        let seen = see(normalize(frame.front + place.x * frame.right.xyz - place.y * frame.up.xyz), pixel);
+        let aside = place.x * frame.right.xyz - place.y * frame.up.xyz;
+        let is_parallel = frame.parallel != 0u;
+        let start = select(frame.eye, frame.eye + aside, is_parallel);
+        let seen = see(start, select(normalize(frame.front + aside), frame.front, is_parallel), pixel);
         light += seen.light;
         if sample == 0u {
             first = seen;

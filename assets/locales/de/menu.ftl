@@ -4,7 +4,8 @@
 menu-resume = Weiterspielen
 menu-save = Speichern
 menu-save-and-quit = Speichern und zum Menü
-menu-begin-anew = Von vorn beginnen
+menu-begin-anew = Von vorn
+menu-build-here = Hier bauen
 menu-leave-room = Den Raum verlassen
 menu-new-game = Neues Spiel
 menu-load = Laden

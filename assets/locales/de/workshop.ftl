@@ -112,7 +112,7 @@ workshop-about-sign = Eine Tafel zum Lesen.
 workshop-part-tunnel = Tunnel
 workshop-about-tunnel = Außen 4 m, innen 20 m, mit eigenen Wänden. Nichts wird darin gebogen.
 workshop-part-hall = Größerer Raum
-workshop-about-hall = Ein Kasten, der innen doppelt so groß ist. Wer eintritt, ist halb so groß.
+workshop-about-hall = Ein offener Kasten, innen doppelt so groß. Wer eintritt, ist halb so groß. Stell Wände darum, oder nimm das Haus.
 workshop-part-portals = Portalpaar
 workshop-about-portals = Wer in das eine geht, kommt aus dem anderen.
 
@@ -148,8 +148,8 @@ workshop-field-ways = Für wen
 workshop-field-outline = Kanten sichtbar
 workshop-field-to = Führt zu
 workshop-field-sentence = Was hier seltsam ist
-workshop-field-spawn-at = Man beginnt bei
-workshop-field-spawn-look = Man blickt (Gier, Nick)
+workshop-field-spawn-at = Start
+workshop-field-spawn-look = Blick am Start (Gier, Nick)
 workshop-field-gravity = Schwerkraft
 workshop-field-sky = Himmel
 workshop-field-light = Licht von überall
@@ -188,7 +188,6 @@ workshop-told-legacy = Die Regel der Abschlussarbeit hat Fehler: was man sieht, 
 workshop-told-no-door = Wände lassen keine Tür, wo mehr als eine Achse gedehnt ist. Dehne nur eine, oder mache die Seiten weich.
 workshop-told-astigmatic = Astigmatisch: Seiten sind ungleich gedehnt, gerade Linien wirken durch sie gebogen.
 workshop-told-grazing = Streifende Blicke auf die Seiten werden gestaucht.
-workshop-told-unlinked = Es passt nicht zu seinem Partner oder hat keinen und ist geschlossen.
 workshop-told-itself = Es führt zu sich selbst: man sieht sich hineinschauen.
 workshop-told-alike = Es ist so groß wie „{ $name }“: wer durchgeht, behält seine Größe.
 workshop-told-grows = Wer zu „{ $name }“ geht, wird { $times }-mal so groß.
@@ -270,7 +269,7 @@ workshop-step-paste = { $count ->
    *[other] { $count } Dinge einfügen
 }
 workshop-step-room = Der Raum selbst
-workshop-step-spawn = Wo man beginnt
+workshop-step-spawn = Der Start
 workshop-step-several = Mehrere Änderungen
 workshop-step-outside = Außerhalb des Spiels geändert
 workshop-step-version = Die Fassung von { $when }
@@ -290,7 +289,7 @@ workshop-finding-portal-shape = Die Ecken von „{ $name }“ bilden keine konve
 workshop-finding-over-side = Das Portal „{ $name }“ liegt über einer Seite von „{ $other }“; stelle es ganz hinein oder hinaus.
 workshop-finding-in-odd-box = Das Portal „{ $name }“ steht in „{ $other }“, wo keine Portale stehen können.
 workshop-finding-portals-touch = Die Portale „{ $name }“ und „{ $other }“ berühren sich; rücke sie mindestens einen Millimeter auseinander.
-workshop-finding-spawn-in-solid = Man beginnt in „{ $name }“.
+workshop-finding-spawn-in-solid = Der Start liegt in „{ $name }“.
 workshop-finding-spawn-in-air = { $metres ->
     [0] Man beginnt über nichts und fällt aus dem Raum.
     [one] Man beginnt in der Luft und fällt { $metres } m.
@@ -299,3 +298,54 @@ workshop-finding-spawn-in-air = { $metres ->
 workshop-finding-open-sides = Die Seiten von „{ $name }“ sind offen: dort wird Licht gebogen. Verdecke sie oder gib ihm Wände.
 workshop-finding-fall-out = Man kann aus dem Raum fallen, nach { $metres } m zu Fuß.
 workshop-finding-unreached = „{ $name }“ ist vom Anfang aus zu Fuß nicht zu erreichen.
+
+# Help, and parts of several things.
+workshop-reset-short = zurücksetzen
+workshop-menu-help = Hilfe
+workshop-do-lesson = Die Lektion machen
+workshop-do-examples = Was möglich ist
+workshop-do-parallel = Ohne Perspektive
+workshop-do-walls = Wände von Tunneln ausblenden
+workshop-field-times-all = Dehnung aller Achsen
+workshop-part-house = Haus, innen größer
+workshop-about-house = Ein Haus von 4 m mit einer Tür. Innen ist es doppelt so groß, und wer eintritt, halb so groß.
+
+# The lesson.
+workshop-lesson-title = Lektion, Schritt { $number } von { $of }
+workshop-lesson-put = Klicke unter den Bauteilen auf „Haus, innen größer“: dann steht es vor dir.
+workshop-lesson-move = Ziehe das Haus mit der linken Taste ein wenig zur Seite.
+workshop-lesson-choose = Klicke in der Liste der Dinge auf „{ $name }“: das ist der Raum im Haus.
+workshop-lesson-stretch = Ziehe den Regler „Dehnung aller Achsen“ nach rechts: das Haus wird innen größer und bleibt außen, wie es ist.
+workshop-lesson-enter = Drücke Spielen (F5) und geh durch die Tür hinein.
+workshop-lesson-walk = Geh durch die Tür in das Haus. F5 führt zurück in die Werkstatt.
+workshop-lesson-done = Du hast ein Haus gebaut, das innen größer ist. Zurück in der Werkstatt (F5) zeigt die Hilfe, was noch möglich ist.
+workshop-lesson-skip = Schritt auslassen
+workshop-lesson-end = Lektion beenden
+
+# What is possible.
+workshop-examples-title = Was möglich ist
+workshop-examples-about = Jedes davon kann in deinen Raum kopiert und dort geändert werden.
+workshop-examples-copy = In den Raum kopieren
+workshop-examples-copy-named = „{ $name }“ in den Raum kopieren
+workshop-examples-close = Schließen
+workshop-example-tunnel-longer = Tunnel, innen länger
+workshop-example-tunnel-longer-about = 4 m daneben, 20 m hindurch.
+workshop-example-tunnel-shorter = Tunnel, innen kürzer
+workshop-example-tunnel-shorter-about = 16 m daneben, 2 m hindurch.
+workshop-example-house = Haus, innen größer
+workshop-example-house-about = Außen vier Meter, innen acht.
+workshop-example-portals = Portalpaar
+workshop-example-portals-about = Wer in das eine geht, kommt aus dem anderen.
+workshop-example-portals-of-size = Verschieden große Portale
+workshop-example-portals-of-size-about = Wer aus dem großen kommt, ist dreimal so groß.
+workshop-example-falling-loop = Ein Fall ohne Ende
+workshop-example-falling-loop-about = Was unten hineinfällt, kommt oben heraus.
+
+# Partners of portals.
+workshop-link-to = Zieh ihn auf ein anderes Portal.
+workshop-link-partner = Führt zu „{ $name }“: auf ein anderes ziehen
+workshop-told-no-partner = Es führt nirgendwohin und ist geschlossen: wähle das Portal, zu dem es führt.
+workshop-told-one-way = Es ist geschlossen: „{ $name }“ führt nicht zurück.
+workshop-told-other-sides = Es ist geschlossen: „{ $name }“ hat eine andere Zahl von Seiten.
+workshop-told-not-similar = Es ist geschlossen: „{ $name }“ hat eine andere Form. Gib beiden dasselbe Verhältnis von Breite zu Höhe.
+workshop-told-ill-placed = Es ist geschlossen: es oder „{ $name }“ steht, wo keines stehen darf. Die Meldungen sagen, warum.

@@ -4,7 +4,8 @@
 menu-resume = Resume
 menu-save = Save
 menu-save-and-quit = Save and quit to menu
-menu-begin-anew = Begin anew
+menu-begin-anew = Start over
+menu-build-here = Build here
 menu-leave-room = Leave the room
 menu-new-game = New Game
 menu-load = Load

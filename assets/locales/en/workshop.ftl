@@ -112,7 +112,7 @@ workshop-about-sign = A board to read.
 workshop-part-tunnel = Tunnel
 workshop-about-tunnel = 4 m outside, 20 m inside, with walls of its own. Nothing is bent in it.
 workshop-part-hall = Larger space
-workshop-about-hall = A box that is twice as large inside. Who enters is half as large.
+workshop-about-hall = An open box, twice as large inside. Who enters is half as large. Put walls round it, or take the house.
 workshop-part-portals = Pair of portals
 workshop-about-portals = Who goes into one comes out of the other.
 
@@ -148,8 +148,8 @@ workshop-field-ways = For whom
 workshop-field-outline = Edges are seen
 workshop-field-to = Leads to
 workshop-field-sentence = What is strange here
-workshop-field-spawn-at = One begins at
-workshop-field-spawn-look = One looks (yaw, pitch)
+workshop-field-spawn-at = Start
+workshop-field-spawn-look = Look at the start (yaw, pitch)
 workshop-field-gravity = Gravity
 workshop-field-sky = Sky
 workshop-field-light = Light from everywhere
@@ -188,7 +188,6 @@ workshop-told-legacy = The thesis's rule has faults: what is seen depends on whe
 workshop-told-no-door = Walls leave no door where more than one axis is stretched. Stretch one axis, or make the sides soft.
 workshop-told-astigmatic = Astigmatic: its sides are stretched unequally, so straight lines look bent through them.
 workshop-told-grazing = Views that graze its sides are compressed.
-workshop-told-unlinked = It does not fit its partner, or has none, and is closed.
 workshop-told-itself = It leads to itself: it shows who looks in.
 workshop-told-alike = It is as large as “{ $name }”: who passes keeps their size.
 workshop-told-grows = Who goes to “{ $name }” becomes { $times } times as large.
@@ -270,7 +269,7 @@ workshop-step-paste = { $count ->
    *[other] Paste { $count } objects
 }
 workshop-step-room = The room itself
-workshop-step-spawn = Where one begins
+workshop-step-spawn = The start
 workshop-step-several = Several changes
 workshop-step-outside = Changed outside of the game
 workshop-step-version = The version of { $when }
@@ -290,7 +289,7 @@ workshop-finding-portal-shape = The corners of “{ $name }” are no convex sha
 workshop-finding-over-side = The portal “{ $name }” lies over a side of “{ $other }”; put it wholly in or out.
 workshop-finding-in-odd-box = The portal “{ $name }” stands in “{ $other }”, in which portals cannot stand.
 workshop-finding-portals-touch = The portals “{ $name }” and “{ $other }” touch; move them apart by a millimetre at least.
-workshop-finding-spawn-in-solid = One begins inside of “{ $name }”.
+workshop-finding-spawn-in-solid = The start is inside of “{ $name }”.
 workshop-finding-spawn-in-air = { $metres ->
     [0] One begins over nothing, and falls out of the room.
     [one] One begins in the air and falls { $metres } m.
@@ -299,3 +298,54 @@ workshop-finding-spawn-in-air = { $metres ->
 workshop-finding-open-sides = The sides of “{ $name }” are open: light is bent there. Cover them, or give it walls.
 workshop-finding-fall-out = One can fall out of the room, after { $metres } m of walking.
 workshop-finding-unreached = “{ $name }” cannot be reached on foot from where one begins.
+
+# Help, and parts of several things.
+workshop-reset-short = reset
+workshop-menu-help = Help
+workshop-do-lesson = Take the lesson
+workshop-do-examples = What is possible
+workshop-do-parallel = Without perspective
+workshop-do-walls = Hide walls of tunnels
+workshop-field-times-all = Stretch of all axes
+workshop-part-house = House larger inside
+workshop-about-house = A house of 4 m with a door. Inside it is twice as large, and who enters half as large.
+
+# The lesson.
+workshop-lesson-title = Lesson, step { $number } of { $of }
+workshop-lesson-put = Click “House larger inside” among the parts: it stands before you then.
+workshop-lesson-move = Drag the house a little aside with the left button.
+workshop-lesson-choose = Click “{ $name }” in the list of objects: that is the space in the house.
+workshop-lesson-stretch = Pull the slider “Stretch of all axes” to the right: the house gets larger inside and stays as it is outside.
+workshop-lesson-enter = Press Play (F5) and walk in through the door.
+workshop-lesson-walk = Walk in through the door of the house. F5 leads back to the workshop.
+workshop-lesson-done = You have built a house that is larger inside. Back in the workshop (F5), Help shows what else is possible.
+workshop-lesson-skip = Skip this step
+workshop-lesson-end = End the lesson
+
+# What is possible.
+workshop-examples-title = What is possible
+workshop-examples-about = Each of these can be copied into your room and changed there.
+workshop-examples-copy = Copy into the room
+workshop-examples-copy-named = Copy “{ $name }” into the room
+workshop-examples-close = Close
+workshop-example-tunnel-longer = Tunnel longer inside
+workshop-example-tunnel-longer-about = 4 m beside it, 20 m through it.
+workshop-example-tunnel-shorter = Tunnel shorter inside
+workshop-example-tunnel-shorter-about = 16 m beside it, 2 m through it.
+workshop-example-house = House larger inside
+workshop-example-house-about = Four metres outside, eight inside.
+workshop-example-portals = Pair of portals
+workshop-example-portals-about = Who goes into the one comes out of the other.
+workshop-example-portals-of-size = Portals of different size
+workshop-example-portals-of-size-about = Who comes out of the large one is three times as large.
+workshop-example-falling-loop = A fall without end
+workshop-example-falling-loop-about = What falls in below comes out above.
+
+# Partners of portals.
+workshop-link-to = Drag it onto another portal.
+workshop-link-partner = Leads to “{ $name }”: drag to another
+workshop-told-no-partner = It leads nowhere and is closed: choose the portal that it leads to.
+workshop-told-one-way = It is closed: “{ $name }” does not lead back.
+workshop-told-other-sides = It is closed: “{ $name }” has another number of sides.
+workshop-told-not-similar = It is closed: “{ $name }” has another shape. Give both the same proportion of width to height.
+workshop-told-ill-placed = It is closed: it or “{ $name }” stands where none may stand. The messages say why.

@@ -5,6 +5,7 @@ menu-resume = Continuar
 menu-save = Guardar
 menu-save-and-quit = Guardar y salir al menú
 menu-begin-anew = Empezar de nuevo
+menu-build-here = Construir aquí
 menu-leave-room = Salir de la sala
 menu-new-game = Partida nueva
 menu-load = Cargar

@@ -112,7 +112,7 @@ workshop-about-sign = Un tablero para leer.
 workshop-part-tunnel = Túnel
 workshop-about-tunnel = 4 m por fuera, 20 m por dentro, con paredes propias. Dentro nada se curva.
 workshop-part-hall = Espacio mayor
-workshop-about-hall = Una caja el doble de grande por dentro. Quien entra es la mitad de grande.
+workshop-about-hall = Una caja abierta, el doble de grande por dentro. Quien entra es la mitad de grande. Ponle paredes o usa la casa.
 workshop-part-portals = Par de portales
 workshop-about-portals = Quien entra por uno sale por el otro.
 
@@ -148,8 +148,8 @@ workshop-field-ways = Para quién
 workshop-field-outline = Se ven los bordes
 workshop-field-to = Lleva a
 workshop-field-sentence = Qué hay de extraño
-workshop-field-spawn-at = Se empieza en
-workshop-field-spawn-look = Se mira (giro, inclinación)
+workshop-field-spawn-at = Inicio
+workshop-field-spawn-look = Mirada al inicio (giro, inclinación)
 workshop-field-gravity = Gravedad
 workshop-field-sky = Cielo
 workshop-field-light = Luz ambiental
@@ -188,7 +188,6 @@ workshop-told-legacy = La regla de la tesis tiene fallos: lo que se ve depende d
 workshop-told-no-door = Las paredes no dejan puerta si se estira más de un eje. Estira uno solo o haz los lados suaves.
 workshop-told-astigmatic = Astigmático: los lados se estiran de forma desigual y las rectas se ven curvas.
 workshop-told-grazing = Las vistas rasantes por los lados se comprimen.
-workshop-told-unlinked = No encaja con su pareja o no tiene, y está cerrado.
 workshop-told-itself = Lleva a sí mismo: muestra a quien mira.
 workshop-told-alike = Es tan grande como «{ $name }»: quien pasa conserva su tamaño.
 workshop-told-grows = Quien va a «{ $name }» se hace { $times } veces mayor.
@@ -270,7 +269,7 @@ workshop-step-paste = { $count ->
    *[other] Pegar { $count } objetos
 }
 workshop-step-room = La sala misma
-workshop-step-spawn = Dónde se empieza
+workshop-step-spawn = El inicio
 workshop-step-several = Varios cambios
 workshop-step-outside = Cambiada fuera del juego
 workshop-step-version = La versión de { $when }
@@ -290,7 +289,7 @@ workshop-finding-portal-shape = Las esquinas de «{ $name }» no forman una figu
 workshop-finding-over-side = El portal «{ $name }» está sobre un lado de «{ $other }»; ponlo del todo dentro o fuera.
 workshop-finding-in-odd-box = El portal «{ $name }» está en «{ $other }», donde no puede haber portales.
 workshop-finding-portals-touch = Los portales «{ $name }» y «{ $other }» se tocan; sepáralos al menos un milímetro.
-workshop-finding-spawn-in-solid = Se empieza dentro de «{ $name }».
+workshop-finding-spawn-in-solid = El inicio está dentro de «{ $name }».
 workshop-finding-spawn-in-air = { $metres ->
     [0] Se empieza sobre la nada y se cae de la sala.
     [one] Se empieza en el aire y se cae { $metres } m.
@@ -299,3 +298,54 @@ workshop-finding-spawn-in-air = { $metres ->
 workshop-finding-open-sides = Los lados de «{ $name }» están abiertos: allí la luz se curva. Cúbrelos o ponle paredes.
 workshop-finding-fall-out = Se puede caer de la sala tras andar { $metres } m.
 workshop-finding-unreached = No se puede llegar a pie a «{ $name }» desde donde se empieza.
+
+# Help, and parts of several things.
+workshop-reset-short = restablecer
+workshop-menu-help = Ayuda
+workshop-do-lesson = Hacer la lección
+workshop-do-examples = Lo que es posible
+workshop-do-parallel = Sin perspectiva
+workshop-do-walls = Ocultar paredes de túneles
+workshop-field-times-all = Estiramiento de todos los ejes
+workshop-part-house = Casa mayor por dentro
+workshop-about-house = Una casa de 4 m con una puerta. Por dentro es el doble de grande, y quien entra, la mitad.
+
+# The lesson.
+workshop-lesson-title = Lección, paso { $number } de { $of }
+workshop-lesson-put = Haz clic en «Casa mayor por dentro» entre las piezas: quedará delante de ti.
+workshop-lesson-move = Arrastra la casa un poco a un lado con el botón izquierdo.
+workshop-lesson-choose = Haz clic en «{ $name }» en la lista de objetos: es el espacio de la casa.
+workshop-lesson-stretch = Lleva «Estiramiento de todos los ejes» a la derecha: la casa crece por dentro y por fuera queda igual.
+workshop-lesson-enter = Pulsa Jugar (F5) y entra por la puerta.
+workshop-lesson-walk = Entra en la casa por la puerta. F5 lleva de vuelta al taller.
+workshop-lesson-done = Has construido una casa mayor por dentro. De vuelta en el taller (F5), la ayuda muestra qué más es posible.
+workshop-lesson-skip = Omitir este paso
+workshop-lesson-end = Terminar la lección
+
+# What is possible.
+workshop-examples-title = Lo que es posible
+workshop-examples-about = Cada uno puede copiarse en tu sala y cambiarse allí.
+workshop-examples-copy = Copiar en la sala
+workshop-examples-copy-named = Copiar «{ $name }» en la sala
+workshop-examples-close = Cerrar
+workshop-example-tunnel-longer = Túnel más largo por dentro
+workshop-example-tunnel-longer-about = 4 m por el lado, 20 m por dentro.
+workshop-example-tunnel-shorter = Túnel más corto por dentro
+workshop-example-tunnel-shorter-about = 16 m por el lado, 2 m por dentro.
+workshop-example-house = Casa mayor por dentro
+workshop-example-house-about = Cuatro metros por fuera, ocho por dentro.
+workshop-example-portals = Par de portales
+workshop-example-portals-about = Quien entra por uno sale por el otro.
+workshop-example-portals-of-size = Portales de distinto tamaño
+workshop-example-portals-of-size-about = Quien sale del grande es tres veces más grande.
+workshop-example-falling-loop = Una caída sin fin
+workshop-example-falling-loop-about = Lo que cae abajo sale arriba.
+
+# Partners of portals.
+workshop-link-to = Arrástralo hasta otro portal.
+workshop-link-partner = Lleva a «{ $name }»: arrastra a otro
+workshop-told-no-partner = No lleva a ninguna parte y está cerrado: elige el portal al que lleva.
+workshop-told-one-way = Está cerrado: «{ $name }» no lleva de vuelta.
+workshop-told-other-sides = Está cerrado: «{ $name }» tiene otro número de lados.
+workshop-told-not-similar = Está cerrado: «{ $name }» tiene otra forma. Da a ambos la misma proporción de ancho y alto.
+workshop-told-ill-placed = Está cerrado: él o «{ $name }» está donde no puede estar. Los mensajes dicen por qué.

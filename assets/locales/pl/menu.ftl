@@ -5,6 +5,7 @@ menu-resume = Wróć do gry
 menu-save = Zapisz
 menu-save-and-quit = Zapisz i wyjdź do menu
 menu-begin-anew = Zacznij od nowa
+menu-build-here = Buduj tutaj
 menu-leave-room = Wyjdź z pokoju
 menu-new-game = Nowa gra
 menu-load = Wczytaj

@@ -114,7 +114,7 @@ workshop-about-sign = Tablica do czytania.
 workshop-part-tunnel = Tunel
 workshop-about-tunnel = 4 m na zewnątrz, 20 m w środku, z własnymi ścianami. Nic się w nim nie wygina.
 workshop-part-hall = Większa przestrzeń
-workshop-about-hall = Pudło dwa razy większe w środku. Kto wchodzi, jest o połowę mniejszy.
+workshop-about-hall = Otwarte pudło, dwa razy większe w środku. Kto wchodzi, jest o połowę mniejszy. Otocz je ścianami albo weź dom.
 workshop-part-portals = Para portali
 workshop-about-portals = Kto wejdzie w jeden, wyjdzie drugim.
 
@@ -150,8 +150,8 @@ workshop-field-ways = Dla kogo
 workshop-field-outline = Widoczne krawędzie
 workshop-field-to = Prowadzi do
 workshop-field-sentence = Co tu jest dziwne
-workshop-field-spawn-at = Zaczyna się w
-workshop-field-spawn-look = Patrzy się (obrót, pochylenie)
+workshop-field-spawn-at = Start
+workshop-field-spawn-look = Wzrok na starcie (obrót, pochylenie)
 workshop-field-gravity = Grawitacja
 workshop-field-sky = Niebo
 workshop-field-light = Światło zewsząd
@@ -190,7 +190,6 @@ workshop-told-legacy = Reguła z pracy ma błędy: widok zależy od kierunku pat
 workshop-told-no-door = Ściany nie zostawiają drzwi, gdy rozciąga się więcej osi. Rozciągnij jedną albo daj miękkie boki.
 workshop-told-astigmatic = Astygmatyczne: boki rozciągnięte nierówno, więc proste linie wyglądają na krzywe.
 workshop-told-grazing = Widoki pod małym kątem do boków są ściśnięte.
-workshop-told-unlinked = Nie pasuje do partnera albo go nie ma i jest zamknięty.
 workshop-told-itself = Prowadzi do siebie: pokazuje, kto zagląda.
 workshop-told-alike = Jest tak duży jak „{ $name }”: kto przejdzie, zachowa rozmiar.
 workshop-told-grows = Kto idzie do „{ $name }”, staje się { $times } raza większy.
@@ -308,7 +307,7 @@ workshop-step-paste = { $count ->
    *[other] Wklej obiekty ({ $count })
 }
 workshop-step-room = Sam pokój
-workshop-step-spawn = Gdzie się zaczyna
+workshop-step-spawn = Start
 workshop-step-several = Kilka zmian
 workshop-step-outside = Zmieniono poza grą
 workshop-step-version = Wersja z { $when }
@@ -328,7 +327,7 @@ workshop-finding-portal-shape = Rogi „{ $name }” nie tworzą figury wypukłe
 workshop-finding-over-side = Portal „{ $name }” leży na boku „{ $other }”; postaw go całkiem w środku lub na zewnątrz.
 workshop-finding-in-odd-box = Portal „{ $name }” stoi w „{ $other }”, gdzie portale nie mogą stać.
 workshop-finding-portals-touch = Portale „{ $name }” i „{ $other }” się stykają; rozsuń je co najmniej o milimetr.
-workshop-finding-spawn-in-solid = Zaczyna się wewnątrz „{ $name }”.
+workshop-finding-spawn-in-solid = Start jest wewnątrz „{ $name }”.
 workshop-finding-spawn-in-air = { $metres ->
     [0] Zaczyna się nad pustką i wypada z pokoju.
     [one] Zaczyna się w powietrzu i spada { $metres } m.
@@ -339,3 +338,54 @@ workshop-finding-spawn-in-air = { $metres ->
 workshop-finding-open-sides = Boki „{ $name }” są otwarte: światło się tam wygina. Zasłoń je albo daj ściany.
 workshop-finding-fall-out = Można wypaść z pokoju po { $metres } m marszu.
 workshop-finding-unreached = Do „{ $name }” nie da się dojść pieszo od początku.
+
+# Help, and parts of several things.
+workshop-reset-short = przywróć
+workshop-menu-help = Pomoc
+workshop-do-lesson = Weź lekcję
+workshop-do-examples = Co jest możliwe
+workshop-do-parallel = Bez perspektywy
+workshop-do-walls = Ukryj ściany tuneli
+workshop-field-times-all = Rozciągnięcie wszystkich osi
+workshop-part-house = Dom większy w środku
+workshop-about-house = Dom 4 m z drzwiami. W środku jest dwa razy większy, a kto wchodzi, o połowę mniejszy.
+
+# The lesson.
+workshop-lesson-title = Lekcja, krok { $number } z { $of }
+workshop-lesson-put = Kliknij w częściach „Dom większy w środku”: stanie przed tobą.
+workshop-lesson-move = Przeciągnij dom trochę w bok lewym przyciskiem.
+workshop-lesson-choose = Kliknij „{ $name }” na liście obiektów: to przestrzeń w domu.
+workshop-lesson-stretch = Przesuń suwak „Rozciągnięcie wszystkich osi” w prawo: dom rośnie w środku, a na zewnątrz jest taki sam.
+workshop-lesson-enter = Naciśnij Graj (F5) i wejdź drzwiami.
+workshop-lesson-walk = Wejdź do domu drzwiami. F5 prowadzi z powrotem do warsztatu.
+workshop-lesson-done = Zbudowałeś dom większy w środku. W warsztacie (F5) pomoc pokaże, co jeszcze jest możliwe.
+workshop-lesson-skip = Pomiń ten krok
+workshop-lesson-end = Zakończ lekcję
+
+# What is possible.
+workshop-examples-title = Co jest możliwe
+workshop-examples-about = Każdy z nich można skopiować do pokoju i tam zmienić.
+workshop-examples-copy = Skopiuj do pokoju
+workshop-examples-copy-named = Skopiuj „{ $name }” do pokoju
+workshop-examples-close = Zamknij
+workshop-example-tunnel-longer = Tunel dłuższy w środku
+workshop-example-tunnel-longer-about = 4 m obok, 20 m przez środek.
+workshop-example-tunnel-shorter = Tunel krótszy w środku
+workshop-example-tunnel-shorter-about = 16 m obok, 2 m przez środek.
+workshop-example-house = Dom większy w środku
+workshop-example-house-about = Cztery metry na zewnątrz, osiem w środku.
+workshop-example-portals = Para portali
+workshop-example-portals-about = Kto wejdzie w jeden, wyjdzie drugim.
+workshop-example-portals-of-size = Portale różnej wielkości
+workshop-example-portals-of-size-about = Kto wyjdzie z dużego, jest trzy razy większy.
+workshop-example-falling-loop = Spadanie bez końca
+workshop-example-falling-loop-about = Co wpadnie na dole, wypadnie z góry.
+
+# Partners of portals.
+workshop-link-to = Przeciągnij na inny portal.
+workshop-link-partner = Prowadzi do „{ $name }”: przeciągnij na inny
+workshop-told-no-partner = Nigdzie nie prowadzi i jest zamknięty: wybierz portal, do którego prowadzi.
+workshop-told-one-way = Jest zamknięty: „{ $name }” nie prowadzi z powrotem.
+workshop-told-other-sides = Jest zamknięty: „{ $name }” ma inną liczbę stron.
+workshop-told-not-similar = Jest zamknięty: „{ $name }” ma inny kształt. Daj obu ten sam stosunek szerokości do wysokości.
+workshop-told-ill-placed = Jest zamknięty: on lub „{ $name }” stoi tam, gdzie nie może. Komunikaty mówią dlaczego.

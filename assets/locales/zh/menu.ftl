@@ -5,6 +5,7 @@ menu-resume = 继续游戏
 menu-save = 保存
 menu-save-and-quit = 保存并返回菜单
 menu-begin-anew = 重新开始
+menu-build-here = 在这里建造
 menu-leave-room = 离开房间
 menu-new-game = 新游戏
 menu-load = 载入

@@ -109,7 +109,7 @@ workshop-about-sign = 可以阅读的牌子。
 workshop-part-tunnel = 隧道
 workshop-about-tunnel = 外 4 米，内 20 米，自带墙壁。里面没有弯曲。
 workshop-part-hall = 更大的空间
-workshop-about-hall = 内部大一倍的盒子。进入者会缩小一半。
+workshop-about-hall = 敞开的盒子，内部大一倍。进入者会缩小一半。可以在周围加墙壁，或用房子。
 workshop-part-portals = 一对传送门
 workshop-about-portals = 走进一个，从另一个走出。
 
@@ -146,7 +146,7 @@ workshop-field-outline = 显示边线
 workshop-field-to = 通向
 workshop-field-sentence = 奇特之处
 workshop-field-spawn-at = 起点
-workshop-field-spawn-look = 视线（偏航，俯仰）
+workshop-field-spawn-look = 起点视线（偏航，俯仰）
 workshop-field-gravity = 重力
 workshop-field-sky = 天空
 workshop-field-light = 环境光
@@ -185,7 +185,6 @@ workshop-told-legacy = 论文的规则有缺陷：所见取决于看的方向，
 workshop-told-no-door = 拉伸多于一条轴时墙上没有门。只拉伸一条轴，或把侧面改为柔和。
 workshop-told-astigmatic = 像散：侧面拉伸不均，直线透过它看起来是弯的。
 workshop-told-grazing = 掠过侧面的视线会被压缩。
-workshop-told-unlinked = 它与另一端不相配或没有另一端，处于关闭状态。
 workshop-told-itself = 它通向自己：照见观看者。
 workshop-told-alike = 与“{ $name }”一样大：通过者大小不变。
 workshop-told-grows = 前往“{ $name }”者变大 { $times } 倍。
@@ -241,3 +240,54 @@ workshop-finding-spawn-in-air = { $metres ->
 workshop-finding-open-sides = “{ $name }”的侧面敞开：光线会在那里弯曲。请遮住它们或加上墙壁。
 workshop-finding-fall-out = 步行 { $metres } 米后可能掉出房间。
 workshop-finding-unreached = 从起点步行到不了“{ $name }”。
+
+# Help, and parts of several things.
+workshop-reset-short = 重置
+workshop-menu-help = 帮助
+workshop-do-lesson = 上一课
+workshop-do-examples = 能做什么
+workshop-do-parallel = 无透视
+workshop-do-walls = 隐藏隧道的墙壁
+workshop-field-times-all = 所有轴的拉伸
+workshop-part-house = 内部更大的房子
+workshop-about-house = 4 米的房子，有门。内部大一倍，进入者会缩小一半。
+
+# The lesson.
+workshop-lesson-title = 课程：第 { $number } 步，共 { $of } 步
+workshop-lesson-put = 在部件中点击“内部更大的房子”：它就会出现在你面前。
+workshop-lesson-move = 用左键把房子拖开一点。
+workshop-lesson-choose = 在物体列表中点击“{ $name }”：那是房子里的空间。
+workshop-lesson-stretch = 把“所有轴的拉伸”向右拖：房子内部变大，外面不变。
+workshop-lesson-enter = 按“游玩”（F5），从门走进去。
+workshop-lesson-walk = 从门走进房子。按 F5 回到工坊。
+workshop-lesson-done = 你建成了内部更大的房子。回到工坊（F5），帮助里有更多能做的。
+workshop-lesson-skip = 跳过这一步
+workshop-lesson-end = 结束课程
+
+# What is possible.
+workshop-examples-title = 能做什么
+workshop-examples-about = 每一个都可以复制到你的房间，再在那里更改。
+workshop-examples-copy = 复制到房间
+workshop-examples-copy-named = 把“{ $name }”复制到房间
+workshop-examples-close = 关闭
+workshop-example-tunnel-longer = 内部更长的隧道
+workshop-example-tunnel-longer-about = 旁边走 4 米，里面走 20 米。
+workshop-example-tunnel-shorter = 内部更短的隧道
+workshop-example-tunnel-shorter-about = 旁边走 16 米，里面走 2 米。
+workshop-example-house = 内部更大的房子
+workshop-example-house-about = 外面 4 米，里面 8 米。
+workshop-example-portals = 一对传送门
+workshop-example-portals-about = 走进一个，从另一个走出。
+workshop-example-portals-of-size = 大小不同的传送门
+workshop-example-portals-of-size-about = 从大门走出的人大三倍。
+workshop-example-falling-loop = 无尽的坠落
+workshop-example-falling-loop-about = 从下面落入，从上面出来。
+
+# Partners of portals.
+workshop-link-to = 拖到另一个传送门上。
+workshop-link-partner = 通向“{ $name }”：拖到另一个
+workshop-told-no-partner = 它无处可去，处于关闭状态：请选择它通向的传送门。
+workshop-told-one-way = 处于关闭状态：“{ $name }”不通回。
+workshop-told-other-sides = 处于关闭状态：“{ $name }”的面数不同。
+workshop-told-not-similar = 处于关闭状态：“{ $name }”形状不同。请让两者的宽高比相同。
+workshop-told-ill-placed = 处于关闭状态：它或“{ $name }”所在之处不能有传送门。消息会说明原因。

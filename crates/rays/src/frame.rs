@@ -10,6 +10,8 @@ use crate::options::Options;
 use crate::packed::stack;
 use crate::scene::{Eye, Lamp, MAX_LAMPS, RayScene};
 
+/// How far one sees at least along parallel lines, felt metres.
+const CLEAR_M: f32 = 1e5;
 /// Cosine of the angle of the sun's radius.
 const SUN_COSINE: f64 = 0.9995;
 
@@ -73,6 +75,9 @@ pub struct Frame {
     first_row: u32,
     end_row: u32,
     scale: f32,
+    /// 1 where all is seen along parallel lines, else 0.
+    parallel: u32,
+    padding: [u32; 3],
 }
 
 /// Of a scene's light, an eye, and a part of a picture of `size` pixels.
@@ -83,10 +88,18 @@ pub fn frame(
     options: Options,
     part: &Part,
 ) -> Frame {
-    let half = (0.5 * eye.fov_y_rad).tan();
+    let tangent = (0.5 * eye.fov_y_rad).tan();
+    let half = eye.parallel_m.unwrap_or(tangent);
     let aspect = f64::from(size.0) / f64::from(size.1.max(1));
-    let pixel_angle = 2.0 * half / f64::from(size.1.max(1));
-    let fog_m = scene.fog_m.max(1.0);
+    // Of parallel lines the width of a pixel is that at the distance at which an eye would see as much.
+    let pixel_angle = 2.0 * tangent / f64::from(size.1.max(1));
+    let clear_m = scene.fog_m.max(1.0);
+    // Lines that are parallel begin far away, where fog would hide everything.
+    let fog_m = if eye.parallel_m.is_some() {
+        clear_m.max(CLEAR_M)
+    } else {
+        clear_m
+    };
     let sky = &scene.sky;
     let (sun, sun_colour) =
         (scene.sun.as_ref()).map_or((DVec3::Y, Vec3::ZERO), |sun| (sun.direction, sun.colour));
@@ -124,6 +137,8 @@ pub fn frame(
         first_row: part.rows.start,
         end_row: part.rows.end,
         scale: eye.place.scale as f32,
+        parallel: u32::from(eye.parallel_m.is_some()),
+        padding: [0; 3],
     }
 }
 

@@ -185,6 +185,9 @@ pub struct Eye {
     pub up: DVec3,
     /// Angle between the top and the bottom of the picture, rad.
     pub fov_y_rad: f64,
+    /// Half the height of the picture where all is seen along parallel lines, metres of the scene; none where the lines meet in the
+    /// eye. Such an eye is in no aberration.
+    pub parallel_m: Option<f64>,
 }
 
 impl Default for Material {
@@ -236,11 +239,25 @@ impl Eye {
             right,
             up: right.cross(front),
             fov_y_rad,
+            parallel_m: None,
         }
+    }
+
+    /// Where the light of a place of the picture, from -1 at the left and the bottom to 1, comes in.
+    pub fn start(&self, x: f64, y: f64, aspect: f64) -> Place {
+        let Some(half) = self.parallel_m else {
+            return self.place;
+        };
+        let mut place = self.place;
+        place.point += self.right * (x * half * aspect) + self.up * (y * half);
+        place
     }
 
     /// The felt direction of a place of the picture, from -1 at the left and the bottom to 1; of length 1.
     pub fn direction(&self, x: f64, y: f64, aspect: f64) -> DVec3 {
+        if self.parallel_m.is_some() {
+            return self.front;
+        }
         let half = (0.5 * self.fov_y_rad).tan();
         (self.front + self.right * (x * half * aspect) + self.up * (y * half)).normalize()
     }

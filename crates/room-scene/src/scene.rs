@@ -4,9 +4,10 @@ use antipode_deformation::{Place, Solids, Space, Triangles, Walker};
 use antipode_frame::Hand;
 use antipode_frame::hand::HandMotion;
 use antipode_frame::motion::Motion;
+use antipode_rooms::aberration::Sides;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
-use antipode_rooms::{Assets, Loaded, Room, RoomError};
+use antipode_rooms::{Assets, Loaded, Room, RoomError, What};
 use antipode_workshop::{Document, Plan, Said};
 use glam::DVec3;
 use thiserror::Error;
@@ -22,6 +23,17 @@ use crate::sounds::RoomSound;
 use crate::things::Things;
 use crate::tuning::{PITCH_LIMIT_RAD, SHAPE};
 use crate::walk::{Jumps, Look};
+
+/// A room in which nothing has walls that the game makes. Everything stands at its place among the objects.
+fn without_walls(room: &Room) -> Room {
+    let mut room = room.clone();
+    for object in &mut room.objects {
+        if matches!(&object.what, What::Aberration(it) if it.sides == Sides::Walls) {
+            object.what = What::Group;
+        }
+    }
+    room
+}
 
 /// A place that is not in any room.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
@@ -72,6 +84,8 @@ pub struct RoomScene {
     revision: u64,
     /// Whether what is hidden in the document is left out of solids and pictures.
     leaves_out: bool,
+    /// Whether aberrations with walls of their own are left out of space.
+    leaves_out_walls: bool,
 }
 
 impl RoomScene {
@@ -114,6 +128,7 @@ impl RoomScene {
             lowest_m: 0.0,
             revision: 0,
             leaves_out: false,
+            leaves_out_walls: false,
         };
         scene.work_out();
         scene.begin_anew();
@@ -214,8 +229,10 @@ impl RoomScene {
     /// Works out what the room is made of, after it has changed.
     fn work_out(&mut self) {
         let room = self.document.room();
+        let unwalled = self.leaves_out_walls.then(|| without_walls(room));
         let space = (&mut self.space, &mut self.boxes, &mut self.portals);
-        self.known.renew_space(room, space);
+        self.known
+            .renew_space(unwalled.as_ref().unwrap_or(room), space);
         (self.meshes, self.loose_meshes) = self.known.meshes(room, &self.assets);
         if self.leaves_out {
             let document = &self.document;
@@ -254,6 +271,19 @@ impl RoomScene {
         if changes {
             self.work_out();
         }
+    }
+
+    /// Whether aberrations with walls of their own are left out of space, so that one sees and works in them as they lie in the
+    /// scene.
+    pub fn leave_out_walls(&mut self, leaves_out: bool) {
+        if std::mem::replace(&mut self.leaves_out_walls, leaves_out) != leaves_out {
+            self.work_out();
+        }
+    }
+
+    /// Whether they are.
+    pub fn leaves_out_walls(&self) -> bool {
+        self.leaves_out_walls
     }
 
     /// Something was hidden in the document, or shown again.

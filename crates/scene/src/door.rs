@@ -219,12 +219,7 @@ pub(crate) fn pass(
     body: &mut Body,
 ) -> Option<f64> {
     let (crossing, lifted_m) = world.led_through(before, position.0)?;
-    let pace = pace::share(
-        &*world.strategy,
-        position.0,
-        &crossing,
-        body.0.velocity,
-    );
+    let pace = pace::share(&*world.strategy, position.0, &crossing, body.0.velocity);
     position.0 = crossing.point;
     body.0.feet = crossing.point.pos;
     look.yaw = wrap_angle(look.yaw - crossing.turn_rad);

@@ -44,4 +44,6 @@ pub struct Config {
     pub learnt: BTreeSet<Lesson>,
     /// How the panes of the workshop lie, as its interface writes it; empty for how they lie at first.
     pub panes: String,
+    /// Whether the lesson of the workshop was taken, or left out.
+    pub taught_to_build: bool,
 }

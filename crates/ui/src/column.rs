@@ -4,7 +4,7 @@ use antipode_settings::Value;
 use egui::{FontId, Response, RichText, Ui, UiBuilder};
 
 use crate::layout::{Stops, inset, scroll, steady};
-use crate::model::{Intent, Screen};
+use crate::model::{Intent, OwnRoom, Screen};
 use crate::shell::Pass;
 use crate::theme::{ACCENT, GRID, PANEL, WEAK, small};
 use crate::widgets::column_button;
@@ -90,6 +90,8 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen
     // A pause menu has room for so many.
     let is_shown = |screen: &Screen| match screen {
         Screen::About | Screen::Workshop => !running,
+        // In its place one builds.
+        Screen::Delete => pass.model.own_room != OwnRoom::Walked,
         Screen::Rooms => !running || pass.model.in_room,
         _ => true,
     };
@@ -112,7 +114,19 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen
 /// The buttons of a menu over a world or room that is open.
 fn of_running(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen) {
     let (texts, in_room) = (pass.model.texts, pass.model.in_room);
-    let entries: &[(&str, Intent)] = if in_room {
+    let entries: &[(&str, Intent)] = if pass.model.own_room == OwnRoom::Built {
+        &[
+            ("menu-resume", Intent::Resume),
+            ("menu-leave-room", Intent::SaveAndQuitToMenu),
+        ]
+    } else if pass.model.own_room == OwnRoom::Walked {
+        &[
+            ("menu-resume", Intent::Resume),
+            ("menu-build-here", Intent::BuildHere),
+            ("menu-begin-anew", Intent::BeginAnew),
+            ("menu-leave-room", Intent::SaveAndQuitToMenu),
+        ]
+    } else if in_room {
         &[
             ("menu-resume", Intent::Resume),
             ("menu-begin-anew", Intent::BeginAnew),

@@ -87,6 +87,7 @@ impl ControlsScreen {
         let body = |ui: &mut Ui, stops: &mut Stops| {
             turned |= self.form.show(ui, pass, stops);
             wish = self.lines(ui, pass, stops);
+            of_workshop(ui, texts);
         };
         let title = texts.say("menu-controls");
         long_pane(ui, regions.pane, &title, body, |ui| {
@@ -171,6 +172,15 @@ impl ControlsScreen {
         if bound.is_ok() {
             pass.intents.push(Intent::Bind(Box::new(profiles)));
         }
+    }
+}
+
+/// The keys of the workshop, which are what they are.
+fn of_workshop(ui: &mut Ui, texts: &Texts) {
+    ui.separator();
+    ui.label(RichText::new(texts.say("menu-workshop")).color(ACCENT));
+    for line in crate::workshop::told_keys(texts) {
+        ui.add(Label::new(RichText::new(line).color(WEAK)).wrap());
     }
 }
 

@@ -43,7 +43,9 @@ pub use hud::{
     SpeechModel, Tints, WoundModel, mirror_place, show_hud, tints_of,
 };
 pub use legible::{legible, legible_name};
-pub use model::{Backdrop, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
+pub use model::{
+    Backdrop, GeometryChoice, Intent, MenuModel, OwnRoom, Screen, ToastKind, WorldRow,
+};
 pub use naming::Naming;
 pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, photo_panel, show_photo};
 pub use seed::{SeedError, parse_seed};

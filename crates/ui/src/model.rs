@@ -94,6 +94,8 @@ pub struct MenuModel<'a> {
     pub texts: &'a Texts,
     /// Whether what is behind the menu is a room, of which nothing is saved.
     pub in_room: bool,
+    /// Whether that is a room of the player's own.
+    pub own_room: OwnRoom,
     /// Name of the world or room behind the menu: it stays visible, dimmed. `None`
     /// (also while one is being loaded) puts our own backdrop there.
     pub running_world: Option<&'a str>,
@@ -125,6 +127,18 @@ pub struct MenuModel<'a> {
     pub version: &'a str,
     /// What the about screen tells.
     pub about: &'a AboutModel,
+}
+
+/// Whether a room of the player's own is behind the menu, and what is done in it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OwnRoom {
+    /// There is none.
+    #[default]
+    No,
+    /// It is walked in.
+    Walked,
+    /// It is built in.
+    Built,
 }
 
 /// Which screen is up.
@@ -211,6 +225,8 @@ pub enum Intent {
     NewRoom,
     /// Make a room and build in it.
     BuildNewRoom,
+    /// Build in the room behind the menu.
+    BuildHere,
     /// Build in a room of one's own.
     BuildIn {
         /// [`WorldRow::slug`].

@@ -39,6 +39,8 @@ pub struct Shell {
     covered: Option<Rect>,
     /// What the display shows at the right of the world, below the room for toasts.
     instruments: Rect,
+    /// Where the world is seen, if that is not the whole of the window.
+    tile: Option<Rect>,
     /// How the player came to what is up.
     trail: Trail,
     /// What was left takes the focus, or else the next widget that is first on its screen.
@@ -90,6 +92,7 @@ impl Shell {
             toasts: Toasts::default(),
             covered: None,
             instruments: Rect::NOTHING,
+            tile: None,
             trail: Trail::new(Id::unique(MAIN)),
             focus_first: true,
             by_keyboard: true,
@@ -190,6 +193,11 @@ impl Shell {
         self.covered = covered;
     }
 
+    /// Keeps such lines within the part of the window in which the world is seen, in points; `None` for all of it.
+    pub fn keep_toasts_within(&mut self, tile: Option<Rect>) {
+        self.tile = tile;
+    }
+
     /// Keeps such lines above what the display shows there, in points; what is nowhere is in nobody's way.
     pub fn keep_toasts_above(&mut self, shown: Rect) {
         self.instruments = shown;
@@ -203,6 +211,8 @@ impl Shell {
             let (mut asked, room) = self.show_open(ctx, model);
             intents.append(&mut asked);
             room
+        } else if let Some(tile) = self.tile {
+            Room::in_tile(tile)
         } else if let Some(covered) = self.covered {
             Room::beside(screen, covered)
         } else {

@@ -42,6 +42,15 @@ impl Room {
         }
     }
 
+    /// Of a part of the window in which a world is seen: at its lower right.
+    pub(crate) fn in_tile(tile: Rect) -> Self {
+        let rect = inset(tile, GRID);
+        let width = WIDTH.min(rect.width()).max(1.0);
+        let top = rect.center().y.min(rect.max.y - 1.0);
+        let rect = rect.with_min_x(rect.max.x - width).with_min_y(top);
+        Self { rect, waits: false }
+    }
+
     /// Above a dialog, if there is room.
     pub(crate) fn above(screen: Rect, dialog: Rect) -> Self {
         let rect = Self::in_world(screen, Rect::NOTHING).rect;

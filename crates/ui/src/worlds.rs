@@ -31,6 +31,8 @@ pub(crate) struct WorldScreens {
     import: Option<import::Form>,
     /// The directory of the world whose deletion is being asked about.
     doomed: Option<String>,
+    /// How often one has come to them: a list is at its top then.
+    visits: u32,
 }
 
 impl WorldScreens {
@@ -45,6 +47,7 @@ impl WorldScreens {
     pub(crate) fn reset(&mut self, kind: Kind) {
         *self = Self {
             kind,
+            visits: self.visits.wrapping_add(1),
             ..Self::default()
         };
     }
@@ -107,7 +110,8 @@ impl WorldScreens {
             }
             return done;
         }
-        match list::show(ui, pass, kind, list::Purpose::Load) {
+        let list = |ui: &mut Ui| list::show(ui, pass, kind, list::Purpose::Load);
+        match ui.push_id(self.visits, list).inner {
             Some(Choice::Row(row)) => {
                 enter(pass, kind, row);
                 false

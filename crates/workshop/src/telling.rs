@@ -89,7 +89,9 @@ pub(crate) fn told(room: &Room, edit: &Edit) -> Said {
         Edit::Duplicate { names, .. } => Said::of("duplicate", names),
         Edit::Array(array) => Said::of("array", &array.names),
         Edit::Paste { clip, .. } => {
-            let names: Vec<_> = clip.objects.iter().map(|it| it.name.clone()).collect();
+            // What groups carry comes with them.
+            let roots = clip.objects.iter().filter(|it| it.group.is_none());
+            let names: Vec<_> = roots.map(|it| it.name.clone()).collect();
             Said::of("paste", &names)
         }
         Edit::Room(_) => Said::new("room"),

@@ -230,6 +230,7 @@ impl Game {
             Phase::InRoom(visit) if visit.is_drawn => {
                 let feel = (!self.overlays.are_up()).then(|| Feel::from(settings));
                 visit.advance(passed, &mut self.play.pace, &mut self.devices, feel);
+                self.watch_lesson();
             }
             Phase::InRoom(_) | Phase::RoomPaused(_) => {}
             Phase::Paused(session) => {
@@ -293,10 +294,11 @@ impl Game {
     pub fn room_view(&mut self, aspect: f64) -> Option<RoomView> {
         let (shutter, quality) = (self.shutter(), self.play.worlds.quality());
         let with_hand = !self.display.hidden;
+        let is_paused = self.play.phase.is_paused();
         let visit = self.play.phase.visit_mut()?;
         visit.aspect = aspect;
         visit.room.fit(&self.options.config.settings);
-        if let Some(view) = visit.workshop_view() {
+        if let Some(view) = visit.workshop_view(is_paused.then_some(aspect)) {
             return Some(view);
         }
         Some(visit.view(shutter, quality, with_hand))

@@ -103,6 +103,10 @@ impl Game {
             Intent::Resume => self.resume(),
             Intent::Save => self.play.save(),
             Intent::BeginAnew => self.begin_anew(),
+            Intent::BuildHere => {
+                self.resume();
+                self.toggle_workshop();
+            }
             Intent::SaveAndQuitToMenu => self.leave(Next::Menu),
             Intent::NewGame {
                 name,

@@ -7,7 +7,7 @@ use antipode_language::{Texts, Value};
 use antipode_scene::tuning::walk_speed_m_s;
 use antipode_settings::{Config, Notice, Settings};
 use antipode_ui::{
-    AboutModel, Backdrop, Intent, MenuModel, Screen, Shell, ToastKind, legible_name,
+    AboutModel, Backdrop, Intent, MenuModel, OwnRoom, Screen, Shell, ToastKind, legible_name,
 };
 
 use super::phase::Phase;
@@ -200,6 +200,7 @@ impl Menus {
             running_world: running.as_deref(),
             backdrop,
             in_room: phase.visit().is_some(),
+            own_room: own_room(phase),
             worlds: &worlds,
             rooms: &room_rows,
             config,
@@ -228,6 +229,15 @@ impl Menus {
         let percent = percent as u32;
         let values = [("adapter", adapter.into()), ("percent", percent.into())];
         Some(self.texts.say_with("adapter-software", &values))
+    }
+}
+
+/// What is done in a room of the player's own that is behind the menu.
+fn own_room(phase: &Phase) -> OwnRoom {
+    match phase {
+        Phase::RoomPaused(visit) if visit.workshop.is_some() => OwnRoom::Built,
+        Phase::RoomPaused(visit) if visit.file().is_some() => OwnRoom::Walked,
+        _ => OwnRoom::No,
     }
 }
 

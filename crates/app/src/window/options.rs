@@ -98,6 +98,14 @@ impl Options {
         }
     }
 
+    /// Has the file keep whether the lesson of the workshop was taken.
+    pub fn keep_taught_to_build(&mut self, taught: bool) {
+        if taught != self.config.taught_to_build {
+            self.config.taught_to_build = taught;
+            self.keeper.save(&self.config);
+        }
+    }
+
     /// Has the file keep what was learnt, where that is something else than before.
     pub fn keep_learnt(&mut self, learnt: BTreeSet<Lesson>) {
         if learnt != self.config.learnt {

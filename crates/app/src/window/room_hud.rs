@@ -8,6 +8,7 @@ use antipode_settings::Profiles;
 use antipode_ui::{HudModel, RoomModel, first_input_label};
 
 use super::visit::Visit;
+use super::workshop::Lesson;
 use crate::bindings::Action;
 use crate::wording;
 
@@ -32,10 +33,16 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
     };
     let mut state = match visit.room.look {
         View::Plain => Vec::new(),
-        _ => state(texts, scene.sizes()),
+        _ => {
+            let is_outside = scene.eye().place.stack.is_empty();
+            state(texts, scene.sizes(), is_outside)
+        }
     };
     if is_new {
-        state.push(keys(texts, profiles));
+        state.push(keys(texts, profiles, visit.file().is_some()));
+    }
+    if visit.lesson.as_ref().is_some_and(Lesson::is_at_the_door) {
+        state.push(texts.say("workshop-lesson-walk"));
     }
     HudModel {
         fps,
@@ -55,7 +62,7 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
 }
 
 /// What the keys do that are for rooms in another way than for worlds.
-fn keys(texts: &Texts, profiles: &Profiles) -> String {
+fn keys(texts: &Texts, profiles: &Profiles, is_own: bool) -> String {
     let values = [
         ("look", Action::OtherMap),
         ("camera", Action::Camera),
@@ -68,7 +75,13 @@ fn keys(texts: &Texts, profiles: &Profiles) -> String {
         ("edges", Action::HitShapes),
     ]
     .map(|(name, action)| (name, first_input_label(texts, profiles, action).into()));
-    texts.say_with("room-keys", &values)
+    let said = texts.say_with("room-keys", &values);
+    if !is_own {
+        return said;
+    }
+    let key = first_input_label(texts, profiles, Action::Workshop);
+    let own = texts.say_with("room-keys-own", &[("build", key.into())]);
+    format!("{said} · {own}")
 }
 
 /// By which rule the picture is made, if not by the game's own, and what the middle of it shows by either.
@@ -130,7 +143,7 @@ fn differ(a: f64, b: f64) -> bool {
 }
 
 /// How large one is, where that is not one's own size. Who is narrower along one direction only has not another size.
-fn state(texts: &Texts, sizes: Sizes) -> Vec<String> {
+fn state(texts: &Texts, sizes: Sizes, is_outside: bool) -> Vec<String> {
     let told = |what: &str, scale: f64| {
         let (key, times) = if scale < 1.0 {
             ("room-smaller", 1.0 / scale)
@@ -150,7 +163,9 @@ fn state(texts: &Texts, sizes: Sizes) -> Vec<String> {
         let both = [told("-level", level), told("-up", up)];
         return both.into_iter().flatten().collect();
     }
-    told("", level).into_iter().collect()
+    // Who is in no aberration has been made larger or smaller by portals.
+    let what = if is_outside { "-began" } else { "" };
+    told(what, level).into_iter().collect()
 }
 
 #[cfg(test)]
@@ -188,7 +203,7 @@ mod tests {
 
     #[test]
     fn one_is_told_how_large_one_is_along_the_floor_and_in_height() {
-        let told = |up, level| state(&Texts::default(), Sizes { up, level }).join("; ");
+        let told = |up, level| state(&Texts::default(), Sizes { up, level }, false).join("; ");
         assert_eq!(told(1.0, [1.0, 1.0]), "");
         assert_eq!(told(1.0, [0.1, 1.0]), "", "flat, but of one's own size");
         let alike = told(0.5, [0.5, 0.5]);
@@ -198,5 +213,12 @@ mod tests {
         assert!(!twice.contains("height"), "{twice}");
         let both = told(0.5, [1.0 / 3.0, 1.0 / 3.0]);
         assert!(both.contains("floor you are 3.0") && both.contains("height you are 2.0"));
+    }
+
+    #[test]
+    fn who_has_grown_by_portals_and_is_outside_is_not_told_of_an_outside() {
+        let (up, level) = (8.0, [8.0, 8.0]);
+        let told = state(&Texts::default(), Sizes { up, level }, true).join("; ");
+        assert_eq!(told, "You are 8.0 times larger than at the start");
     }
 }

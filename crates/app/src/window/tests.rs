@@ -20,6 +20,7 @@ mod sprint;
 mod standing;
 mod views;
 mod workshop;
+mod workshop_pictures;
 
 use std::fs;
 use std::path::{Path, PathBuf};

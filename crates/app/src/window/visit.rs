@@ -14,13 +14,16 @@ use glam::DVec2;
 use super::devices::Devices;
 use super::pace::Pace;
 use super::placelist::ROOM_PICTURE;
-use super::workshop::Workshop;
+use super::workshop::{Lesson, Workshop};
 use crate::pad::Feel;
 use crate::room_picture::RoomView;
 use crate::rooms::OpenRoom;
 
 /// How long one is told what is strange in a room that one has just entered, seconds.
 const TOLD_S: f64 = 9.0;
+
+/// A frame counts for so much of that at most, seconds.
+const READ_S: f64 = 0.25;
 
 /// Tells pictures of a room from those of others, and of the same before it was changed.
 pub type RoomId = (u64, u64);
@@ -42,6 +45,8 @@ pub struct Visit {
     pub(super) dir: PathBuf,
     /// What it is built with, while it is.
     pub(super) workshop: Option<Box<Workshop>>,
+    /// The lesson of that, if it is taken.
+    pub(super) lesson: Option<Lesson>,
     /// Width over height of its pictures.
     pub(super) aspect: f64,
 }
@@ -53,6 +58,7 @@ impl Visit {
             room,
             dir,
             workshop: None,
+            lesson: None,
             number,
             time_s: 0.0,
             is_drawn: false,
@@ -119,7 +125,8 @@ impl Visit {
         devices: &mut Devices,
         feel: Option<Feel>,
     ) {
-        self.time_s += passed.as_secs_f64();
+        // What a slow frame takes nobody has had to read in.
+        self.time_s += passed.as_secs_f64().min(READ_S);
         let (steps, passed_s) = pace.go_on(passed);
         devices.turn(feel, passed_s);
         for _ in 0..steps {

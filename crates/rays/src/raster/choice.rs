@@ -38,7 +38,7 @@ pub struct Sight<'a> {
 /// How a picture is made best.
 pub fn way(sight: &Sight<'_>) -> Way {
     match sight.view {
-        _ if sight.outlines => Way::Rays,
+        _ if sight.outlines || sight.eye.parallel_m.is_some() => Way::Rays,
         View::Plain if sight.space.portals().is_empty() => Way::Plain,
         View::Exact if !(is_in_bend(sight) || is_at_face(sight) || is_at_portal(sight)) => {
             Way::Doors

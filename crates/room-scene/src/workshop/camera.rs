@@ -26,6 +26,9 @@ pub struct FreeCamera {
     pub aim_deg: DVec2,
     /// Felt metres ahead to what it turns about.
     pub pivot_m: f64,
+    /// Where all is seen along parallel lines: how far from the origin anything of the room is, metres. None where the lines meet in
+    /// an eye.
+    pub parallel: Option<f64>,
 }
 
 /// A side from which a room is looked at.
@@ -43,7 +46,7 @@ impl Facing {
     /// Where one looks then: (yaw, pitch), degrees.
     pub fn aim_deg(self) -> DVec2 {
         match self {
-            Self::Top => DVec2::new(-90.0, -PITCH_LIMIT_RAD.to_degrees()),
+            Self::Top => DVec2::new(-90.0, -90.0),
             Self::Front => DVec2::new(-90.0, 0.0),
             Self::Side => DVec2::new(180.0, 0.0),
         }
@@ -61,6 +64,7 @@ impl FreeCamera {
             place,
             aim_deg: aim(front),
             pivot_m: 6.0,
+            parallel: None,
         }
     }
 
@@ -71,10 +75,23 @@ impl FreeCamera {
         (front, right, right.cross(front))
     }
 
-    /// The eye of its pictures.
-    pub fn eye(&self, fov_y_rad: f64) -> Eye {
+    /// The eye of its pictures. Along parallel lines it shows as much as it would see of a plane through what it turns about, from
+    /// so far off that all of the room is before it.
+    pub fn eye(&self, space: &Space, fov_y_rad: f64) -> Eye {
         let (front, _, _) = self.axes();
-        Eye::looking(self.place, front, DVec3::Y, fov_y_rad)
+        let Some(radius_m) = self.parallel else {
+            return Eye::looking(self.place, front, DVec3::Y, fov_y_rad);
+        };
+        let (pivot, _) = go(space, &self.place, front, self.pivot_m);
+        let half_m = self.pivot_m * (0.5 * fov_y_rad).tan();
+        let away_m = radius_m + pivot.point.length() + 1.0;
+        let place = Place::at(space, pivot.point - front * away_m);
+        // An eye there that saw as much would have this angle: by it pixels are as wide as they are.
+        let narrow_rad = 2.0 * (half_m / away_m).atan();
+        Eye {
+            parallel_m: Some(half_m),
+            ..Eye::looking(place, front, DVec3::Y, narrow_rad)
+        }
     }
 
     /// Turns it where it is, radians to the right and upwards.
@@ -126,7 +143,10 @@ impl FreeCamera {
         let front = self.axes().0;
         let (place, turn) = go(space, pivot, -front, self.pivot_m);
         self.place = place;
-        self.aim_deg = aim(turn * front);
+        // Who looks straight down looks to no side, so nothing but a turn by portals gives them another.
+        if turn != DQuat::IDENTITY {
+            self.aim_deg = aim(turn * front);
+        }
     }
 }
 
@@ -171,9 +191,31 @@ impl RoomScene {
     /// From where a free camera sees it, in pictures of that width over height.
     pub fn viewpoint(&self, camera: &FreeCamera, aspect: f64) -> Viewpoint {
         Viewpoint {
-            eye: camera.eye(self.viewing.fov_y_rad),
+            eye: camera.eye(&self.space, self.viewing.fov_y_rad),
             aspect,
         }
+    }
+
+    /// How far from the origin anything of it is, metres.
+    pub fn radius_m(&self) -> f64 {
+        let corners = self
+            .meshes
+            .iter()
+            .chain(&self.loose_meshes)
+            .flat_map(|mesh| {
+                let all = mesh.shape.positions.iter();
+                all.map(|it| mesh.pose.transform_point3(*it).length())
+            });
+        let of_space = self.space.placed().iter().map(|placed| {
+            let it = &placed.aberration;
+            it.centre.length() + it.half.length()
+        });
+        let of_portals = self.space.portals().iter().flat_map(|portal| {
+            let corners = portal.corners.iter();
+            corners.map(|corner| corner.length())
+        });
+        let all = corners.chain(of_space).chain(of_portals);
+        all.fold(1.0, f64::max)
     }
 
     /// What pictures show while it is changed: what stands in it, and nobody who walks.

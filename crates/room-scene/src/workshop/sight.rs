@@ -9,6 +9,9 @@ use glam::{DVec2, DVec3};
 use crate::scene::RoomScene;
 use crate::tuning::PICK_M;
 
+/// From so high above a point the ground below it is looked for, and so far down, metres.
+const ABOVE_M: f64 = 1.0;
+const DOWN_M: f64 = 4.0;
 /// Surfaces in a row that are left out at most.
 const MOST_LEFT_OUT: u32 = 256;
 
@@ -27,8 +30,17 @@ impl Viewpoint {
         self.eye.direction(at.x, at.y, self.aspect)
     }
 
-    /// Where a felt direction is in the picture; none behind the eye.
+    /// Where the light of a place of the picture comes in.
+    pub fn start(&self, at: DVec2) -> Place {
+        self.eye.start(at.x, at.y, self.aspect)
+    }
+
+    /// Where in the picture a way from the eye would end, felt metres; none behind the eye.
     pub fn place_of(&self, w: DVec3) -> Option<DVec2> {
+        if let Some(half) = self.eye.parallel_m {
+            let at = DVec2::new(self.eye.right.dot(w) / self.aspect, self.eye.up.dot(w));
+            return Some(at / half);
+        }
         let depth = self.eye.front.dot(w);
         let half = (0.5 * self.eye.fov_y_rad).tan();
         let at = DVec2::new(self.eye.right.dot(w) / self.aspect, self.eye.up.dot(w));
@@ -100,7 +112,7 @@ impl RoomScene {
             place: path.place,
             normal: hit.normal,
             felt_m: path.length,
-            chain: Chain::of(&self.space, &view.eye.place, &path),
+            chain: Chain::of(&self.space, &view.start(at), &path),
         })
     }
 
@@ -110,7 +122,7 @@ impl RoomScene {
             solids: &self.solids,
             hidden,
         };
-        let start = &view.eye.place;
+        let start = &view.start(at);
         let who = Traveller::Body;
         let w = view.direction(at);
         let path = trace(&self.space, start, w, PICK_M, &solids, &who);
@@ -122,6 +134,14 @@ impl RoomScene {
             felt_m: path.length,
             chain: Chain::of(&self.space, start, &path),
         })
+    }
+
+    /// The ground below a point of the scene; none where there is none near by.
+    pub fn ground_below(&self, point: DVec3) -> Option<DVec3> {
+        let from = Place::at(&self.space, point + DVec3::Y * ABOVE_M);
+        let who = Traveller::Body;
+        let path = trace(&self.space, &from, DVec3::NEG_Y, DOWN_M, &self.solids, &who);
+        path.hit().map(|_| path.place.point)
     }
 
     /// All that can be meant by a place of the picture, by their places among the objects: what is seen, then the aberrations
@@ -145,6 +165,6 @@ impl RoomScene {
     fn path_of(&self, view: &Viewpoint, at: DVec2) -> Trace {
         let w = view.direction(at);
         let who = Traveller::Body;
-        trace(&self.space, &view.eye.place, w, PICK_M, &self.solids, &who)
+        trace(&self.space, &view.start(at), w, PICK_M, &self.solids, &who)
     }
 }

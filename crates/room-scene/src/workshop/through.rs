@@ -41,7 +41,7 @@ impl<'a> Through<'a> {
     /// The ray behind the chain of a place of the picture.
     pub fn leg(&self, at: DVec2) -> Option<Leg> {
         let w = self.view.direction(at);
-        let start = &self.view.eye.place;
+        let start = &self.view.start(at);
         self.chain.follow(self.space, start, w, &Traveller::Body)
     }
 
@@ -162,21 +162,25 @@ impl RoomScene {
 
     /// The nearest way by which a point of the room could be seen if nothing stood before it, and where in the picture. The way
     /// is the straight one, and the aberrations that it goes through; none where that does not lead there. What is `beside` is gone
-    /// by as if it were not there: an aberration, by its place among the objects, is itself held from outside.
+    /// by as if it were not there: an aberration, by its place among the objects, is itself held from outside, and so are those of a group.
     pub fn way_to(
         &self,
         view: &Viewpoint,
         point: DVec3,
-        beside: Option<usize>,
+        beside: &[usize],
     ) -> Option<(Through<'_>, DVec2)> {
-        let own = beside.and_then(|object| self.boxes.iter().position(|it| *it == object));
+        let boxes = self.boxes.iter().enumerate();
+        let own: Vec<usize> = boxes
+            .filter(|(_, object)| beside.contains(object))
+            .map(|(number, _)| number)
+            .collect();
         let start = &view.eye.place;
         let wanted = Place::at(&self.space, point);
         let k = self.space.carry(start, view.eye.front, &Traveller::Body);
         let mut at = view.place_of(k.inverse() * (point - start.point))?;
         let mut chain = Chain::default();
         for _ in 0..8 {
-            let (found, nearest) = self.chain_near(view, at, (&wanted, own))?;
+            let (found, nearest) = self.chain_near(view, at, (&wanted, &own))?;
             let through = self.through(view, found.clone());
             let seen = through.seen_at(point, at).unwrap_or(nearest);
             let settled = found == chain && view.apart(seen, at) < NEAR.sqrt();
@@ -195,11 +199,11 @@ impl RoomScene {
         &self,
         view: &Viewpoint,
         at: DVec2,
-        (wanted, beside): (&Place, Option<usize>),
+        (wanted, beside): (&Place, &[usize]),
     ) -> Option<(Chain, DVec2)> {
-        let around = |number: &usize| Some(*number) != beside;
+        let around = |number: &usize| !beside.contains(number);
         let boxes: Vec<_> = wanted.stack.iter().filter(around).collect();
-        let start = &view.eye.place;
+        let start = &view.start(at);
         let w = view.direction(at);
         let who = Traveller::Body;
         let path = trace(&self.space, start, w, PICK_M, &Void, &who);
@@ -207,11 +211,13 @@ impl RoomScene {
         let lengths = (0..=whole.len()).filter_map(|count| {
             let chain = whole.first(count);
             let leg = chain.follow(&self.space, start, w, &who)?;
-            if !leg.place.stack.iter().eq(boxes.iter().copied()) {
+            let stack = leg.place.stack.iter().filter(around);
+            if !stack.eq(boxes.iter().copied()) {
                 return None;
             }
             let to = wanted.point - leg.place.point;
-            let miss = to.reject_from(leg.velocity).length();
+            // Of ways that miss it alike the shortest is meant.
+            let miss = to.reject_from(leg.velocity).length() + NEAR * count as f64;
             Some((miss, chain))
         });
         let best = lengths.min_by(|a, b| a.0.total_cmp(&b.0));

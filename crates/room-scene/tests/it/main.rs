@@ -14,6 +14,7 @@ mod eyes;
 mod figure;
 mod hands;
 mod large;
+mod parallel;
 mod picture;
 mod portals;
 mod raster;

@@ -166,7 +166,7 @@ fn what_is_chosen_in_the_list_is_found_in_the_picture_where_it_is_seen() {
                     continue;
                 }
                 all += 1;
-                let Some((through, there)) = scene.way_to(&view, point, None) else {
+                let Some((through, there)) = scene.way_to(&view, point, &[]) else {
                     continue;
                 };
                 // It may be seen by more ways than one; each leads to it.
@@ -187,7 +187,7 @@ fn steps_of_the_grid_and_of_turns_hold_places_and_angles() {
     let scene = empty();
     let view = scene.viewpoint(&FreeCamera::of(&scene.eye()), 1.5);
     let origin = DVec3::new(0.1, 0.6, -5.0);
-    let (through, at) = scene.way_to(&view, origin, None).unwrap();
+    let (through, at) = scene.way_to(&view, origin, &[]).unwrap();
     let snap = Snap {
         grid_m: 0.25,
         turn_deg: 15.0,
@@ -225,7 +225,7 @@ fn a_free_camera_goes_round_what_it_looks_at_and_through_portals() {
     for _ in 0..8 {
         camera.orbit(scene.space(), 0.4, -0.05);
         let view = scene.viewpoint(&camera, 1.0);
-        if let Some((through, at)) = scene.way_to(&view, target, None)
+        if let Some((through, at)) = scene.way_to(&view, target, &[])
             && through.chain.is_empty()
         {
             assert!(view.apart(at, DVec2::ZERO) < 1e-6, "{at}");
@@ -254,7 +254,7 @@ fn an_aberration_is_held_from_outside_whatever_is_seen_in_it() {
         let Some(wanted) = view.place_of(straight) else {
             continue;
         };
-        let (through, at) = scene.way_to(&view, point, Some(index)).unwrap();
+        let (through, at) = scene.way_to(&view, point, &[index]).unwrap();
         assert!(through.chain.is_empty());
         assert!(view.apart(at, wanted) < 1e-6, "{at} {wanted}");
         found += 1;

@@ -141,9 +141,8 @@ fn a_bullet_keeps_its_speed_in_the_space_between_leaves_of_other_latitudes_and_h
         put_up(&mut scene, leaves);
         let strategy = scene.strategy().clone();
         for (from, back) in [(0, 1.0), (1, -1.0)] {
-            let way = leaves[from].through() * (9.0 * back)
-                + leaves[from].aside() * 2.0
-                + DVec3::Y * 3.0;
+            let way =
+                leaves[from].through() * (9.0 * back) + leaves[from].aside() * 2.0 + DVec3::Y * 3.0;
             let start = leaves[from].place(DVec3::new(-0.08 * back, 1.3, 0.0));
             scene.throw_bullet(start, way);
             let thrown_m_s = strategy.in_frame(start, way).length();

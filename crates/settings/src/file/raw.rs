@@ -11,6 +11,8 @@ pub(super) struct Raw {
     pub learnt: Option<Value>,
     /// How the panes of the workshop lie.
     pub panes: Option<Value>,
+    /// Whether the lesson of the workshop was taken.
+    pub taught_to_build: Option<Value>,
     /// The name of the profile in use.
     pub chosen: Option<Value>,
     pub profiles: Vec<RawProfile>,
@@ -35,6 +37,7 @@ pub(super) fn whole(text: &str) -> Option<Raw> {
             "profile" => raw.chosen = Some(value),
             "learnt" => raw.learnt = Some(value),
             "panes" => raw.panes = Some(value),
+            "taught_to_build" => raw.taught_to_build = Some(value),
             "settings" => raw.settings = entries(value)?,
             "profiles" => {
                 let Value::Seq(profiles) = value else {
@@ -83,6 +86,7 @@ pub(super) fn lines(text: &str) -> Raw {
             }),
             ("learnt", Value::Seq(_)) => raw.learnt = Some(value),
             ("panes", Value::String(_)) => raw.panes = Some(value),
+            ("taught_to_build", Value::Bool(_)) => raw.taught_to_build = Some(value),
             (_, Value::Seq(_)) => {
                 if let Some(profile) = raw.profiles.last_mut() {
                     profile.keys.push((name, value));

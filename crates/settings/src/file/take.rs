@@ -78,6 +78,7 @@ pub fn read(bytes: &[u8]) -> Reading {
     take_profiles(&mut config, &raw, &mut notices);
     config.learnt = learnt(raw.learnt.as_ref());
     config.panes = panes(raw.panes.as_ref());
+    config.taught_to_build = raw.taught_to_build == Some(Value::Bool(true));
     notices.extend(raw.others.iter().map(|(name, _)| unknown(name)));
     notices.truncate(MOST_NOTICES);
     Reading {

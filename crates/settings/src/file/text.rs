@@ -21,6 +21,7 @@ struct File<'a> {
     learnt: Vec<&'static str>,
     /// How the panes of the workshop lie.
     panes: &'a str,
+    taught_to_build: bool,
     profile: &'a str,
     profiles: Vec<OneProfile<'a>>,
 }
@@ -45,6 +46,7 @@ pub fn write(config: &Config) -> Result<String, String> {
         settings: AllSettings(&config.settings),
         learnt: config.learnt.iter().map(|lesson| lesson.id()).collect(),
         panes: &config.panes,
+        taught_to_build: config.taught_to_build,
         profile: profiles.chosen().name(),
         profiles: profiles
             .all()

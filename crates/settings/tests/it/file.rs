@@ -57,6 +57,7 @@ fn changed() -> Config {
     config.settings.language = Language::Polish;
     config.learnt = [Lesson::Dig, Lesson::Walk].into();
     "row(0.5 tabs(view*) 0.5 tabs(list parts*))".clone_into(&mut config.panes);
+    config.taught_to_build = true;
     config.profiles.add("Left \"hand\", {()}").unwrap();
     let own = config.profiles.chosen_mut();
     own.bind(Action::Jump, Input::named("Mouse4").unwrap())

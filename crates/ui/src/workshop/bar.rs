@@ -4,7 +4,8 @@ use antipode_language::Value;
 use egui::{Rect, Response, Ui, UiBuilder};
 
 use super::keys::shortcut_label;
-use super::model::{ToolChoice, ViewSide, WorkshopModel, WorkshopWish};
+use super::lesson;
+use super::model::{LessonTarget, ToolChoice, ViewSide, WorkshopModel, WorkshopWish};
 use crate::layout::inset;
 use crate::theme::{GRID, PANEL};
 use crate::widgets::focus_ring;
@@ -12,12 +13,13 @@ use crate::widgets::focus_ring;
 /// Steps of the grid that one can choose, metres.
 const GRIDS_M: [f64; 2] = [0.25, 1.0];
 
-/// Draws it; returns where it ends.
+/// Draws it; returns where it ends. `examples`: whether the page of what is possible is up.
 pub(super) fn show(
     ui: &mut Ui,
     screen: Rect,
     model: &WorkshopModel<'_>,
     wishes: &mut Vec<WorkshopWish>,
+    examples: &mut bool,
 ) -> f32 {
     let painter = ui.painter().clone();
     let background = painter.add(egui::Shape::Noop);
@@ -25,7 +27,7 @@ pub(super) fn show(
     let mut ui = ui.new_child(UiBuilder::new().id_salt("bar").max_rect(inner));
     let bottom =
         ui.horizontal_wrapped(|ui| {
-            buttons(ui, model, wishes);
+            buttons(ui, model, wishes, examples);
         })
         .response
         .rect
@@ -36,7 +38,12 @@ pub(super) fn show(
     bottom
 }
 
-fn buttons(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
+fn buttons(
+    ui: &mut Ui,
+    model: &WorkshopModel<'_>,
+    wishes: &mut Vec<WorkshopWish>,
+    examples: &mut bool,
+) {
     let (texts, bar) = (model.texts, model.bar);
     let mut push = |clicked: bool, wish: WorkshopWish| {
         if clicked {
@@ -85,11 +92,16 @@ fn buttons(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish
         WorkshopWish::OnSurfaces(!bar.on_surfaces),
     );
     ui.separator();
-    menus(ui, model, wishes);
+    menus(ui, model, wishes, examples);
 }
 
 /// What is not asked for at every moment.
-fn menus(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
+fn menus(
+    ui: &mut Ui,
+    model: &WorkshopModel<'_>,
+    wishes: &mut Vec<WorkshopWish>,
+    examples: &mut bool,
+) {
     let (texts, bar) = (model.texts, model.bar);
     ui.menu_button(texts.say("workshop-menu-edit"), |ui| {
         let chosen = bar.has_chosen;
@@ -104,7 +116,7 @@ fn menus(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>)
             ("delete", chosen, WorkshopWish::Delete),
             ("choose-all", true, WorkshopWish::ChooseAll(true)),
         ] {
-            if entry(ui, model, id, (false, enabled)).clicked() {
+            if line(ui, model, id, (false, enabled)).clicked() {
                 wishes.push(wish);
                 ui.close();
             }
@@ -112,18 +124,24 @@ fn menus(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>)
     });
     ui.menu_button(texts.say("workshop-menu-view"), |ui| {
         let mut pushed = Vec::new();
-        if entry(ui, model, "focus", (false, bar.has_chosen)).clicked() {
+        if line(ui, model, "focus", (false, bar.has_chosen)).clicked() {
             pushed.push(WorkshopWish::Focus);
         }
         for side in ViewSide::ALL {
-            if entry(ui, model, side.id(), (false, true)).clicked() {
+            if line(ui, model, side.id(), (false, true)).clicked() {
                 pushed.push(WorkshopWish::Face(side));
             }
         }
-        if entry(ui, model, "flies", (bar.flies, true)).clicked() {
+        if line(ui, model, "parallel", (bar.parallel, true)).clicked() {
+            pushed.push(WorkshopWish::Parallel(!bar.parallel));
+        }
+        if line(ui, model, "walls", (bar.hides_walls, true)).clicked() {
+            pushed.push(WorkshopWish::HideWalls(!bar.hides_walls));
+        }
+        if line(ui, model, "flies", (bar.flies, true)).clicked() {
             pushed.push(WorkshopWish::Flies(!bar.flies));
         }
-        if entry(ui, model, "raster", (bar.raster, true)).clicked() {
+        if line(ui, model, "raster", (bar.raster, true)).clicked() {
             pushed.push(WorkshopWish::Raster(!bar.raster));
         }
         if !pushed.is_empty() {
@@ -131,18 +149,46 @@ fn menus(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>)
             ui.close();
         }
     });
+    ui.menu_button(texts.say("workshop-menu-help"), |ui| {
+        if line(ui, model, "lesson", (false, true)).clicked() {
+            wishes.push(WorkshopWish::BeginLesson);
+            ui.close();
+        }
+        if line(ui, model, "examples", (false, true)).clicked() {
+            *examples = true;
+            ui.close();
+        }
+    });
+}
+
+/// A line of a menu, with its key beside it.
+fn line(
+    ui: &mut Ui,
+    model: &WorkshopModel<'_>,
+    id: &'static str,
+    (chosen, enabled): (bool, bool),
+) -> Response {
+    let label = model.texts.say(&format!("workshop-do-{id}"));
+    let mut button = egui::Button::new(label).selected(chosen);
+    if let Some(key) = shortcut_label(model.texts, id) {
+        button = button.shortcut_text(key);
+    }
+    let response = ui.add_enabled(enabled, button);
+    focus_ring(ui, &response);
+    response
 }
 
 /// A button, with its key as what is told where the pointer rests.
 fn entry(
     ui: &mut Ui,
     model: &WorkshopModel<'_>,
-    id: &str,
+    id: &'static str,
     (chosen, enabled): (bool, bool),
 ) -> Response {
     let label = model.texts.say(&format!("workshop-do-{id}"));
     let response = ui.add_enabled(enabled, egui::Button::new(label).selected(chosen));
     focus_ring(ui, &response);
+    lesson::point_out(ui, model, &LessonTarget::Do(id), response.rect);
     match shortcut_label(model.texts, id) {
         Some(key) => response.on_hover_text(key),
         None => response,

@@ -1,20 +1,29 @@
 //! What can be changed of what is chosen, field by field.
 
+use egui::scroll_area::ScrollBarVisibility;
 use egui::{Label, RichText, ScrollArea, Ui};
 
 use super::field;
-use super::model::{FieldKind, FieldRow, WorkshopModel, WorkshopWish};
+use super::lesson;
+use super::model::{FieldKind, FieldRow, LessonTarget, WorkshopModel, WorkshopWish};
 use crate::theme::{ACCENT, TEXT, WEAK};
 use crate::widgets::focus_ring;
 
 /// Draws it.
 pub(super) fn show(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
     ui.add(Label::new(RichText::new(model.chosen).color(TEXT).strong()).truncate());
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+    // A bar that comes and goes would change how wide the fields are.
+    let bar = ScrollBarVisibility::AlwaysVisible;
+    let area = ScrollArea::vertical().scroll_bar_visibility(bar);
+    area.auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
         ui.spacing_mut().interact_size.y = 18.0;
         for row in model.fields {
+            let from = ui.cursor().min;
             ui.push_id(&row.key, |ui| self::row(ui, model, row, wishes));
+            let to = egui::pos2(ui.max_rect().max.x, ui.cursor().min.y);
+            let target = LessonTarget::Field(row.key.clone());
+            lesson::point_out(ui, model, &target, egui::Rect::from_min_max(from, to));
         }
     });
 }
@@ -30,7 +39,8 @@ fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<
         if !row.is_default {
             let values = [("name", row.label.as_str().into())];
             let label = model.texts.say_with("workshop-reset", &values);
-            let button = egui::Button::new(RichText::new("×").color(WEAK)).small();
+            let words = RichText::new(model.texts.say("workshop-reset-short"));
+            let button = egui::Button::new(words.color(WEAK).small()).small();
             let response = ui.add(button);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
             focus_ring(ui, &response);

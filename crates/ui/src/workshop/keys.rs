@@ -1,7 +1,7 @@
 //! The keys of the workshop. They hold wherever nothing is typed.
 
 use antipode_language::Texts;
-use egui::{Key, Modifiers, Ui};
+use egui::{Event, Key, Modifiers, PointerButton, Ui};
 
 use super::model::{ToolChoice, ViewSide, WorkshopModel, WorkshopWish};
 
@@ -66,6 +66,8 @@ pub const SHORTCUTS: &[Shortcut] = &[
     plain("top", Key::Num7),
     plain("front", Key::Num8),
     plain("side", Key::Num9),
+    plain("parallel", Key::Num0),
+    plain("walls", Key::H),
     plain("flies", Key::V),
     plain("raster", Key::B),
     plain("delete", Key::Delete),
@@ -97,6 +99,52 @@ pub(super) fn shortcut_label(texts: &Texts, id: &str) -> Option<String> {
     Some(said)
 }
 
+/// All that keys do in the workshop, a line for each.
+pub(crate) fn told_keys(texts: &Texts) -> Vec<String> {
+    let mut ids = vec!["copy", "cut", "paste"];
+    for shortcut in SHORTCUTS {
+        if !ids.contains(&shortcut.id) {
+            ids.push(shortcut.id);
+        }
+    }
+    let line = |id: &str| {
+        let label = texts.say(&format!("workshop-do-{id}"));
+        Some(format!("{label}: {}", shortcut_label(texts, id)?))
+    };
+    ids.into_iter().filter_map(line).collect()
+}
+
+/// What was held when the first button was pressed or let go in this pass, since a slow frame is late; what is held now where it
+/// was not.
+pub(super) fn held_with_button(ui: &Ui) -> Modifiers {
+    ui.input(|input| {
+        let events = input.events.iter().rev();
+        let mut of_button = events.filter_map(|event| match event {
+            Event::PointerButton {
+                button: PointerButton::Primary,
+                modifiers,
+                ..
+            } => Some(*modifiers),
+            _ => None,
+        });
+        of_button.next().unwrap_or(input.modifiers)
+    })
+}
+
+/// Whether what keys ask for in this pass comes after what a button of the pointer does.
+pub(super) fn come_after_button(ui: &Ui) -> bool {
+    let is_key = |event: &Event| {
+        let is_pressed = matches!(event, Event::Key { pressed: true, .. });
+        is_pressed || matches!(event, Event::Copy | Event::Cut | Event::Paste(_))
+    };
+    ui.input(|input| {
+        let key = input.events.iter().position(is_key);
+        let is_button = |it: &Event| matches!(it, Event::PointerButton { .. });
+        let button = input.events.iter().position(is_button);
+        matches!((button, key), (Some(button), Some(key)) if button < key)
+    })
+}
+
 /// What keys ask for in this pass.
 pub(super) fn read(
     ui: &Ui,
@@ -111,11 +159,11 @@ pub(super) fn read(
     let mut takes = false;
     context.input(|input| {
         for event in &input.events {
-            takes |= matches!(event, egui::Event::Copy | egui::Event::Cut);
+            takes |= matches!(event, Event::Copy | Event::Cut);
             match event {
-                egui::Event::Copy => wishes.push(WorkshopWish::Copy),
-                egui::Event::Cut => wishes.push(WorkshopWish::Cut),
-                egui::Event::Paste(_) => wishes.push(WorkshopWish::Paste),
+                Event::Copy => wishes.push(WorkshopWish::Copy),
+                Event::Cut => wishes.push(WorkshopWish::Cut),
+                Event::Paste(_) => wishes.push(WorkshopWish::Paste),
                 _ => {}
             }
         }
@@ -127,7 +175,7 @@ pub(super) fn read(
         context.copy_text(names.join("\n"));
     }
     let is_flying = model.bar.flies
-        || context.input(|input| input.pointer.button_down(egui::PointerButton::Secondary));
+        || context.input(|input| input.pointer.button_down(PointerButton::Secondary));
     for shortcut in SHORTCUTS {
         let is_letter = shortcut.held == Modifiers::NONE && shortcut.id != "flies";
         if is_flying && is_letter {
@@ -160,6 +208,8 @@ fn wish_of(id: &str, model: &WorkshopModel<'_>) -> Option<WorkshopWish> {
         "top" => WorkshopWish::Face(ViewSide::Top),
         "front" => WorkshopWish::Face(ViewSide::Front),
         "side" => WorkshopWish::Face(ViewSide::Side),
+        "parallel" => WorkshopWish::Parallel(!bar.parallel),
+        "walls" => WorkshopWish::HideWalls(!bar.hides_walls),
         "flies" => WorkshopWish::Flies(!bar.flies),
         "raster" => WorkshopWish::Raster(!bar.raster),
         "delete" => WorkshopWish::Delete,

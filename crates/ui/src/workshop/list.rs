@@ -2,7 +2,9 @@
 
 use egui::{Color32, Key, Response, RichText, ScrollArea, Sense, Ui, vec2};
 
-use super::model::{ObjectRow, WorkshopModel, WorkshopWish};
+use super::keys::held_with_button;
+use super::lesson;
+use super::model::{LessonTarget, ObjectRow, WorkshopModel, WorkshopWish};
 use crate::entry::entry;
 use crate::theme::{ACCENT, ACCENT_DIM, TEXT, WEAK};
 use crate::widgets::focus_ring;
@@ -20,6 +22,8 @@ pub(super) struct ListState {
     pub renaming: Option<(String, String)>,
     /// Whether the field for that has just come up.
     begins: bool,
+    /// What is to come into view.
+    pub shows: Option<String>,
 }
 
 /// Draws it.
@@ -45,8 +49,14 @@ pub(super) fn show(
         ui.label(RichText::new(texts.say("workshop-none-found")).color(WEAK));
     }
     begin_to_rename(ui, model, state);
-    ScrollArea::vertical()
-        .auto_shrink(false)
+    let mut area = ScrollArea::vertical();
+    let is_wanted = |row: &&&ObjectRow| state.shows.as_deref() == Some(row.name.as_str());
+    if let Some(place) = rows.iter().position(|row| is_wanted(&row)) {
+        state.shows = None;
+        let above = (place as f32 - 2.0).max(0.0) * (ROW + ui.spacing().item_spacing.y);
+        area = area.vertical_scroll_offset(above);
+    }
+    area.auto_shrink(false)
         .show_rows(ui, ROW, rows.len(), |ui, range| {
             for row in &rows[range] {
                 ui.push_id(&row.name, |ui| self::row(ui, model, row, state, wishes));
@@ -99,12 +109,14 @@ fn row(
             return;
         }
         marks(ui, model, row, wishes);
-        let response = name(ui, model, row);
+        let response = name(ui, row);
+        let target = LessonTarget::Object(row.name.clone());
+        lesson::point_out(ui, model, &target, response.rect);
         if response.double_clicked() {
             state.renaming = Some((row.name.clone(), row.name.clone()));
             state.begins = true;
         } else if response.clicked() {
-            let held = ui.input(|input| input.modifiers);
+            let held = held_with_button(ui);
             wishes.push(if held.shift {
                 WorkshopWish::ChooseTo(row.name.clone())
             } else {
@@ -190,8 +202,7 @@ fn mark(
     response.on_hover_text(label)
 }
 
-fn name(ui: &mut Ui, model: &WorkshopModel<'_>, row: &ObjectRow) -> Response {
-    let _ = model;
+fn name(ui: &mut Ui, row: &ObjectRow) -> Response {
     let colour = if row.hidden { WEAK } else { TEXT };
     let mut words = RichText::new(&row.name).color(colour);
     if row.is_group {

@@ -4,10 +4,12 @@
 //! picture of the room is seen: the game draws it where [`WorkshopPanes::view_rect`] says.
 
 mod bar;
+mod examples;
 mod field;
 mod inspector;
 mod keys;
 mod layout;
+mod lesson;
 mod list;
 mod model;
 mod notes;
@@ -15,9 +17,11 @@ mod panes;
 mod parts;
 mod view;
 
+pub(crate) use keys::told_keys;
 pub use keys::{SHORTCUTS, Shortcut};
 pub use model::{
-    Amount, BarModel, FieldKind, FieldRow, FieldValue, HistoryRow, MessageRow, ObjectRow, PartRow,
-    ToolChoice, Unit, ViewEvent, ViewLine, ViewSide, WorkshopModel, WorkshopWish,
+    Amount, BarModel, ExampleRow, FieldKind, FieldRow, FieldValue, HistoryRow, LessonModel,
+    LessonTarget, MessageRow, ObjectRow, PartRow, ToolChoice, Unit, ViewEvent, ViewLine, ViewSide,
+    WorkshopModel, WorkshopWish,
 };
 pub use panes::WorkshopPanes;

@@ -29,6 +29,51 @@ pub struct WorkshopModel<'a> {
     pub lines: &'a [ViewLine],
     /// What stands at the lower end of the view.
     pub status: &'a str,
+    /// What is to be done next in the lesson, if one is taken.
+    pub lesson: Option<&'a LessonModel>,
+    /// What is possible.
+    pub examples: &'a [ExampleRow],
+}
+
+/// A step of the lesson.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LessonModel {
+    /// Which, from 1.
+    pub number: usize,
+    /// How many there are.
+    pub of: usize,
+    /// What is to be done, in a sentence.
+    pub text: String,
+    /// What it is done with.
+    pub target: LessonTarget,
+}
+
+/// What a step of the lesson is done with.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LessonTarget {
+    /// That part.
+    Part(String),
+    /// That thing, in the list.
+    Object(String),
+    /// That field of the inspector.
+    Field(String),
+    /// That button of the bar.
+    Do(&'static str),
+    /// The view.
+    View,
+}
+
+/// An example of what is possible.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExampleRow {
+    /// What intents call it.
+    pub id: String,
+    /// What it is called.
+    pub label: String,
+    /// What is strange in it, in a sentence.
+    pub about: String,
+    /// Its picture.
+    pub picture: Option<egui::TextureId>,
 }
 
 /// Something that stands in the room.
@@ -220,6 +265,10 @@ pub struct BarModel {
     pub flies: bool,
     /// Whether pictures begin with a raster.
     pub raster: bool,
+    /// Whether all is seen along lines that are parallel.
+    pub parallel: bool,
+    /// Whether the walls that aberrations have are left out.
+    pub hides_walls: bool,
 }
 
 /// A line over the view.
@@ -329,8 +378,12 @@ pub enum WorkshopWish {
     Raster(bool),
     /// Keys fly the camera, or not.
     Flies(bool),
-    /// One looks from that side.
+    /// One looks from that side, along parallel lines.
     Face(ViewSide),
+    /// All is seen along parallel lines, or as an eye sees it.
+    Parallel(bool),
+    /// The walls that aberrations have are left out, or not.
+    HideWalls(bool),
     /// One looks at what is chosen.
     Focus,
     /// What is chosen is copied.
@@ -355,4 +408,10 @@ pub enum WorkshopWish {
     ShowMessage(usize),
     /// The room is played from here.
     Play,
+    /// The lesson is taken from its beginning.
+    BeginLesson,
+    /// This step of the lesson is left out.
+    SkipStep,
+    /// The lesson is over.
+    EndLesson,
 }

@@ -5,8 +5,8 @@ use egui_tiles::{Behavior, SimplificationOptions, TileId, Tiles, Tree, UiRespons
 
 use super::layout::{Pane, text, tree, usual};
 use super::list::ListState;
-use super::model::{WorkshopModel, WorkshopWish};
-use super::{bar, inspector, keys, list, notes, parts, view};
+use super::model::{LessonTarget, WorkshopModel, WorkshopWish};
+use super::{bar, examples, inspector, keys, lesson, list, notes, parts, view};
 use crate::layout::inset;
 use crate::theme::{ACCENT, GRID, LINE, PANEL, TEXT, WEAK};
 
@@ -18,6 +18,10 @@ pub struct WorkshopPanes {
     rect: Rect,
     /// How the panes lay when they were drawn first.
     first: Option<String>,
+    /// Whether the page of what is possible is up.
+    examples: bool,
+    /// The step of the lesson for which panes were brought to the front.
+    shown_for: Option<(usize, LessonTarget)>,
 }
 
 impl std::fmt::Debug for WorkshopPanes {
@@ -36,7 +40,35 @@ impl WorkshopPanes {
             view: view::ViewState::default(),
             rect: Rect::NOTHING,
             first: None,
+            examples: false,
+            shown_for: None,
         }
+    }
+
+    /// Whether a page lies over the panes, which Esc closes.
+    pub fn has_page(&self) -> bool {
+        self.examples
+    }
+
+    /// Brings what the lesson is done with to the front, once for each of its steps.
+    fn show_target(&mut self, model: &WorkshopModel<'_>) {
+        let wanted = model.lesson.map(|it| (it.number, it.target.clone()));
+        if wanted == self.shown_for {
+            return;
+        }
+        self.shown_for.clone_from(&wanted);
+        let Some((_, target)) = wanted else { return };
+        let pane = match &target {
+            LessonTarget::Part(_) => Pane::Parts,
+            LessonTarget::Object(name) => {
+                self.list.shows = Some(name.clone());
+                Pane::List
+            }
+            LessonTarget::Field(_) => Pane::Inspector,
+            LessonTarget::Do(_) | LessonTarget::View => Pane::View,
+        };
+        self.tree
+            .make_active(|_, tile| matches!(tile, egui_tiles::Tile::Pane(it) if *it == pane));
     }
 
     /// How the panes lie, as a text, if that is otherwise than when they were drawn first.
@@ -74,8 +106,18 @@ impl WorkshopPanes {
         ui.spacing_mut().button_padding = egui::vec2(8.0, 3.0);
         let small = egui::FontId::proportional(14.0);
         ui.style_mut().override_font_id = Some(small);
-        keys::read(&ui, model, self.list.renaming.is_some(), &mut wishes);
-        let top = bar::show(&mut ui, screen, model, &mut wishes);
+        // Bars are painted in what words on buttons are; fine ones do not outshine the words.
+        ui.spacing_mut().scroll.bar_width = 7.0;
+        self.show_target(model);
+        // Of a click and a key in one slow frame the first is done first.
+        let late = keys::come_after_button(&ui);
+        let is_elsewhere = self.list.renaming.is_some() || self.examples;
+        let mut asked = Vec::new();
+        keys::read(&ui, model, is_elsewhere, &mut asked);
+        if !late {
+            wishes.append(&mut asked);
+        }
+        let top = bar::show(&mut ui, screen, model, &mut wishes, &mut self.examples);
         let rest = screen.with_min_y(top);
         let mut below = ui.new_child(UiBuilder::new().id_salt("tiles").max_rect(rest));
         let mut panes = Panes {
@@ -87,6 +129,9 @@ impl WorkshopPanes {
         };
         self.tree.ui(&mut panes, &mut below);
         self.rect = panes.rect;
+        lesson::show(&ui, self.rect, model, &mut wishes);
+        examples::show(&ui, model, &mut self.examples, &mut wishes);
+        wishes.append(&mut asked);
         if self.first.is_none() {
             self.first = Some(self.layout());
         }

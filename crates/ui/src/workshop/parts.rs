@@ -2,7 +2,8 @@
 
 use egui::{RichText, ScrollArea, Ui};
 
-use super::model::{WorkshopModel, WorkshopWish};
+use super::lesson;
+use super::model::{LessonTarget, WorkshopModel, WorkshopWish};
 use crate::theme::WEAK;
 use crate::widgets::column_button;
 
@@ -13,6 +14,8 @@ pub(super) fn show(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<Work
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         for part in model.parts {
             let response = column_button(ui, &part.label, false);
+            let target = LessonTarget::Part(part.id.clone());
+            lesson::point_out(ui, model, &target, response.rect);
             if response.clicked() {
                 wishes.push(WorkshopWish::Put(part.id.clone()));
             }

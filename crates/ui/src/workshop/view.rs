@@ -5,6 +5,7 @@ use egui::{
     pos2, vec2,
 };
 
+use super::keys::held_with_button;
 use super::model::{ViewEvent, ViewLine, WorkshopModel, WorkshopWish};
 use crate::theme::{FOCUS, GRID, PLATE, TEXT, small};
 
@@ -63,16 +64,16 @@ fn place(rect: Rect, at: Pos2) -> [f64; 2] {
 /// What the first button does.
 fn pointer(ui: &Ui, response: &Response, state: &mut ViewState, push: &mut impl FnMut(ViewEvent)) {
     let rect = response.rect;
-    let (at, pressed, released, down, held) = ui.input(|input| {
+    let (at, pressed, released, down) = ui.input(|input| {
         let pointer = &input.pointer;
         (
             pointer.latest_pos(),
             pointer.button_pressed(PointerButton::Primary),
             pointer.button_released(PointerButton::Primary),
             pointer.button_down(PointerButton::Primary),
-            input.modifiers,
         )
     });
+    let held = held_with_button(ui);
     let Some(at) = at else { return };
     let there = place(rect, at);
     if pressed && response.contains_pointer() && !held.alt {
@@ -225,6 +226,10 @@ fn paint_line(painter: &egui::Painter, rect: Rect, line: &ViewLine) {
     if let Some(label) = &line.label {
         let words = painter.layout_no_wrap(label.clone(), small(), TEXT);
         let at = Align2::LEFT_CENTER.anchor_size(*end + vec2(10.0, 0.0), words.size());
+        // All of it is read, wherever the line ends.
+        let room = rect.shrink(GRID);
+        let at = at.translate((room.max - at.max).min(egui::Vec2::ZERO));
+        let at = at.translate((room.min - at.min).max(egui::Vec2::ZERO));
         painter.rect_filled(at.expand(4.0), 4, PLATE);
         painter.galley(at.min, words, TEXT);
     }

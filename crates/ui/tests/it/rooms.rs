@@ -92,7 +92,7 @@ fn in_a_room_one_leaves_it_and_saves_nothing() {
     let mut harness = window(game);
     assert!(says(&harness, "The long house") && says(&harness, "Rooms"));
     assert!(!says(&harness, "Save"));
-    click(&mut harness, "Begin anew");
+    click(&mut harness, "Start over");
     assert_eq!(intents(&mut harness), [Intent::BeginAnew]);
     click(&mut harness, "Leave the room");
     assert_eq!(intents(&mut harness), [Intent::SaveAndQuitToMenu]);

@@ -32,13 +32,13 @@ fn a_room_is_entered_from_the_menu_paused_and_left_and_one_is_made() {
     game.wait_until("a picture of the room", |picture| !is_black(picture));
     game.key("Escape");
     game.shows("the pause menu");
-    game.told_steps(&[("Tab", "focus: Begin anew")]);
+    game.told_steps(&[("Tab", "focus: Start over")]);
     game.key("Return");
     game.shows("the room");
     game.key("Escape");
     game.shows("the pause menu");
     game.told_steps(&[
-        ("Tab", "focus: Begin anew"),
+        ("Tab", "focus: Start over"),
         ("Tab", "focus: Leave the room"),
         ("Return", "pressed: Leave the room"),
     ]);

@@ -1,8 +1,10 @@
 //! What an aberration or a portal does, in words: to the view, to size and to speed.
 
+use antipode_deformation::Space;
 use antipode_language::{Texts, Value};
-use antipode_room_scene::RoomScene;
 use antipode_rooms::aberration::{Aberration, Lengths, Sides};
+use antipode_rooms::portal::{Opening, Portal};
+use antipode_rooms::{Room, What};
 
 /// What differs less is not told, as a share.
 const NOTICED: f64 = 0.01;
@@ -77,27 +79,57 @@ fn add_soft(texts: &Texts, stretch: glam::DVec3, all: &mut Vec<(String, bool)>) 
 }
 
 /// What a portal does to who passes, and whether that is a warning.
-pub fn of_portal(texts: &Texts, scene: &RoomScene, name: &str, to: &str) -> (String, bool) {
-    let portals = scene.space().portals();
+pub fn of_portal(texts: &Texts, room: &Room, space: &Space, name: &str) -> (String, bool) {
+    let Some(own) = portal(room, name) else {
+        return (String::new(), false);
+    };
+    let to = own.to.as_str();
+    let portals = space.portals();
     let Some(placed) = portals.iter().find(|it| it.portal.name == name) else {
-        return (texts.say("workshop-told-unlinked"), true);
+        return (
+            texts.say_with(misfit(room, name, own), &[("name", to.into())]),
+            true,
+        );
     };
     if name == to {
         return (texts.say("workshop-told-itself"), false);
     }
     let scale = placed.scale;
     let values = |times: f64| [("name", to.into()), ("times", Value::decimals(times, 2))];
-    if (scale - 1.0).abs() < NOTICED {
-        (
-            texts.say_with("workshop-told-alike", &values(1.0)[..1]),
-            false,
-        )
+    let told = if (scale - 1.0).abs() < NOTICED {
+        texts.say_with("workshop-told-alike", &values(1.0)[..1])
     } else if scale > 1.0 {
-        (texts.say_with("workshop-told-grows", &values(scale)), false)
+        texts.say_with("workshop-told-grows", &values(scale))
     } else {
-        (
-            texts.say_with("workshop-told-shrinks", &values(1.0 / scale)),
-            false,
-        )
+        texts.say_with("workshop-told-shrinks", &values(1.0 / scale))
+    };
+    (told, false)
+}
+
+/// Why a portal is closed.
+fn misfit(room: &Room, name: &str, own: &Portal) -> &'static str {
+    let Some(other) = portal(room, &own.to) else {
+        return "workshop-told-no-partner";
+    };
+    if other.to != name {
+        return "workshop-told-one-way";
+    }
+    if other.sides != own.sides {
+        return "workshop-told-other-sides";
+    }
+    let shape = |it: &Portal| match &it.opening {
+        Opening::Size(size) => size.x / size.y,
+        Opening::Polygon(_) => 0.0,
+    };
+    if (shape(own) - shape(other)).abs() > 1e-6 {
+        return "workshop-told-not-similar";
+    }
+    "workshop-told-ill-placed"
+}
+
+fn portal<'r>(room: &'r Room, name: &str) -> Option<&'r Portal> {
+    match &room.find(name)?.1.what {
+        What::Portal(it) => Some(it),
+        _ => None,
     }
 }

@@ -7,6 +7,8 @@ use antipode_rooms::portal::Opening;
 use antipode_rooms::{Object, Room, What, poses};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
+use super::kits::bounds_of_group;
+
 /// Half sizes of what has none of its own, metres.
 const POINT_M: f64 = 0.3;
 
@@ -34,7 +36,7 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     Some(Held {
         origin: sum / chosen.len() as f64,
         axes,
-        half: half(&object.what),
+        half: half_of(room, object),
         felt,
     })
 }
@@ -44,6 +46,19 @@ pub fn indices(scene: &RoomScene) -> Vec<usize> {
     let names = scene.document().selection().iter();
     let found = names.filter_map(|name| scene.room().find(name));
     found.map(|(index, _)| index).collect()
+}
+
+/// The spaces of a thing, by their places among all objects: those that a group carries, or the thing itself. It is held from outside
+/// of them.
+pub fn own_spaces(room: &Room, index: usize) -> Vec<usize> {
+    if room.objects[index].what != What::Group {
+        return vec![index];
+    }
+    let name = &room.objects[index].name;
+    let spaces = room.aberrations().map(|(space, _)| space);
+    let carried = spaces
+        .filter(|space| roots(room, &[name.clone(), room.objects[*space].name.clone()]).len() == 1);
+    carried.collect()
 }
 
 /// What is chosen and not carried by something else that is.
@@ -72,6 +87,18 @@ pub fn rotation_of(pose: &DAffine3) -> DMat3 {
         m.y_axis.normalize_or(DVec3::Y),
         m.z_axis.normalize_or(DVec3::Z),
     )
+}
+
+/// The same of an object of a room: a group is as large as what it carries, and stands on the lowest of that.
+fn half_of(room: &Room, object: &Object) -> DVec3 {
+    if object.what != What::Group {
+        return half(&object.what);
+    }
+    let bounds = bounds_of_group(room, &object.name);
+    bounds.map_or(DVec3::splat(POINT_M), |(low, high)| {
+        let far = low.abs().max(high.abs());
+        DVec3::new(far.x, -low.y, far.z)
+    })
 }
 
 /// Half sizes along its own axes, metres.
@@ -106,7 +133,7 @@ pub fn reach_m(scene: &RoomScene, origin: DVec3) -> f64 {
     let room = scene.room();
     let poses = poses(room);
     let reach = indices(scene).into_iter().map(|index| {
-        half(&room.objects[index].what).length() + poses[index].translation.distance(origin)
+        half_of(room, &room.objects[index]).length() + poses[index].translation.distance(origin)
     });
     reach.fold(0.5, f64::max)
 }

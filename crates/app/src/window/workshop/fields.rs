@@ -247,6 +247,9 @@ fn of_aberration(rows: &mut Rows<'_>, it: &Aberration, alone: bool) {
             rows.numbers("thesis", &[thesis_of_stretch(times)], thesis, times == 1.0);
         }
         Lengths::Stretch(stretch) => {
+            let alike = (stretch.max_element() - stretch.min_element()).abs() < 1e-9;
+            let all = alike.then_some(stretch.x);
+            rows.add("times-all", FieldKind::Stretch(all), all == Some(1.0));
             for axis in Axis::ALL {
                 let one = stretch[axis.index()];
                 let key = ["times-x", "times-y", "times-z"][axis.index()];
@@ -291,7 +294,7 @@ fn of_portal(
     let two = usize::from(it.sides == 2);
     rows.choice("sides", &["1", "2"], two, two == 0);
     if alone {
-        let (words, is_warning) = bent::of_portal(rows.texts, scene, &object.name, &it.to);
+        let (words, is_warning) = bent::of_portal(rows.texts, room, scene.space(), &object.name);
         rows.words("told", words, is_warning);
     }
 }

@@ -62,6 +62,12 @@ impl Findings {
         self.found.iter().map(row).collect()
     }
 
+    /// How many there are.
+    #[cfg(test)]
+    pub fn count(&self) -> usize {
+        self.found.len()
+    }
+
     /// The one of that number.
     pub fn get(&self, number: usize) -> Option<&Finding> {
         self.found.get(number)

@@ -7,7 +7,7 @@ use antipode_ui::ToastKind;
 use antipode_ui::workshop::{BarModel, WorkshopModel, WorkshopPanes, WorkshopWish};
 
 use super::wishes::{Bench, Outcome};
-use super::{Workshop, lines};
+use super::{Lesson, Workshop, lines};
 use crate::bindings::Action;
 use crate::room_picture::Tile;
 use crate::window::game::Game;
@@ -26,6 +26,7 @@ impl Game {
             visit.keep_at_last();
             visit.walk();
             self.play.pace.rest();
+            self.menus.shell.keep_toasts_within(None);
             return;
         }
         let kept = visit.room.kept.as_ref();
@@ -95,10 +96,55 @@ impl Game {
         };
         let scene = &mut visit.room.scene;
         workshop.findings.pass(scene);
+        if let Some(lesson) = &mut visit.lesson {
+            lesson.pass(scene);
+        }
         if let Some(why) = workshop.keeping.pass(scene, passed.as_secs_f64()) {
             let values = [("reason", why.into())];
             self.menus
                 .toast(ToastKind::Problem, "workshop-not-kept", &values);
+        }
+    }
+
+    /// Ends the lesson when who walks has come into what was built.
+    pub(in crate::window) fn watch_lesson(&mut self) {
+        let Phase::InRoom(visit) = &mut self.play.phase else {
+            return;
+        };
+        let scene = &visit.room.scene;
+        let walks = visit.workshop.is_none();
+        if walks && (visit.lesson.as_ref()).is_some_and(|it| it.is_ended_by(scene)) {
+            self.end_lesson(true);
+        }
+    }
+
+    /// The lesson is over; whether it was done to its end.
+    fn end_lesson(&mut self, done: bool) {
+        if let Some(visit) = self.play.phase.visit_mut() {
+            visit.lesson = None;
+        }
+        self.options.keep_taught_to_build(true);
+        if done {
+            self.menus
+                .toast(ToastKind::Info, "workshop-lesson-done", &[]);
+        }
+    }
+
+    /// What is asked for of the lesson.
+    fn follow_lesson(&mut self, wish: &WorkshopWish) {
+        let Some(visit) = self.play.phase.visit_mut() else {
+            return;
+        };
+        let scene = &visit.room.scene;
+        match wish {
+            WorkshopWish::BeginLesson => visit.lesson = Some(Lesson::begin(scene)),
+            WorkshopWish::SkipStep => {
+                let goes_on = (visit.lesson.as_mut()).is_some_and(|it| it.skip(scene));
+                if !goes_on {
+                    self.end_lesson(false);
+                }
+            }
+            _ => self.end_lesson(false),
         }
     }
 
@@ -114,9 +160,13 @@ impl Game {
         let Some(mut workshop) = visit.workshop.take() else {
             return;
         };
+        if !self.options.config.taught_to_build && visit.lesson.is_none() {
+            visit.lesson = Some(Lesson::begin(&visit.room.scene));
+        }
         let layout = &self.options.config.panes;
         let wishes = workshop.show(context, &self.menus.texts, visit, layout);
         let lies = workshop.layout();
+        self.menus.shell.keep_toasts_within(workshop.view_rect());
         visit.workshop = Some(workshop);
         if let Some(lies) = lies {
             self.options.keep_panes(lies);
@@ -140,8 +190,13 @@ impl Game {
         };
         let mut plays = false;
         let mut refused = None;
+        let mut of_lesson = Vec::new();
         for wish in wishes {
             workshop.told.note(&wish);
+            if is_of_lesson(&wish) {
+                of_lesson.push(wish);
+                continue;
+            }
             match workshop.follow(&mut bench, wish) {
                 Some(Outcome::Play) => plays = true,
                 Some(Outcome::Refused(why)) => refused = Some(why),
@@ -149,6 +204,9 @@ impl Game {
             }
         }
         visit.workshop = Some(workshop);
+        for wish in of_lesson {
+            self.follow_lesson(&wish);
+        }
         if let Some(why) = refused {
             self.menus.shell.toast(why, ToastKind::State);
         }
@@ -176,6 +234,11 @@ impl Visit {
 }
 
 impl Workshop {
+    /// Where the room is seen, points.
+    fn view_rect(&self) -> Option<egui::Rect> {
+        self.panes.as_ref().map(WorkshopPanes::view_rect)
+    }
+
     /// How the panes lie, if somebody has moved them.
     fn layout(&self) -> Option<String> {
         self.panes.as_ref().and_then(WorkshopPanes::changed_layout)
@@ -191,7 +254,9 @@ impl Workshop {
     ) -> Vec<WorkshopWish> {
         let scene = visit.scene();
         let document = scene.document();
-        self.told.renew(texts, scene);
+        if self.told.renew(texts, scene) && self.camera.parallel.is_some() {
+            self.camera.parallel = Some(scene.radius_m());
+        }
         let told = &self.told;
         let (steps, made) = (told.history.len(), document.history().made());
         let bar = BarModel {
@@ -199,9 +264,13 @@ impl Workshop {
             can_redo: made < steps,
             has_chosen: !document.selection().is_empty(),
             has_copied: !document.clipboard().is_empty(),
+            parallel: self.camera.parallel.is_some(),
+            hides_walls: scene.leaves_out_walls(),
             ..self.bar
         };
         let status = self.status(texts, scene);
+        let lesson = visit.lesson.as_ref();
+        let lesson = lesson.map(|it| it.model(texts, scene.room()));
         let model = WorkshopModel {
             texts,
             room: &scene.room().name,
@@ -215,13 +284,15 @@ impl Workshop {
             bar,
             lines: &lines::lines(self, scene, texts),
             status: &status,
+            lesson: lesson.as_ref(),
+            examples: &self.pictures.rows(context, texts),
         };
         let width = context.content_rect().width();
         let panes = self
             .panes
             .get_or_insert_with(|| WorkshopPanes::new(layout, width));
         let wishes = panes.show(context, &model);
-        self.is_dropped = egui::Popup::is_any_open(context);
+        self.is_dropped = egui::Popup::is_any_open(context) || panes.has_page();
         let rect = panes.view_rect();
         self.tile = tile(rect, context).map(|tile| (tile, f64::from(rect.height())));
         wishes
@@ -241,6 +312,13 @@ impl Workshop {
             texts.say("workshop-status-chosen")
         }
     }
+}
+
+fn is_of_lesson(wish: &WorkshopWish) -> bool {
+    matches!(
+        wish,
+        WorkshopWish::BeginLesson | WorkshopWish::SkipStep | WorkshopWish::EndLesson
+    )
 }
 
 /// A part of the window in pixels, if there is any of it.

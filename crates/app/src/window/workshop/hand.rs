@@ -5,7 +5,7 @@ use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::{Change, Drag, Handle, Held, Sight, Viewpoint};
 use antipode_rooms::{Room, What, poses};
 use antipode_ui::workshop::ViewEvent;
-use antipode_workshop::{Edit, Field};
+use antipode_workshop::Edit;
 use glam::{DVec2, DVec3};
 
 use super::{GRIP_POINTS, Seen, Workshop, changes, chosen};
@@ -16,8 +16,19 @@ const TURN_PER_POINT: f64 = 0.005;
 const ZOOM: f64 = 0.88;
 /// Felt speed of flight, metres a second, and how many times that is at most.
 const FLIGHT_M_S: (f64, f64) = (5.0, 4.0);
+/// What is so many times larger than an opening is seen behind it as a background.
+const LARGER: f64 = 3.0;
 /// How near to the click before another is one at the same place, points.
 const SAME_POINTS: f64 = 4.0;
+
+/// What is done to the room in the view.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Deed {
+    /// A moment of a drag.
+    Moment(Edit),
+    /// A step of its own.
+    Step(Edit),
+}
 
 /// A drag that goes on.
 #[derive(Clone, Debug)]
@@ -50,6 +61,9 @@ impl Workshop {
 
     /// Lets go of what is dragged, and takes back what that did. Returns whether anything was.
     pub fn give_up(&mut self, scene: &mut RoomScene) -> bool {
+        if self.linking.take().is_some() {
+            return true;
+        }
         let was_framing = self.frame.take().is_some_and(|[from, to]| from != to);
         let given_up = self.dragging.take().is_some();
         if given_up {
@@ -58,13 +72,21 @@ impl Workshop {
         given_up || was_framing
     }
 
-    /// Something was done in the view. Returns an edit that is a moment of a drag, if it was one.
-    pub fn view_event(&mut self, scene: &mut RoomScene, event: ViewEvent) -> Option<Edit> {
+    /// Something was done in the view. Returns what that does to the room.
+    pub fn view_event(&mut self, scene: &mut RoomScene, event: ViewEvent) -> Option<Deed> {
         match event {
             ViewEvent::Hover(at) => self.hover_at(scene, DVec2::from_array(at)),
+            ViewEvent::Grab(at) if self.grab_link(scene, DVec2::from_array(at)) => {}
             ViewEvent::Grab(at) => self.grab(scene, DVec2::from_array(at)),
+            ViewEvent::Pull { at, .. } if self.linking.is_some() => {
+                self.pull_link(scene, DVec2::from_array(at));
+            }
             ViewEvent::Pull { at, free } => {
-                return self.pull(scene, DVec2::from_array(at), free);
+                let edit = self.pull(scene, DVec2::from_array(at), free);
+                return edit.map(Deed::Moment);
+            }
+            ViewEvent::Let { .. } if self.linking.is_some() => {
+                return self.let_link(scene).map(Deed::Step);
             }
             ViewEvent::Let {
                 at, adds, is_click, ..
@@ -186,7 +208,10 @@ impl Workshop {
             let name = &scene.room().objects[*index].name;
             !scene.document().is_locked(name) && !scene.document().is_hidden(name)
         };
-        let all: Vec<usize> = scene.meant(&view, at).into_iter().filter(is_free).collect();
+        let all: Vec<usize> = meant(scene, &view, at)
+            .into_iter()
+            .filter(is_free)
+            .collect();
         let near = self.half_heights(SAME_POINTS);
         let number = match &self.meant {
             Some(last) if view.apart(last.at, at) < near && last.all == all && !adds => {
@@ -201,9 +226,14 @@ impl Workshop {
             let what = &scene.room().objects[it.object].what;
             matches!(what, What::Aberration(_))
         };
+        let is_found = |it: &Sight| {
+            found.is_some_and(|found| {
+                it.object == found || outermost(scene.room(), it.object) == found
+            })
+        };
         let chain = scene
             .seen(&view, at)
-            .filter(|it| Some(it.object) == found && !is_box(it));
+            .filter(|it| is_found(it) && !is_box(it));
         self.seen = chain.map(|it| Seen {
             chain: it.chain,
             at,
@@ -225,17 +255,24 @@ impl Workshop {
         let (low, high) = (a.min(b), a.max(b));
         let (room, document) = (scene.room(), scene.document());
         let is_within = |(index, point): (usize, DVec3)| {
-            let seen = scene.way_to(&view, point, Some(index));
+            let seen = scene.way_to(&view, point, &[index]);
             seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
         };
-        let mut names: Vec<String> = room
+        let found: Vec<usize> = room
             .objects
             .iter()
             .zip(poses(room).into_iter().enumerate())
             .filter(|(it, _)| !document.is_locked(&it.name) && !document.is_hidden(&it.name))
             .filter(|(_, (index, pose))| is_within((*index, pose.translation)))
-            .map(|(it, _)| it.name.clone())
+            .map(|(_, (index, _))| outermost(room, index))
             .collect();
+        let mut names: Vec<String> = Vec::new();
+        for index in found {
+            let name = &room.objects[index].name;
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
+        }
         if adds {
             let before = document.selection().iter().cloned();
             names = before.chain(names).collect();
@@ -291,11 +328,47 @@ fn body_drag(
         let through = scene.through(view, seen.chain.clone());
         return Drag::begin_body(&through, held, seen.place.point, at);
     }
-    let (through, _) = scene.way_to(view, held.origin, Some(seen.object))?;
+    let (through, _) = scene.way_to(view, held.origin, &[seen.object])?;
     let leg = through.leg(at)?;
     let way = (held.origin - leg.place.point).dot(leg.velocity) / leg.velocity.length_squared();
     let nearest = leg.place.point + leg.velocity * way;
     Drag::begin_body(&through, held, nearest, at)
+}
+
+/// All that can be meant by a click there. A thing of a group means the group first. What is much larger than the opening through
+/// which it is seen, as a floor is, is taken for the background of that opening, which is meant first.
+fn meant(scene: &RoomScene, view: &Viewpoint, at: DVec2) -> Vec<usize> {
+    let room = scene.room();
+    let mut seen = scene.meant(view, at);
+    let size = |index: usize| chosen::half(&room.objects[index].what).max_element();
+    if let [first, .., nearest] = seen[..]
+        && size(first) > LARGER * size(nearest)
+    {
+        // The first opening on the way comes first.
+        seen.reverse();
+    }
+    let mut all = Vec::new();
+    for index in seen {
+        for it in [outermost(room, index), index] {
+            if !all.contains(&it) {
+                all.push(it);
+            }
+        }
+    }
+    all
+}
+
+/// The group that carries something, and is carried by none; the thing itself where it is in none.
+fn outermost(room: &Room, index: usize) -> usize {
+    let mut index = index;
+    for _ in 0..antipode_rooms::bounds::MOST_DEEP {
+        let group = room.objects[index].group.as_deref();
+        let Some((outer, _)) = group.and_then(|it| room.find(it)) else {
+            break;
+        };
+        index = outer;
+    }
+    index
 }
 
 /// Whether an object is one of these, or carried by one.
@@ -334,15 +407,6 @@ pub fn nudge(scene: &RoomScene, workshop: &Workshop, by: [i8; 3]) -> Option<Edit
     let names = scene.document().selection();
     let change = Change::Move(way * step);
     changes::edit(scene.room(), names, DVec3::ZERO, &change)
-}
-
-/// The names of portals that are linked to each other by one edit.
-pub fn link(a: &str, b: &str) -> Edit {
-    let to = |from: &str, to: &str| Edit::Change(from.to_owned(), vec![Field::new("to", to)]);
-    if a == b {
-        return to(a, b);
-    }
-    Edit::Several(vec![to(a, b), to(b, a)])
 }
 
 /// Where the middles of objects are.

@@ -4,12 +4,13 @@ use antipode_language::{Texts, Value};
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::tuning::EYE_M;
 use antipode_room_scene::workshop::{Handle, Handles, Through, Viewpoint};
-use antipode_rooms::aberration::Lengths;
+use antipode_rooms::aberration::{Lengths, Sides};
 use antipode_rooms::{What, direction, poses};
 use antipode_ui::workshop::ViewLine;
 use egui::Color32;
 use glam::{DAffine3, DVec2, DVec3};
 
+use super::kits::bounds_of_group;
 use super::{Workshop, chosen};
 
 /// Colours of the axes: x, y and z.
@@ -36,6 +37,9 @@ const PIECES: usize = 8;
 pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewLine> {
     let mut all = Vec::new();
     marks(workshop, scene, &mut all);
+    if scene.leaves_out_walls() {
+        left_out(workshop, scene, &mut all);
+    }
     let chosen = chosen::indices(scene);
     if !chosen.is_empty() {
         let poses = poses(scene.room());
@@ -58,6 +62,7 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
     if let Some((_, handles)) = workshop.handles(scene) {
         add_handles(workshop, scene, &handles, texts, &mut all);
     }
+    workshop.link_lines(scene, texts, &mut all);
     all
 }
 
@@ -98,6 +103,20 @@ fn marks(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
     mark(scene, &view, feet + DVec3::Y, points.into_iter(), all);
 }
 
+/// The edges of aberrations whose walls are left out.
+fn left_out(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
+    let room = scene.room();
+    let walled = room
+        .aberrations()
+        .filter(|(_, it)| it.sides == Sides::Walls);
+    let poses = poses(room);
+    for (index, _) in walled.take(MOST) {
+        let from = all.len();
+        edges(workshop, scene, (index, &poses[index]), all);
+        all[from..].iter_mut().for_each(|it| it.colour = MARK);
+    }
+}
+
 fn mark(
     scene: &RoomScene,
     view: &Viewpoint,
@@ -105,7 +124,7 @@ fn mark(
     points: impl Iterator<Item = DVec3>,
     all: &mut Vec<ViewLine>,
 ) {
-    let Some((through, at)) = scene.way_to(view, middle, None) else {
+    let Some((through, at)) = scene.way_to(view, middle, &[]) else {
         return;
     };
     let seen: Vec<_> = points
@@ -195,9 +214,19 @@ fn edges(
     all: &mut Vec<ViewLine>,
 ) {
     let object = &scene.room().objects[index];
-    let half = chosen::half(&object.what);
+    let (middle, half) = match object.what {
+        What::Group => match bounds_of_group(scene.room(), &object.name) {
+            Some((low, high)) => ((low + high) / 2.0, (high - low) / 2.0),
+            None => return,
+        },
+        _ => (DVec3::ZERO, chosen::half(&object.what)),
+    };
     // A box that space is stretched in is seen from outside, and so are its edges.
-    let Some((through, at)) = workshop.through(scene, pose.translation, Some(index)) else {
+    let Some((through, at)) = workshop.through(
+        scene,
+        pose.translation,
+        &chosen::own_spaces(scene.room(), index),
+    ) else {
         return;
     };
     for axis in 0..3 {
@@ -208,7 +237,7 @@ fn edges(
                 local[axis] = half[axis] * share;
                 local[b] = half[b] * side_b;
                 local[c] = half[c] * side_c;
-                pose.transform_point3(local)
+                pose.transform_point3(middle + local)
             };
             edge(&through, at, point, all);
         }

@@ -4,12 +4,16 @@
 mod bent;
 mod changes;
 mod chosen;
+mod examples;
 mod fields;
 mod findings;
 mod game;
 mod hand;
 mod keeping;
+mod kits;
+mod lesson;
 mod lines;
+mod link;
 mod parts;
 mod rows;
 mod set;
@@ -28,6 +32,7 @@ use crate::room_picture::{RoomView, Tile};
 use findings::Findings;
 use hand::{Dragging, Meant};
 use keeping::Keeping;
+pub use lesson::Lesson;
 use told::Told;
 
 /// Turns that are held while one drags, degrees.
@@ -51,11 +56,14 @@ pub struct Workshop {
     meant: Option<Meant>,
     /// Two corners of a frame that is being drawn about what is to be chosen.
     frame: Option<[DVec2; 2]>,
+    /// A line that is dragged from a portal to its partner.
+    linking: Option<link::Linking>,
     /// The field that is being dragged.
     field: Option<String>,
     keeping: Keeping,
     findings: Findings,
     told: Told,
+    pictures: examples::Pictures,
     /// Whether a menu or a list is down.
     is_dropped: bool,
 }
@@ -93,10 +101,12 @@ impl Workshop {
             dragging: None,
             meant: None,
             frame: None,
+            linking: None,
             field: None,
             keeping: Keeping::of(scene),
             findings: Findings::begin(),
             told: Told::default(),
+            pictures: examples::Pictures::default(),
             is_dropped: false,
         }
     }
@@ -110,6 +120,13 @@ impl Workshop {
 
     fn viewpoint(&self, scene: &RoomScene) -> Viewpoint {
         scene.viewpoint(&self.camera, self.aspect())
+    }
+
+    /// The angle between top and bottom of its pictures where they are as an eye sees, rad.
+    fn fov_y_rad(&self, scene: &RoomScene) -> f64 {
+        let eye = self.viewpoint(scene).eye;
+        let half = eye.parallel_m.map(|half_m| half_m / self.camera.pivot_m);
+        half.map_or(eye.fov_y_rad, |half| 2.0 * half.atan())
     }
 
     /// A length in points of the picture, in its half heights.
@@ -141,7 +158,7 @@ impl Workshop {
         &self,
         scene: &'s RoomScene,
         origin: glam::DVec3,
-        beside: Option<usize>,
+        beside: &[usize],
     ) -> Option<(Through<'s>, DVec2)> {
         let view = self.viewpoint(scene);
         if let Some(seen) = &self.seen {
@@ -157,7 +174,8 @@ impl Workshop {
     fn handles<'s>(&self, scene: &'s RoomScene) -> Option<(Through<'s>, Handles)> {
         let held = chosen::held(scene, self.bar.own_axes || self.tool() == Tool::Scale)?;
         let last = chosen::indices(scene).last().copied();
-        let (through, at) = self.through(scene, held.origin, last)?;
+        let own = last.map_or_else(Vec::new, |it| chosen::own_spaces(scene.room(), it));
+        let (through, at) = self.through(scene, held.origin, &own)?;
         let handles = Handles::of(&through, at, held, self.tool())?;
         Some((through, handles))
     }
@@ -178,9 +196,16 @@ impl Visit {
         };
         self.room.scene.document_mut().end_drag();
         self.room.scene.leave_out_hidden(false);
+        self.room.scene.leave_out_walls(false);
         self.room.scene.walk_from(&workshop.camera);
         // The thread of the checks is waited for elsewhere.
         Task::start("leave", move || drop(workshop));
+    }
+
+    /// How many messages there are about the room that is built in.
+    #[cfg(test)]
+    pub fn messages(&self) -> usize {
+        self.workshop.as_ref().map_or(0, |it| it.findings.count())
     }
 
     /// Whether it is built in, and nothing moves until somebody does something.
@@ -189,11 +214,11 @@ impl Visit {
         workshop.is_some_and(|it| it.keeping.rests() && it.findings.rest())
     }
 
-    /// What a picture of it is of while it is built in.
-    pub fn workshop_view(&self) -> Option<RoomView> {
+    /// What a picture of it is of while it is built in; of the whole window, of that width over height, where a menu lies over it.
+    pub fn workshop_view(&self, whole: Option<f64>) -> Option<RoomView> {
         let workshop = self.workshop.as_ref()?;
         let scene = self.scene();
-        let aspect = workshop.aspect();
+        let aspect = whole.unwrap_or_else(|| workshop.aspect());
         Some(RoomView {
             id: self.id(),
             moment: scene.still(&scene.viewpoint(&workshop.camera, aspect).eye),
@@ -202,7 +227,10 @@ impl Visit {
                 raster: workshop.bar.raster,
                 ..Options::default()
             },
-            tile: workshop.tile.map(|(tile, _)| tile),
+            tile: workshop
+                .tile
+                .map(|(tile, _)| tile)
+                .filter(|_| whole.is_none()),
         })
     }
 }

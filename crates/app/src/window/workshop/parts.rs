@@ -2,7 +2,6 @@
 
 use antipode_language::Texts;
 use antipode_rooms::aberration::{Aberration, Axis, Lengths, Sides, Ways};
-use antipode_rooms::portal::{Opening, Portal};
 use antipode_rooms::room::Surface;
 use antipode_rooms::{Colour, Object, Room, What};
 use antipode_ui::workshop::PartRow;
@@ -10,16 +9,13 @@ use antipode_workshop::Edit;
 use glam::{DVec2, DVec3};
 
 use super::chosen::half;
+use super::kits::{self, KITS, Site};
 use super::rows::free_name;
 
-/// How far apart the two of a new pair of portals stand, metres.
-const APART_M: f64 = 6.0;
-/// How far above the ground portals stand, metres: they may not touch the sides of an aberration that ends there.
-const LIFTED_M: f64 = 0.005;
-/// Every part, by its word.
-pub const PARTS: [&str; 14] = [
-    "box", "wall", "floor", "pyramid", "ramp", "stairs", "arch", "cylinder", "ball", "light",
-    "sign", "tunnel", "hall", "portals",
+/// Every part, by its word: first those that no other builder has.
+pub const PARTS: [&str; 15] = [
+    "house", "tunnel", "portals", "hall", "box", "wall", "floor", "stairs", "ramp", "arch",
+    "pyramid", "cylinder", "ball", "light", "sign",
 ];
 
 /// The list of them.
@@ -32,13 +28,17 @@ pub fn rows(texts: &Texts) -> Vec<PartRow> {
     PARTS.into_iter().map(row).collect()
 }
 
-/// Puts a part onto a surface; `snap` gives a length on the grid.
-pub fn put(
-    room: &Room,
-    id: &str,
-    (point, normal): (DVec3, DVec3),
-    snap: impl Fn(f64) -> f64,
-) -> Option<Edit> {
+/// Puts a part onto a surface.
+pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
+    if KITS.iter().any(|(kit, _)| *kit == id) {
+        return kits::put(room, id, site);
+    }
+    let Site {
+        point,
+        normal,
+        snap,
+        ..
+    } = *site;
     let what = what(id)?;
     let on_grid = |at: DVec3| DVec3::new(snap(at.x), at.y, snap(at.z));
     let out = normal.abs().dot(half(&what));
@@ -47,9 +47,6 @@ pub fn put(
             + point * normal.abs().round()
             + normal * out,
     );
-    if id == "portals" {
-        return Some(pair(room, at + LIFTED_M * DVec3::Y));
-    }
     let mut object = Object::new(&free_name(room, id), at, what);
     object.surface = surface(id);
     if id == "sign" {
@@ -126,37 +123,10 @@ fn what(id: &str) -> Option<What> {
             lengths: Lengths::Stretch(DVec3::splat(2.0)),
             sides: Sides::Soft,
             ways: Ways::Both,
-            outline: false,
+            outline: true,
         }),
-        "portals" => What::Portal(door("")),
         _ => return None,
     })
-}
-
-fn door(to: &str) -> Portal {
-    Portal {
-        opening: Opening::Size(DVec2::new(1.6, 2.5)),
-        to: to.to_owned(),
-        sides: 1,
-    }
-}
-
-/// Two portals that lead to each other, both with their fronts to +z.
-fn pair(room: &Room, at: DVec3) -> Edit {
-    let first = free_name(room, "door");
-    // The next name that is free beside the first.
-    let mut names = (2..10_000).map(|number| format!("door {number}"));
-    let is_free = |name: &String| *name != first && room.find(name).is_none();
-    let second = names.find(is_free).unwrap_or_default();
-    let portal = |name: &str, to: &str, at: DVec3| {
-        let mut object = Object::new(name, at, What::Portal(door(to)));
-        object.turn.x = 90.0;
-        Edit::Insert(object)
-    };
-    Edit::Several(vec![
-        portal(&first, &second, at),
-        portal(&second, &first, at + DVec3::X * APART_M),
-    ])
 }
 
 #[cfg(test)]
@@ -170,17 +140,31 @@ mod tests {
     #[test]
     fn every_part_can_be_put_in_twice_and_stands_on_the_ground() {
         let mut document = Document::new(Room::new("a"));
-        for id in PARTS.into_iter().chain(PARTS) {
+        let alone = PARTS.into_iter().filter(|id| what(id).is_some());
+        for id in alone.clone().chain(alone) {
             let x = document.room().objects.len() as f64 * 8.0 - 120.0;
-            let ground = (DVec3::new(x + 0.07, 0.0, -5.1), DVec3::Y);
-            let edit = put(document.room(), id, ground, f64::round).unwrap();
+            let site = Site {
+                point: DVec3::new(x + 0.07, 0.0, -5.1),
+                normal: DVec3::Y,
+                front: DVec3::NEG_Z,
+                snap: &f64::round,
+                ground: &|_| None,
+            };
+            let edit = put(document.room(), id, &site).unwrap();
             document.edit(&edit).unwrap();
             let made = document.room().objects.last().unwrap();
             let lowest = made.at.y - half(&made.what).y;
-            let lifted = if id == "portals" { LIFTED_M } else { 0.0 };
-            assert!((lowest - lifted).abs() < 1e-9, "{id}: {lowest}");
+            assert!(lowest.abs() < 1e-9, "{id}: {lowest}");
             assert_eq!(made.at.z, -5.0, "{id}");
         }
         assert!(antipode_rooms::space(document.room()).is_ok());
+    }
+
+    #[test]
+    fn every_part_is_a_thing_or_a_kit() {
+        for id in PARTS {
+            let is_kit = KITS.iter().any(|(kit, _)| *kit == id);
+            assert!(is_kit != what(id).is_some(), "{id}");
+        }
     }
 }

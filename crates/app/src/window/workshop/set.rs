@@ -10,7 +10,7 @@ use antipode_workshop::{Edit, Field};
 use glam::DVec3;
 
 use super::fields::numbers_of;
-use super::hand::link;
+use super::link::link;
 
 /// The side of the squares of a checker that is new, metres.
 const SQUARE_M: f64 = 1.0;
@@ -28,7 +28,7 @@ pub fn edit(room: &Room, chosen: &[usize], key: &str, value: &FieldValue) -> Opt
     if key == "to"
         && let (FieldValue::Text(to), [index]) = (value, chosen)
     {
-        return Some(link(&room.objects[*index].name, to));
+        return Some(link(room, &room.objects[*index].name, to));
     }
     let edits: Vec<_> = chosen
         .iter()
@@ -59,7 +59,7 @@ pub fn reset(room: &Room, chosen: &[usize], key: &str) -> Option<Edit> {
                 "times" | "thesis" | "felt" => {
                     fields(object, "times", &FieldValue::Number(0, 1.0)).unwrap_or_default()
                 }
-                "times-x" | "times-y" | "times-z" => {
+                "times-x" | "times-y" | "times-z" | "times-all" => {
                     fields(object, key, &FieldValue::Number(0, 1.0)).unwrap_or_default()
                 }
                 _ => vec![Field::new(key, usual.clone())],
@@ -76,8 +76,8 @@ fn usual(key: &str) -> Option<String> {
     Some(match key {
         "at" | "turn" | "spawn-at" => "0,0,0".to_owned(),
         "glow" => "0".to_owned(),
-        "scale" | "room-sun-power" | "times" | "times-x" | "times-y" | "times-z" | "thesis"
-        | "felt" => "1".to_owned(),
+        "scale" | "room-sun-power" | "times" | "times-x" | "times-y" | "times-z" | "times-all"
+        | "thesis" | "felt" => "1".to_owned(),
         "colour" => Surface::default().colour.to_string(),
         "checker" | "room-has-fog" => "none".to_owned(),
         "finish" => "matt".to_owned(),
@@ -166,6 +166,10 @@ fn of_lengths(it: &Aberration, key: &str, value: &FieldValue) -> Option<Vec<Fiel
             let times = clamped(stretch_of_thesis(*d)?);
             Some(vec![Field::number("felt", length * times)])
         }
+        ("times-all", FieldValue::Number(_, times), Lengths::Stretch(_)) => {
+            let stretch = DVec3::splat(clamped(*times));
+            Some(vec![Field::three("stretch", stretch)])
+        }
         (
             "times-x" | "times-y" | "times-z",
             FieldValue::Number(_, times),
@@ -249,14 +253,21 @@ mod tests {
     use antipode_workshop::Document;
 
     use super::*;
+    use crate::window::workshop::kits::Site;
     use crate::window::workshop::parts::put;
 
     fn tunnel() -> Document {
         let mut document = Document::new(Room::new("a"));
         for id in ["tunnel", "box"] {
             let x = document.room().objects.len() as f64 * 10.0;
-            let ground = (DVec3::new(x, 0.0, 0.0), DVec3::Y);
-            let edit = put(document.room(), id, ground, |metres| metres).unwrap();
+            let site = Site {
+                point: DVec3::new(x, 0.0, 0.0),
+                normal: DVec3::Y,
+                front: DVec3::NEG_Z,
+                snap: &|metres| metres,
+                ground: &|_| None,
+            };
+            let edit = put(document.room(), id, &site).unwrap();
             document.edit(&edit).unwrap();
         }
         document

@@ -48,11 +48,11 @@ impl Told {
         self.of = None;
     }
 
-    /// Says anew what has changed.
-    pub fn renew(&mut self, texts: &Texts, scene: &RoomScene) {
+    /// Says anew what has changed. Returns whether anything has.
+    pub fn renew(&mut self, texts: &Texts, scene: &RoomScene) -> bool {
         let now = (scene.document().revision(), texts.language());
         if self.of == Some(now) {
-            return;
+            return false;
         }
         *self = Self {
             of: Some(now),
@@ -62,6 +62,7 @@ impl Told {
             history: rows::history(texts, scene),
             chosen: chosen_words(texts, scene),
         };
+        true
     }
 }
 

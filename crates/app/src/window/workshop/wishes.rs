@@ -7,7 +7,8 @@ use antipode_ui::workshop::{ViewSide, WorkshopWish};
 use antipode_workshop::{Array, Edit, WorkshopError};
 use glam::DVec3;
 
-use super::hand::{middle, nudge};
+use super::hand::{Deed, middle, nudge};
+use super::kits::Site;
 use super::rows::free_name;
 use super::{Workshop, chosen, parts, set};
 
@@ -83,11 +84,12 @@ impl Workshop {
     fn done(&mut self, bench: &mut Bench<'_>, wish: WorkshopWish) -> Result<(), WorkshopError> {
         match wish {
             WorkshopWish::View(event) => {
-                if let Some(edit) = self.view_event(bench.scene, event) {
+                return match self.view_event(bench.scene, event) {
                     // Where it may not stand it does not go.
-                    bench.drag(&edit)?;
-                }
-                return Ok(());
+                    Some(Deed::Moment(edit)) => bench.drag(&edit),
+                    Some(Deed::Step(edit)) => bench.make(&edit),
+                    None => Ok(()),
+                };
             }
             WorkshopWish::Set { key, value, done } => {
                 return self.set(bench, &key, &value, done);
@@ -118,6 +120,10 @@ impl Workshop {
             WorkshopWish::Hide(name, hidden) => {
                 document.hide(&name, hidden);
                 bench.scene.look_again();
+            }
+            WorkshopWish::HideWalls(hides) => {
+                self.forget_chain();
+                bench.scene.leave_out_walls(hides);
             }
             WorkshopWish::Lock(name, locked) => document.lock(&name, locked),
             WorkshopWish::Choose { name, adds: true } => document.toggle(&name),
@@ -153,8 +159,15 @@ impl Workshop {
             WorkshopWish::Reset(key) => set::reset(room, &chosen::indices(scene), key)?,
             WorkshopWish::Put(id) => {
                 let snap = self.snap(false);
-                let place = self.before_camera(scene);
-                parts::put(room, id, place, |metres| snap.length(metres))?
+                let (point, normal) = self.before_camera(scene);
+                let site = Site {
+                    point,
+                    normal,
+                    front: self.camera.axes().0,
+                    snap: &|metres| snap.length(metres),
+                    ground: &|point| scene.ground_below(point),
+                };
+                parts::put(room, id, &site)?
             }
             WorkshopWish::Paste if !scene.document().clipboard().is_empty() => Edit::Paste {
                 clip: scene.document().clipboard().clone(),
@@ -233,6 +246,10 @@ impl Workshop {
             WorkshopWish::OnSurfaces(on) => self.bar.on_surfaces = *on,
             WorkshopWish::Raster(raster) => self.bar.raster = *raster,
             WorkshopWish::Flies(flies) => self.bar.flies = *flies,
+            WorkshopWish::Parallel(parallel) => {
+                self.camera.parallel = parallel.then(|| scene.radius_m());
+                self.forget_chain();
+            }
             WorkshopWish::Face(side) => {
                 let facing = match side {
                     ViewSide::Top => Facing::Top,
@@ -240,6 +257,8 @@ impl Workshop {
                     ViewSide::Side => Facing::Side,
                 };
                 self.camera.face(scene.space(), facing);
+                self.camera.parallel = Some(scene.radius_m());
+                self.forget_chain();
             }
             WorkshopWish::Focus => self.focus(scene),
             _ => {}
@@ -253,7 +272,7 @@ impl Workshop {
         };
         self.forget_chain();
         scene.document_mut().select(finding.objects);
-        let fov_y_rad = self.viewpoint(scene).eye.fov_y_rad;
+        let fov_y_rad = self.fov_y_rad(scene);
         self.camera
             .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
     }
@@ -265,7 +284,7 @@ impl Workshop {
         };
         self.forget_chain();
         let reach_m = chosen::reach_m(scene, held.origin);
-        let fov_y_rad = self.viewpoint(scene).eye.fov_y_rad;
+        let fov_y_rad = self.fov_y_rad(scene);
         self.camera
             .focus(scene.space(), held.origin, reach_m, fov_y_rad);
     }

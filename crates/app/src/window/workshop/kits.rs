@@ -1,0 +1,330 @@
+//! Parts and examples of several things that belong together: a house, a pair of doorways. Each is the file of a room in
+//! `assets/workshop`, whose groups stand on the ground with their fronts to +z.
+
+use std::collections::HashSet;
+
+use antipode_rooms::{Object, Room, What, poses, rotation, space_in_parts};
+use antipode_workshop::{Clip, Edit, make};
+use glam::DVec3;
+
+use super::chosen::half;
+
+/// What is nearer to a kit's lower end is what it stands on, metres.
+const UNDER_M: f64 = 0.06;
+/// Where else a kit is tried, metres to the right of where it was meant and behind that.
+const ELSEWHERE_M: [(f64, f64); 9] = [
+    (0.0, 0.0),
+    (4.0, 0.0),
+    (-4.0, 0.0),
+    (0.0, 4.0),
+    (8.0, 0.0),
+    (-8.0, 0.0),
+    (0.0, 8.0),
+    (16.0, 0.0),
+    (-16.0, 0.0),
+];
+/// How far from the first group of a kit the second is tried, in shares of how far it stands in the file.
+const APART: [f64; 6] = [1.0, -1.0, 0.7, -0.7, 1.6, -1.6];
+
+macro_rules! kits {
+    ($($id:literal),* $(,)?) => {
+        &[$(($id, include_str!(concat!("../../../../../assets/workshop/", $id, ".ron")))),*]
+    };
+}
+
+/// All of them: what they are known by, and their files.
+pub const KITS: &[(&str, &str)] = kits![
+    "house",
+    "portals",
+    "tunnel-longer",
+    "tunnel-shorter",
+    "portals-of-size",
+    "falling-loop",
+];
+
+/// What a kit consists of, as its file has it.
+pub fn objects(id: &str) -> Option<Vec<Object>> {
+    let (_, text) = KITS.iter().find(|(known, _)| *known == id)?;
+    let clip = Clip::parse(text).ok()?;
+    Some(clip.objects().to_vec())
+}
+
+/// Where a kit is to stand.
+pub struct Site<'a> {
+    /// What is seen there, metres.
+    pub point: DVec3,
+    /// Which way is out of that.
+    pub normal: DVec3,
+    /// Into the picture.
+    pub front: DVec3,
+    /// A length on the grid.
+    pub snap: &'a dyn Fn(f64) -> f64,
+    /// The ground below a point.
+    pub ground: &'a dyn Fn(DVec3) -> Option<DVec3>,
+}
+
+/// Puts a kit in where nothing is in its way and its portals may stand, as near to where it was meant as can be; its front is
+/// turned to who looks.
+pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
+    let kit = objects(id)?;
+    // Yaw f takes +z to (-sin f, 0, cos f), which is to be against where one looks.
+    let quarter = (site.front.x.atan2(-site.front.z).to_degrees() / 90.0).round() * 90.0;
+    let turn = DVec3::new(quarter, 0.0, 0.0);
+    let depth = reach(&kit);
+    let out = DVec3::new(site.normal.x, 0.0, site.normal.z) * depth;
+    let before = poses_of(room);
+    let closed = space_in_parts(room).closed.len();
+    let lay = |(right, behind): (f64, f64), apart: f64| {
+        let aside = rotation(turn) * DVec3::new(right, 0.0, -behind - depth);
+        let meant = site.point + out + aside;
+        let at = DVec3::new((site.snap)(meant.x), meant.y, (site.snap)(meant.z));
+        laid(&kit, at, turn, apart, site.ground)
+    };
+    let all = || {
+        let shares: &[f64] = if has_second(&kit) {
+            &APART
+        } else {
+            &APART[..1]
+        };
+        let places = ELSEWHERE_M.into_iter();
+        places.flat_map(move |place| shares.iter().map(move |it| (place, *it)))
+    };
+    let fits = |objects: &Vec<Object>| {
+        let made = make(room, &paste(objects));
+        made.is_ok_and(|made| space_in_parts(&made).closed.len() <= closed)
+    };
+    let mut free = all().filter_map(|(place, apart)| lay(place, apart));
+    let found = free
+        .find(|it| !is_in_the_way(&before, it) && fits(it))
+        .or_else(|| {
+            let mut any = all().filter_map(|(place, apart)| lay(place, apart));
+            any.find(fits)
+        });
+    Some(paste(&found?))
+}
+
+fn paste(objects: &[Object]) -> Edit {
+    let mut room = Room::new("kit");
+    room.objects = objects.to_vec();
+    let names: Vec<_> = objects.iter().map(|it| it.name.clone()).collect();
+    Edit::Paste {
+        clip: Clip::of(&room, &names),
+        by: DVec3::ZERO,
+    }
+}
+
+fn has_second(kit: &[Object]) -> bool {
+    kit.iter().filter(|it| it.group.is_none()).count() > 1
+}
+
+/// How far its things reach to its front, metres.
+fn reach(kit: &[Object]) -> f64 {
+    let boxes = boxes_of(kit);
+    boxes.iter().map(|it| it.1.z).fold(0.0, f64::max)
+}
+
+/// A kit at a place: its second group stands so many times as far from the first as in the file, on the ground there.
+fn laid(
+    kit: &[Object],
+    at: DVec3,
+    turn: DVec3,
+    apart: f64,
+    ground: &dyn Fn(DVec3) -> Option<DVec3>,
+) -> Option<Vec<Object>> {
+    let mut objects = kit.to_vec();
+    for object in objects.iter_mut().filter(|it| it.group.is_none()) {
+        let aside = rotation(turn) * (object.at * apart);
+        let mut there = at + aside;
+        if aside != DVec3::ZERO {
+            there.y = ground(there)?.y;
+        }
+        object.at = there.map(|one| (one * 1e4).round() / 1e4 + 0.0);
+        object.turn += turn;
+    }
+    Some(objects)
+}
+
+/// What stands somewhere: the lowest and highest corner of a box about it.
+type Bounds = (DVec3, DVec3, bool);
+
+fn bounds(object: &Object, pose: &glam::DAffine3) -> Bounds {
+    let m = pose.matrix3;
+    let half = half(&object.what);
+    let reach = m.x_axis.abs() * half.x + m.y_axis.abs() * half.y + m.z_axis.abs() * half.z;
+    let middle = pose.translation;
+    let is_space = matches!(object.what, What::Aberration(_));
+    (middle - reach, middle + reach, is_space)
+}
+
+fn takes_room(object: &Object) -> bool {
+    !matches!(object.what, What::Group | What::Light { .. })
+}
+
+fn boxes_of(objects: &[Object]) -> Vec<Bounds> {
+    let mut room = Room::new("kit");
+    room.objects = objects.to_vec();
+    poses_of(&room)
+}
+
+fn poses_of(room: &Room) -> Vec<Bounds> {
+    let all = room.objects.iter().zip(poses(room));
+    let solid = all.filter(|(it, _)| takes_room(it));
+    solid.map(|(it, pose)| bounds(it, &pose)).collect()
+}
+
+/// Whether something that stands in the room is where a kit would stand. Space that holds all of the kit is not in its way.
+fn is_in_the_way(room: &[Bounds], kit: &[Object]) -> bool {
+    let own = boxes_of(kit);
+    let lowest = own.iter().fold(DVec3::INFINITY, |it, own| it.min(own.0));
+    let highest = own
+        .iter()
+        .fold(DVec3::NEG_INFINITY, |it, own| it.max(own.1));
+    own.iter().any(|(low, high, _)| {
+        let low = *low + DVec3::Y * UNDER_M;
+        room.iter().any(|(from, to, is_space)| {
+            let meets = low.cmplt(*to).all() && high.cmpgt(*from).all();
+            let holds = from.cmple(lowest).all() && to.cmpge(highest).all();
+            meets && !(*is_space && holds)
+        })
+    })
+}
+
+/// The lowest and highest corner of all that a group carries, in the group's own axes; none where that is nothing.
+pub fn bounds_of_group(room: &Room, group: &str) -> Option<(DVec3, DVec3)> {
+    let poses = poses(room);
+    let (index, _) = room.find(group)?;
+    let inverse = poses[index].inverse();
+    let mut groups = HashSet::from([group]);
+    for _ in 0..antipode_rooms::bounds::MOST_DEEP {
+        let carried = room.objects.iter().filter(|it| {
+            let outer = it.group.as_deref();
+            it.what == What::Group && outer.is_some_and(|outer| groups.contains(outer))
+        });
+        let inner: Vec<_> = carried.map(|it| it.name.as_str()).collect();
+        groups.extend(inner);
+    }
+    let is_carried = |it: &Object| it.group.as_deref().is_some_and(|it| groups.contains(it));
+    let all = room.objects.iter().zip(&poses);
+    all.filter(|(it, _)| takes_room(it) && is_carried(it))
+        .map(|(it, pose)| bounds(it, &(inverse * *pose)))
+        .map(|(low, high, _)| (low, high))
+        .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+
+    use antipode_room_scene::tuning::SHAPE;
+    use antipode_rooms::Assets;
+    use antipode_rooms::aberration::{Aberration, Axis, Lengths, Sides, Ways};
+    use antipode_workshop::{Document, find_in};
+    use glam::DVec2;
+
+    use super::*;
+
+    fn put_in(room: &Room, id: &str, point: DVec3, front: DVec3) -> Option<Edit> {
+        let site = Site {
+            point,
+            normal: DVec3::Y,
+            front,
+            snap: &|metres| (metres * 4.0).round() / 4.0,
+            ground: &|point| Some(DVec3::new(point.x, 0.0, point.z)),
+        };
+        put(room, id, &site)
+    }
+
+    /// Where the named thing is, and its front.
+    fn stands(room: &Room, name: &str) -> (DVec3, DVec3) {
+        let (index, _) = room.find(name).unwrap();
+        let pose = poses(room)[index];
+        (pose.translation, pose.matrix3.x_axis)
+    }
+
+    #[test]
+    fn every_kit_is_put_in_twice_stands_on_the_ground_and_nothing_of_it_is_wrong() {
+        for (id, _) in KITS {
+            let mut document = Document::new(Room::new("a"));
+            for _ in 0..2 {
+                let edit = put_in(document.room(), id, DVec3::NEG_Z * 4.0, DVec3::NEG_Z).unwrap();
+                document.edit(&edit).unwrap();
+            }
+            let room = document.room();
+            let all = poses_of(room);
+            let lowest = all[1..]
+                .iter()
+                .map(|it| it.0.y)
+                .fold(f64::INFINITY, f64::min);
+            assert!((-0.03..0.03).contains(&lowest), "{id}: {lowest}");
+            assert!(space_in_parts(room).closed.is_empty(), "{id}");
+            let found = find_in(room, &Assets::default(), &SHAPE, &|| true, &mut |_| {});
+            // Nobody walks onto the portal over the loop, nor falls by it to anywhere.
+            let odd: Vec<_> = found
+                .iter()
+                .filter(|it| it.is_grave || !(*id == "falling-loop" || it.said.id == "fall-out"))
+                .collect();
+            assert!(odd.is_empty(), "{id}: {odd:?}");
+        }
+    }
+
+    #[test]
+    fn a_house_turns_its_door_to_who_looks_and_one_walks_into_twice_the_room() {
+        for (front, door) in [
+            (DVec3::NEG_Z, DVec3::Z),
+            (DVec3::X, DVec3::NEG_X),
+            (DVec3::Z, DVec3::NEG_Z),
+        ] {
+            let room = Room::new("a");
+            let edit = put_in(&room, "house", DVec3::ZERO, front).unwrap();
+            let made = make(&room, &edit).unwrap();
+            let (at, faces) = stands(&made, "house front");
+            assert!(faces.distance(door) < 1e-9, "{front}: {faces}");
+            let (house, _) = stands(&made, "house");
+            assert!((at - house).dot(door) > 2.0, "{front}: {at}");
+            assert!(house.dot(front) > 2.0, "it stands on who looks: {house}");
+            let space = space_in_parts(&made).space;
+            let inside = antipode_deformation::Place::at(&space, house + DVec3::Y);
+            assert_eq!(inside.stack.len(), 1);
+        }
+    }
+
+    #[test]
+    fn the_second_portal_stands_over_no_side_of_a_box_and_in_nothing() {
+        let mut room = Room::new("a");
+        let hall = What::Aberration(Aberration {
+            half: DVec3::new(2.0, 2.0, 2.0),
+            lengths: Lengths::Felt {
+                axis: Axis::Z,
+                felt_m: 20.0,
+            },
+            sides: Sides::Walls,
+            ways: Ways::Both,
+            outline: false,
+        });
+        // One of its sides is where the second of the pair would stand, and a wall on the other side.
+        let at = DVec3::new(5.0, 2.0, -4.0);
+        room.objects.push(Object::new("tunnel", at, hall));
+        let wall = What::Box {
+            size: DVec3::new(2.0, 3.0, 1.0),
+        };
+        let at = DVec3::new(-6.0, 1.5, -4.0);
+        room.objects.push(Object::new("wall", at, wall));
+        let edit = put_in(&room, "portals", DVec3::NEG_Z * 4.0, DVec3::NEG_Z).unwrap();
+        let made = make(&room, &edit).unwrap();
+        assert!(space_in_parts(&made).closed.is_empty());
+        let (first, _) = stands(&made, "door");
+        let (second, _) = stands(&made, "door 2");
+        assert!(first.distance(second) > 3.0);
+        for door in [first, second] {
+            let flat = DVec2::new(door.x, door.z);
+            assert!(
+                (flat.x - 5.0).abs() > 2.8 || (flat.y + 4.0).abs() > 2.0,
+                "{door}"
+            );
+            assert!(
+                (flat.x + 6.0).abs() > 1.8 || (flat.y + 4.0).abs() > 0.5,
+                "{door}"
+            );
+        }
+    }
+}
