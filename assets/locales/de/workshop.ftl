@@ -278,6 +278,8 @@ workshop-step-version = Die Fassung von { $when }
 # Was nicht stimmen mag.
 workshop-finding-not-parallel = „{ $name }“ liegt teilweise in „{ $other }“ und ist anders gedreht; es bleibt zu, bis die Achsen parallel sind oder eines ganz im anderen liegt.
 workshop-finding-too-deep = „{ $name }“ liegt in zu vielen ineinander liegenden Aberrationen, darunter „{ $other }“; höchstens acht sind erlaubt.
+workshop-finding-walls-across = Eine Wand von „{ $name }“ steht quer in „{ $other }“, dort kommt niemand durch; rücke eins davon weg.
+workshop-finding-same-place = „{ $name }“ ist am selben Ort wie „{ $other }“; rücke es weg oder entferne es.
 workshop-finding-tangled = „{ $name }“ liegt in so vielen anderen, dass die Tiefe unklar ist; rücke einige auseinander.
 workshop-finding-no-door = „{ $name }“ hat an allen sechs Seiten Wände, und niemand könnte eintreten.
 workshop-finding-out-of-range = „{ $name }“ hat eine Zahl außerhalb des Erlaubten.

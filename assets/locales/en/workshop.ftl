@@ -278,6 +278,8 @@ workshop-step-version = The version of { $when }
 # What may be wrong.
 workshop-finding-not-parallel = “{ $name }” lies partly in “{ $other }” and is turned another way; it is closed until their axes are parallel, or one lies wholly in the other.
 workshop-finding-too-deep = “{ $name }” lies in too many aberrations in one another, “{ $other }” among them; eight is the most.
+workshop-finding-walls-across = A wall of “{ $name }” stands across “{ $other }”, so one cannot walk through there; move one of them away.
+workshop-finding-same-place = “{ $name }” is in the same place as “{ $other }”; move it, or take it away.
 workshop-finding-tangled = “{ $name }” lies in so many others that it cannot be told how deep; move some apart.
 workshop-finding-no-door = “{ $name }” has walls on all six sides, and nobody could enter.
 workshop-finding-out-of-range = “{ $name }” has a number that is out of range.

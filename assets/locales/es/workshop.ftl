@@ -278,6 +278,8 @@ workshop-step-version = La versión de { $when }
 # Lo que puede estar mal.
 workshop-finding-not-parallel = «{ $name }» está en parte dentro de «{ $other }» y girada de otro modo; está cerrada hasta que sus ejes sean paralelos o una esté del todo en la otra.
 workshop-finding-too-deep = «{ $name }» está en demasiadas aberraciones anidadas, entre ellas «{ $other }»; ocho es el máximo.
+workshop-finding-walls-across = Una pared de «{ $name }» atraviesa «{ $other }» y cierra el paso; aparta una de las dos.
+workshop-finding-same-place = «{ $name }» está en el mismo lugar que «{ $other }»; muévela o quítala.
 workshop-finding-tangled = «{ $name }» está en tantas otras que no se sabe a qué profundidad; separa algunas.
 workshop-finding-no-door = «{ $name }» tiene paredes en los seis lados y nadie podría entrar.
 workshop-finding-out-of-range = «{ $name }» tiene un número fuera de rango.

@@ -316,6 +316,8 @@ workshop-step-version = Wersja z { $when }
 # Co może być nie tak.
 workshop-finding-not-parallel = „{ $name }” leży częściowo w „{ $other }” i jest inaczej obrócone; jest zamknięte, dopóki osie nie będą równoległe albo jedno nie znajdzie się w całości w drugim.
 workshop-finding-too-deep = „{ $name }” leży w zbyt wielu zagnieżdżonych aberracjach, między nimi „{ $other }”; najwyżej osiem.
+workshop-finding-walls-across = Ściana „{ $name }” stoi w poprzek „{ $other }” i zamyka przejście; odsuń jedno z nich.
+workshop-finding-same-place = „{ $name }” jest w tym samym miejscu co „{ $other }”; przesuń to lub usuń.
 workshop-finding-tangled = „{ $name }” leży w tylu innych, że nie wiadomo jak głęboko; rozsuń niektóre.
 workshop-finding-no-door = „{ $name }” ma ściany ze wszystkich sześciu stron i nikt nie wejdzie.
 workshop-finding-out-of-range = „{ $name }” ma liczbę spoza zakresu.

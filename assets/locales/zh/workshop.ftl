@@ -221,6 +221,8 @@ workshop-step-version = { $when } 的版本
 # 可能的问题。
 workshop-finding-not-parallel = “{ $name }”部分位于“{ $other }”之中且转向不同；在两者的轴平行或一个完全位于另一个之内以前，它是关闭的。
 workshop-finding-too-deep = “{ $name }”嵌套的畸变过多（其中有“{ $other }”），最多八层。
+workshop-finding-walls-across = “{ $name }”的一面墙横在“{ $other }”里，那里无法通过；请把其中一个移开。
+workshop-finding-same-place = “{ $name }”与“{ $other }”在同一位置；请移动或删除它。
 workshop-finding-tangled = “{ $name }”与太多其他物体重叠，无法判断深度；请移开一些。
 workshop-finding-no-door = “{ $name }”六面都是墙，没人能进去。
 workshop-finding-out-of-range = “{ $name }”有超出范围的数值。
