@@ -11,13 +11,14 @@ mod layout;
 mod list;
 mod model;
 mod notes;
+mod older;
 mod panes;
 mod parts;
 mod view;
 
 pub use keys::{SHORTCUTS, Shortcut};
 pub use model::{
-    Amount, BarModel, FieldKind, FieldRow, FieldValue, HistoryRow, MessageRow, ObjectRow, PartRow,
-    ToolChoice, Unit, ViewEvent, ViewLine, ViewSide, WorkshopModel, WorkshopWish,
+    Amount, BarModel, FieldKind, FieldRow, FieldValue, HistoryRow, MessageRow, ObjectRow, OlderRow,
+    PartRow, ToolChoice, Unit, ViewEvent, ViewLine, ViewSide, WorkshopModel, WorkshopWish,
 };
 pub use panes::WorkshopPanes;

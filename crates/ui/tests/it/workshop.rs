@@ -98,6 +98,7 @@ fn show(context: &egui::Context, bench: &mut Bench) {
             is_grave: false,
         }],
         history: &[HistoryRow {
+            older: None,
             text: "Add “wall”".to_owned(),
         }],
         done: 1,
