@@ -21,6 +21,7 @@ console-open-already = „{ $name }“ ist schon offen.
 console-no-worlds = Noch ist keine Welt gespeichert.
 console-room-changed = Geändert. „room save“ behält es.
 console-room-saved = Der Raum ist gespeichert.
+console-no-versions = Es gibt keine älteren Fassungen dieses Raums.
 console-world = { $name } ({ $space }, Startwert { $seed })
 console-shot-name = Das Bild kommt nach { $dir }; gib ihm einen Namen ohne Ordner.
 
@@ -53,7 +54,7 @@ console-help-teleport = Versetzt dich anderswohin, in Metern der Karte. Zeichnet
 console-help-spawn = Stellt eine Figur, ein Auto, eine Lampe oder eine Fahne in die Welt.
 console-help-name-flag = Gibt der Fahne, die dir am nächsten ist, einen Namen.
 console-help-perf = Misst Bilder; nur in Skripten.
-console-help-room = Macht, betritt, speichert, löscht oder nennt Räume verformten Raums.
+console-help-room = Macht, betritt, speichert, löscht oder nennt Räume verformten Raums und öffnet ältere Fassungen.
 console-help-add = Stellt etwas in den offenen Raum.
 console-help-change = Ändert etwas im offenen Raum.
 console-help-remove = Nimmt etwas aus dem offenen Raum.

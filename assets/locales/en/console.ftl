@@ -21,6 +21,7 @@ console-open-already = “{ $name }” is open already.
 console-no-worlds = No world is saved yet.
 console-room-changed = Changed. “room save” keeps it.
 console-room-saved = The room is saved.
+console-no-versions = There are no older versions of this room.
 console-world = { $name } ({ $space }, seed { $seed })
 console-shot-name = Pictures are saved in { $dir }. Give a name without a folder.
 
@@ -54,7 +55,7 @@ console-help-teleport = Puts you somewhere else, in metres of the chart. Marks t
 console-help-spawn = Puts a figure, a car, a lamp or a flag into the world.
 console-help-name-flag = Names the flag nearest to you.
 console-help-perf = Measures frames; in scripts only.
-console-help-room = Makes, enters, keeps, deletes or lists rooms of deformed space.
+console-help-room = Makes, enters, keeps, deletes or lists rooms of deformed space, and goes back to older versions of one.
 console-help-add = Puts something into the room that is open.
 console-help-change = Changes something in the room that is open.
 console-help-remove = Takes something out of the room that is open.

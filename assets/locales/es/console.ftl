@@ -21,6 +21,7 @@ console-open-already = «{ $name }» ya está abierto.
 console-no-worlds = Todavía no hay mundos guardados.
 console-room-changed = Cambiado. «room save» lo guarda.
 console-room-saved = La sala está guardada.
+console-no-versions = No hay versiones anteriores de esta sala.
 console-world = { $name } ({ $space }, semilla { $seed })
 console-shot-name = La imagen va a { $dir }; dale un nombre sin carpeta.
 
@@ -53,7 +54,7 @@ console-help-teleport = Te lleva a otro lugar, en metros de la carta. Marca el m
 console-help-spawn = Pone una figura, un coche, una lámpara o una bandera en el mundo.
 console-help-name-flag = Da un nombre a la bandera más cercana.
 console-help-perf = Mide imágenes; solo en guiones.
-console-help-room = Crea, abre, guarda, borra o enumera salas de espacio deformado.
+console-help-room = Crea, abre, guarda, borra o enumera salas de espacio deformado, y vuelve a versiones anteriores.
 console-help-add = Pone algo en la sala abierta.
 console-help-change = Cambia algo en la sala abierta.
 console-help-remove = Quita algo de la sala abierta.

@@ -22,6 +22,7 @@ console-open-already = „{ $name }” jest już otwarty.
 console-no-worlds = Nie ma jeszcze zapisanego świata.
 console-room-changed = Zmieniono. „room save” to zachowa.
 console-room-saved = Pokój jest zapisany.
+console-no-versions = Nie ma starszych wersji tego pokoju.
 console-world = { $name } ({ $space }, ziarno { $seed })
 console-shot-name = Obraz trafia do { $dir }; podaj nazwę bez folderu.
 
@@ -54,7 +55,7 @@ console-help-teleport = Przenosi cię gdzie indziej, w metrach mapy. Oznacza św
 console-help-spawn = Stawia w świecie postać, samochód, lampę albo flagę.
 console-help-name-flag = Nadaje nazwę najbliższej fladze.
 console-help-perf = Mierzy klatki; tylko w skryptach.
-console-help-room = Tworzy, otwiera, zapisuje, usuwa lub wymienia pokoje odkształconej przestrzeni.
+console-help-room = Tworzy, otwiera, zapisuje, usuwa lub wymienia pokoje odkształconej przestrzeni i wraca do starszych wersji.
 console-help-add = Wstawia coś do otwartego pokoju.
 console-help-change = Zmienia coś w otwartym pokoju.
 console-help-remove = Usuwa coś z otwartego pokoju.

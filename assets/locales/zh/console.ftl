@@ -18,6 +18,7 @@ console-open-already = “{ $name }”已经打开。
 console-no-worlds = 还没有保存的世界。
 console-room-changed = 已更改。用 room save 保存。
 console-room-saved = 房间已保存。
+console-no-versions = 这个房间没有旧版本。
 console-world = { $name }（{ $space }，种子 { $seed }）
 console-shot-name = 图片会放入 { $dir }；请给出不带文件夹的名称。
 
@@ -50,7 +51,7 @@ console-help-teleport = 把你送到别处，以图上米数计。会标记世�
 console-help-spawn = 在世界里放一个人物、一辆车、一盏灯或一面旗子。
 console-help-name-flag = 给离你最近的旗子取名。
 console-help-perf = 测量帧；仅用于脚本。
-console-help-room = 创建、进入、保存、删除或列出变形空间的房间。
+console-help-room = 创建、进入、保存、删除或列出变形空间的房间，并可回到旧版本。
 console-help-add = 在打开的房间中放入东西。
 console-help-change = 改变打开的房间中的东西。
 console-help-remove = 从打开的房间中取走东西。

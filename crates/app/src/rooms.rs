@@ -1,5 +1,7 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
+use std::path::PathBuf;
+
 use antipode_rays::{Options, Outlines, View};
 use antipode_room_scene::{Moment, RoomScene, RoomViewing, Steer};
 use antipode_rooms::folder::assets;
@@ -7,7 +9,9 @@ use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, roo
 use antipode_scene::Actions;
 use antipode_scene::frame::Quality;
 use antipode_settings::Settings;
-use antipode_workshop::{Document, WorkshopError};
+use antipode_workshop::{
+    Document, Plan, Said, Version, WorkshopError, is_in_use, read_version, versions,
+};
 use glam::DVec3;
 
 use crate::common::Common;
@@ -39,6 +43,23 @@ pub struct OpenRoom {
     pub look: View,
     /// Of which aberrations the outlines are shown.
     pub outlines: Outlines,
+    /// What there is to tell of how it was found.
+    pub notes: Vec<RoomNote>,
+}
+
+/// What there is to tell of a room that was opened to be built in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum RoomNote {
+    /// It has edits that its file does not have.
+    Ahead,
+    /// Its file was changed by something else.
+    Changed,
+    /// Its journal was damaged, and lies there now.
+    Aside(PathBuf),
+    /// Another window builds in it.
+    InUse,
+    /// Its journal cannot be written, for that reason.
+    NoJournal(String),
 }
 
 /// What a step of a room takes of what is held and turned.
@@ -115,17 +136,29 @@ impl OpenRoom {
             Ok(opened) => opened,
             Err(WorkshopError::Room(why)) => return Err(why),
             // It can be walked through.
+            Err(WorkshopError::InUse(_)) => {
+                let mut room = Self::enter(dir, kept)?;
+                room.notes.push(RoomNote::InUse);
+                return Ok(room);
+            }
             Err(why) => {
-                tracing::warn!("the room has no journal: {why}");
-                return Self::enter(dir, kept);
+                let mut room = Self::enter(dir, kept)?;
+                room.notes.push(RoomNote::NoJournal(why.to_string()));
+                return Ok(room);
             }
         };
         let files = assets(&folder, opened.document.room())?;
+        let notes = [
+            opened.aside.map(RoomNote::Aside),
+            opened.was_changed.then_some(RoomNote::Changed),
+            (opened.is_ahead && !opened.was_changed).then_some(RoomNote::Ahead),
+        ];
         Ok(Self {
             scene: RoomScene::of(opened.document, files),
             kept: Some(kept),
             look: View::Exact,
             outlines: Outlines::default(),
+            notes: notes.into_iter().flatten().collect(),
         })
     }
 
@@ -135,7 +168,49 @@ impl OpenRoom {
             kept,
             look: View::Exact,
             outlines: Outlines::default(),
+            notes: Vec::new(),
         }
+    }
+
+    /// Why it is not to be changed here, if it is not.
+    pub fn read_only(&self) -> Option<&RoomNote> {
+        let is_it = |it: &&RoomNote| matches!(it, RoomNote::InUse | RoomNote::NoJournal(_));
+        self.notes.iter().find(is_it)
+    }
+
+    /// The folder of a room of the player's own.
+    pub fn folder(&self, dir: &RoomsDir) -> Option<PathBuf> {
+        let own = self.kept.as_ref().filter(|kept| !kept.shipped)?;
+        Some(dir.path().join(&own.slug))
+    }
+
+    /// Its older versions, the newest first; none of a room that is not the player's own. Waits for the disk.
+    pub fn versions(&self, dir: &RoomsDir) -> Vec<Version> {
+        self.folder(dir).map_or_else(Vec::new, |it| versions(&it))
+    }
+
+    /// Goes back to the older version of that number, 1 for the newest, which is a step that can be taken back. Waits for the disk.
+    ///
+    /// # Errors
+    /// If there is none of that number, or why it cannot be read.
+    pub fn open_older(&mut self, dir: &RoomsDir, number: usize) -> Result<(), RoomError> {
+        if self.read_only().is_some() {
+            return Err(in_use(self.kept.as_ref()));
+        }
+        let all = self.versions(dir);
+        let found = number.checked_sub(1).and_then(|it| all.get(it));
+        let (Some(version), Some(folder)) = (found, self.folder(dir)) else {
+            return Err(RoomError::Command(match all.len() {
+                0 => "There are no older versions of this room; they are kept while one builds in a room of one's own."
+                    .to_owned(),
+                count => format!("There is no older version {number} of this room; there are 1 to {count}, 1 the newest."),
+            }));
+        };
+        let room = read_version(&folder, *version)?;
+        let files = assets(&folder, &room)?;
+        self.scene.document_mut().end_drag();
+        let plan = older_plan(self.scene.document(), room, *version)?;
+        self.scene.make(plan, |_: &Room| Ok(files))
     }
 
     /// Pictures of it are made as the player has chosen for worlds.
@@ -266,6 +341,20 @@ impl Rooms {
         Some(open.save(&self.dir, name))
     }
 
+    /// Older versions of the open room, the newest first. None where no room is open.
+    pub fn versions(&self) -> Option<Vec<Version>> {
+        Some(self.open.as_ref()?.versions(&self.dir))
+    }
+
+    /// Goes back to an older version of the open room. None where no room is open.
+    ///
+    /// # Errors
+    /// As [`OpenRoom::open_older`].
+    pub fn open_older(&mut self, number: usize) -> Option<Result<(), RoomError>> {
+        let open = self.open.as_mut()?;
+        Some(open.open_older(&self.dir, number))
+    }
+
     /// Deletes a room of the player.
     ///
     /// # Errors
@@ -297,6 +386,9 @@ impl OpenRoom {
     /// # Errors
     /// As [`RoomScene::edit`].
     pub fn edit(&mut self, dir: &RoomsDir, words: &[&str]) -> Result<(), RoomError> {
+        if self.read_only().is_some() {
+            return Err(in_use(self.kept.as_ref()));
+        }
         // A room that is kept nowhere has no files.
         let own = self.kept.as_ref().filter(|kept| !kept.shipped);
         let dir = dir.path().join(own.map_or("", |kept| &kept.slug));
@@ -312,11 +404,33 @@ impl OpenRoom {
     }
 }
 
+fn in_use(kept: Option<&RoomSummary>) -> RoomError {
+    let name = kept.map_or(NAMELESS, |it| &it.name);
+    RoomError::Command(format!(
+        "\"{name}\" is being built in by another window of the game, or its folder cannot be written, so it is not changed here. Close it there first, or keep this one under another name."
+    ))
+}
+
+/// Takes an older version in place of the room, as a step.
+pub fn older_plan(
+    document: &Document,
+    room: Room,
+    version: Version,
+) -> Result<Plan, WorkshopError> {
+    let when = crate::dates::stamp(version.when_s);
+    document.plan_room(room, Said::new("version").with("when", when))
+}
+
 fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), RoomError> {
     let Some(name) = name else {
         return match &open.kept {
             Some(kept) if kept.shipped => Err(RoomError::Shipped(kept.name.clone())),
-            Some(kept) => dir.save(&kept.slug, open.scene.room()),
+            Some(kept) => match open.scene.document().dir() {
+                // By way of the journal, which goes on from there.
+                Some(_) => Ok(open.scene.document_mut().save_now()?),
+                None if is_in_use(&dir.path().join(&kept.slug)) => Err(in_use(Some(kept))),
+                None => dir.save(&kept.slug, open.scene.room()),
+            },
             None => Err(RoomError::Command(
                 "This room has no name, so it is not kept; say room save name=...".to_owned(),
             )),
@@ -364,3 +478,6 @@ fn copied(dir: &RoomsDir, kept: &RoomSummary, room: &Room) -> Result<String, Roo
     }
     Ok(slug)
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,10 +2,13 @@
 //!
 //! Walls of aberrations are no matter of this list: the space has them.
 
-use antipode_deformation::{Triangle, Triangles};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use antipode_deformation::{Form, Solids, Standing};
 
 use crate::folder::Assets;
-use crate::mesh::{Roundness, Shapes, SolidMesh, standing_meshes};
+use crate::mesh::{Roundness, Shape, Shapes, SolidMesh, standing_meshes};
 use crate::room::Room;
 
 /// The meshes of all that stands in a room but the walls of its aberrations.
@@ -18,16 +21,17 @@ pub fn standing_again(room: &Room, assets: &Assets, shapes: &mut Shapes) -> Vec<
     standing_meshes(room, assets, Roundness::default(), shapes)
 }
 
-/// Their triangles, each with the place of its object among all.
-pub fn triangles(meshes: &[SolidMesh]) -> Triangles {
-    let of = |mesh: &SolidMesh| {
-        let (pose, shape, object) = (mesh.pose, mesh.shape.clone(), mesh.object as u32);
-        let corner = move |it: u32| pose.transform_point3(shape.positions[it as usize]);
-        let triangles = mesh.shape.triangles.clone();
-        triangles.into_iter().map(move |it| Triangle {
-            corners: it.map(&corner),
-            object,
-        })
+/// What is met of them, each with the place of its object among all.
+pub fn solids(meshes: &[SolidMesh]) -> Solids {
+    let mut known: HashMap<*const Shape, Arc<Form>> = HashMap::new();
+    let mut form = |shape: &Arc<Shape>| {
+        let made = || Arc::new(Form::new(shape.positions.clone(), shape.triangles.clone()));
+        known.entry(Arc::as_ptr(shape)).or_insert_with(made).clone()
     };
-    Triangles::new(meshes.iter().flat_map(of).collect())
+    let stands = meshes.iter().map(|it| Standing {
+        form: form(&it.shape),
+        pose: it.pose,
+        object: it.object as u32,
+    });
+    Solids::new(stands.collect())
 }

@@ -36,7 +36,7 @@ pub use document::Document;
 pub use edit::{Array, Edit, Field};
 pub use error::WorkshopError;
 pub use history::{History, LEAST_STEPS, Step};
-pub use journal::{FOLDER, Opened, Pace};
+pub use journal::{FOLDER, Opened, Pace, is_in_use};
 pub use keeping::Trouble;
 pub use make::{MOST_COPIES, make};
 pub use marks::Marks;

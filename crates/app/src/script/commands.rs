@@ -115,7 +115,7 @@ pub static COMMANDS: [CommandInfo; 37] = {
         command("perf", "SECONDS", &[Free]),
         command(
             "room",
-            "new|load|save|delete|list|set [name=NAME] [gravity=X,Y,Z] [KEY=VALUE ...]",
+            "new|load|save|delete|list|versions|older|set [name=NAME] [gravity=X,Y,Z] [KEY=VALUE ...]",
             &[RoomAct, Free],
         ),
         command("add", "KIND name=NAME KEY=VALUE ...", &[RoomKind, Free]),

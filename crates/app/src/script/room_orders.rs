@@ -40,6 +40,14 @@ impl Runner {
             },
             RoomOrder::Delete(name) => self.rooms.delete(name).map_err(told),
             RoomOrder::List => say::rooms(&self.rooms.list()?),
+            RoomOrder::Versions => match self.rooms.versions() {
+                Some(versions) => say::versions(&versions),
+                None => Err(Failure::Usage(NO_ROOM.to_owned())),
+            },
+            RoomOrder::Older(number) => match self.rooms.open_older(*number) {
+                Some(opened) => opened.map_err(told),
+                None => Err(Failure::Usage(NO_ROOM.to_owned())),
+            },
         }
     }
 

@@ -4,8 +4,10 @@ use antipode_room_scene::RoomProbe;
 use antipode_rooms::RoomSummary;
 use antipode_scene::Probe;
 use antipode_storage::WorldSummary;
+use antipode_workshop::Version;
 use serde::Serialize;
 
+use crate::dates::stamp;
 use crate::drawn::Drawn;
 use crate::failure::Failure;
 use crate::output;
@@ -100,6 +102,25 @@ pub fn rooms(rooms: &[RoomSummary]) -> Result<(), Failure> {
             shipped: room.shipped,
             objects: room.objects,
             problem: room.problem.as_deref(),
+        })
+        .collect();
+    line(&listed)
+}
+
+/// An older version of a room.
+#[derive(Serialize)]
+struct ListedVersion {
+    number: usize,
+    when: String,
+}
+
+/// Prints older versions of a room as one JSON array, the newest first.
+pub fn versions(versions: &[Version]) -> Result<(), Failure> {
+    let listed: Vec<_> = (1..)
+        .zip(versions)
+        .map(|(number, it)| ListedVersion {
+            number,
+            when: stamp(it.when_s),
         })
         .collect();
     line(&listed)

@@ -17,6 +17,7 @@ use super::visit::Visit;
 use crate::bindings::Input;
 use crate::console::{HELP, help};
 use crate::controls::Controls;
+use crate::dates::stamp;
 use crate::failure::Failure;
 use crate::rooms::OpenRoom;
 use crate::script::{
@@ -134,6 +135,23 @@ impl Game {
                     Some(slug) => self.menus.rooms.delete(slug),
                     None => return Err(Failure::Usage(format!("no room is called \"{name}\""))),
                 }
+            }
+            RoomOrder::Versions => {
+                let dir = self.play.worlds.rooms();
+                let versions = self.visited()?.versions(&dir);
+                if versions.is_empty() {
+                    self.reply(Answer, "console-no-versions", &[]);
+                }
+                for (number, it) in (1..).zip(versions) {
+                    self.write(Answer, &format!("{number}: {}", stamp(it.when_s)));
+                }
+            }
+            RoomOrder::Older(number) => {
+                let dir = self.play.worlds.rooms();
+                let room = self.visited()?;
+                room.open_older(&dir, *number)
+                    .map_err(|error| told_of_room(&error))?;
+                self.reply(Answer, "console-room-changed", &[]);
             }
             RoomOrder::List => {
                 let names = self.menus.rooms.names();

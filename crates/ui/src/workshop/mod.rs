@@ -13,6 +13,7 @@ mod lesson;
 mod list;
 mod model;
 mod notes;
+mod older;
 mod panes;
 mod parts;
 mod view;
@@ -21,7 +22,7 @@ pub(crate) use keys::told_keys;
 pub use keys::{SHORTCUTS, Shortcut};
 pub use model::{
     Amount, BarModel, ExampleRow, FieldKind, FieldRow, FieldValue, HistoryRow, LessonModel,
-    LessonTarget, MessageRow, ObjectRow, PartRow, ToolChoice, Unit, ViewEvent, ViewLine, ViewSide,
-    WorkshopModel, WorkshopWish,
+    LessonTarget, MessageRow, ObjectRow, OlderRow, PartRow, ToolChoice, Unit, ViewEvent, ViewLine,
+    ViewSide, WorkshopModel, WorkshopWish,
 };
 pub use panes::WorkshopPanes;

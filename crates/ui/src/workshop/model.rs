@@ -21,6 +21,8 @@ pub struct WorkshopModel<'a> {
     pub messages: &'a [MessageRow],
     /// What was done, the first step first.
     pub history: &'a [HistoryRow],
+    /// Older versions of the room, the newest first; none where they have not been asked for.
+    pub older: Option<&'a [OlderRow]>,
     /// How many of these steps hold; those behind them were taken back.
     pub done: usize,
     /// What the bar shows.
@@ -186,6 +188,15 @@ pub struct MessageRow {
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoryRow {
     /// What it did.
+    pub text: String,
+}
+
+/// An older version of the room.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OlderRow {
+    /// What intents call it.
+    pub when_s: u64,
+    /// When it was written, in words.
     pub text: String,
 }
 
@@ -404,6 +415,10 @@ pub enum WorkshopWish {
     Delete,
     /// What is chosen is moved by steps to the right, up and towards who looks.
     Nudge([i8; 3]),
+    /// Older versions of the room are looked for, or not shown any more.
+    ShowOlder(bool),
+    /// The older version of that time is taken in place of the room.
+    OpenOlder(u64),
     /// What a message is about is chosen and looked at.
     ShowMessage(usize),
     /// The room is played from here.

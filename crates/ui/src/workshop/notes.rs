@@ -34,6 +34,7 @@ pub(super) fn messages(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<
 
 /// What was done: a click leads back to there, or forth.
 pub(super) fn history(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
+    super::older::list(ui, model, wishes);
     let height = 22.0;
     let beginning = model.texts.say("workshop-beginning");
     ScrollArea::vertical()

@@ -105,6 +105,7 @@ fn show(context: &egui::Context, bench: &mut Bench) {
         history: &[HistoryRow {
             text: "Add “wall”".to_owned(),
         }],
+        older: None,
         done: 1,
         bar: bench.bar,
         lines: &[],

@@ -183,6 +183,10 @@ impl<'a> Flood<'a> {
                     }
                     return;
                 }
+                Stride::Falls(passed) => {
+                    self.passed.extend(passed);
+                    return;
+                }
                 Stride::To(to, passed) => {
                     place = to;
                     let turned = !passed.is_empty();

@@ -2,7 +2,7 @@
 //! as who walks does. It is quick rather than exact: who walks in earnest is [`antipode_deformation::Walker`].
 
 use antipode_deformation::{
-    End, EventKind, Hit, Place, SceneQuery, Space, Trace, Traveller, Triangles, Void, WalkerShape,
+    End, EventKind, Hit, Place, SceneQuery, Solids, Space, Trace, Traveller, Void, WalkerShape,
     felt_gravity, trace,
 };
 use glam::DVec3;
@@ -21,7 +21,7 @@ const LEVEL_M: f64 = 0.02;
 /// Where one may walk.
 pub(crate) struct Ground<'a> {
     pub space: &'a Space,
-    pub solids: &'a Triangles,
+    pub solids: &'a Solids,
     /// Gravity of the room, m/s^2.
     pub gravity: DVec3,
     /// Who walks.
@@ -34,8 +34,8 @@ pub(crate) enum Under {
     Floor(f64, Hit),
     /// Nothing.
     Void,
-    /// A fall through portals that has no end.
-    Endless,
+    /// A fall that has no end, through these portals.
+    Endless(Vec<usize>),
 }
 
 /// What becomes of a stride.
@@ -46,6 +46,8 @@ pub(crate) enum Stride {
     To(Place, Vec<usize>),
     /// One falls out of the room there.
     Void(DVec3),
+    /// One falls without end, through these portals. Who falls can steer, so one comes to what is before them.
+    Falls(Vec<usize>),
 }
 
 impl Ground<'_> {
@@ -84,7 +86,7 @@ impl Ground<'_> {
         match way.end {
             End::Hit(hit) => Under::Floor(way.length, hit),
             End::Spent => Under::Void,
-            End::TooManyEvents => Under::Endless,
+            End::TooManyEvents => Under::Endless(portals(&way).collect()),
         }
     }
 
@@ -143,7 +145,11 @@ impl Ground<'_> {
         let (below, hit) = match self.under(&chest) {
             Under::Floor(below, hit) => (below, hit),
             Under::Void if self.is_rim(&chest, ahead) => return Stride::Void(chest.point),
-            Under::Void | Under::Endless => return Stride::Blocked,
+            Under::Void => return Stride::Blocked,
+            Under::Endless(through) => {
+                passed.extend(through);
+                return Stride::Falls(passed);
+            }
         };
         // A slope may rise faster than a step is high.
         let slope = STRIDE_M * self.shape.steepest_rad.tan();

@@ -9,8 +9,8 @@ mod sides;
 mod spawn;
 mod worker;
 
-use antipode_deformation::{Triangles, WalkerShape};
-use antipode_rooms::solids::{standing, triangles};
+use antipode_deformation::WalkerShape;
+use antipode_rooms::solids::{solids, standing};
 use antipode_rooms::{Assets, Room, space_in_parts};
 use glam::DVec3;
 
@@ -21,7 +21,7 @@ pub use worker::{Checker, Findings};
 
 /// The ids of all findings. Each has `name`, and `other` where a second object has a part in it; `spawn-in-air` and `fall-out`
 /// have `metres` in place of names.
-pub const FINDINGS: [&str; 19] = [
+pub const FINDINGS: [&str; 21] = [
     "not-parallel",
     "too-deep",
     "tangled",
@@ -36,6 +36,8 @@ pub const FINDINGS: [&str; 19] = [
     "over-side",
     "in-odd-box",
     "portals-touch",
+    "walls-across",
+    "same-place",
     "spawn-in-solid",
     "spawn-in-air",
     "open-sides",
@@ -70,7 +72,8 @@ pub fn find(
 ) -> Vec<Finding> {
     let so_far = space_in_parts(room);
     let mut found = fits::find(room, &so_far);
-    let solids = solids(room, assets);
+    found.extend(fits::find_walls_across(room, &so_far));
+    let solids = solids(&standing(room, assets));
     if !goes_on() {
         return found;
     }
@@ -87,8 +90,4 @@ pub fn find(
         parts::find(room, &so_far, &ground, &start, goes_on, &mut found);
     }
     found
-}
-
-fn solids(room: &Room, assets: &Assets) -> Triangles {
-    triangles(&standing(room, assets))
 }

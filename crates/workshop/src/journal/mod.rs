@@ -11,7 +11,7 @@ mod worker;
 use std::path::{Path, PathBuf};
 
 pub(crate) use keeper::{Keeper, News, Note};
-pub use opening::{Opened, Pace};
+pub use opening::{Opened, Pace, is_in_use};
 
 /// The folder within a room's own.
 pub const FOLDER: &str = "workshop";

@@ -150,6 +150,13 @@ fn lock(dir: &Path) -> Result<File, WorkshopError> {
     }
 }
 
+/// Whether another window, or another game, edits the room in a folder. Nothing is made there.
+pub fn is_in_use(dir: &Path) -> bool {
+    let path = in_folder(dir, LOCK);
+    let file = File::options().write(true).open(path);
+    file.is_ok_and(|it| matches!(it.try_lock(), Err(TryLockError::WouldBlock)))
+}
+
 /// The bytes of a journal; none if there are none that could be one.
 fn read_journal(journal: &Path) -> Result<Option<Vec<u8>>, WorkshopError> {
     match antipode_storage::read_file(journal, MOST_JOURNAL_BYTES) {

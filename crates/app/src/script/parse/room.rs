@@ -22,10 +22,16 @@ pub enum RoomOrder {
     Delete(String),
     /// Print the rooms.
     List,
+    /// Print the older versions of the open room.
+    Versions,
+    /// Go back to the older version of that number, 1 for the newest.
+    Older(usize),
 }
 
 /// What `room` can do.
-pub const ROOM_ACTS: [&str; 6] = ["new", "load", "save", "delete", "list", "set"];
+pub const ROOM_ACTS: [&str; 8] = [
+    "new", "load", "save", "delete", "list", "versions", "older", "set",
+];
 
 /// The words after `room`.
 pub(super) fn room(words: &[&str]) -> Result<RoomOrder, String> {
@@ -39,6 +45,14 @@ pub(super) fn room(words: &[&str]) -> Result<RoomOrder, String> {
         ("save", [name]) => Ok(RoomOrder::Save(Some(new_name(plain(name))?))),
         ("delete", [name]) => Ok(RoomOrder::Delete(known_name(name)?)),
         ("list", []) => Ok(RoomOrder::List),
+        ("versions", []) => Ok(RoomOrder::Versions),
+        ("older", [word]) => match word.parse() {
+            Ok(number @ 1..=1000) => Ok(RoomOrder::Older(number)),
+            _ => Err(format!(
+                "{} is no number of an older version; \"room versions\" tells them",
+                quoted(word)
+            )),
+        },
         (act, _) if ROOM_ACTS.contains(&act) => Err(format!(
             "\"room {act}\" has too few, too many or unknown arguments"
         )),

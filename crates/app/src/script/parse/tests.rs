@@ -170,6 +170,8 @@ fn words_of_rooms_are_orders_or_mistakes() {
     );
     assert_eq!(one("room save"), room(RoomOrder::Save(None)));
     assert_eq!(one("room list"), room(RoomOrder::List));
+    assert_eq!(one("room versions"), room(RoomOrder::Versions));
+    assert_eq!(one("room older 3"), room(RoomOrder::Older(3)));
     let words = ["room", "set", "sky=#123456"].map(str::to_owned);
     assert_eq!(
         one("room set sky=\"#123456\""),
@@ -189,10 +191,15 @@ fn words_of_rooms_are_orders_or_mistakes() {
     for (mistake, said) in [
         ("room", "too few"),
         ("room load", "too few"),
-        ("room paint x", "new, load, save, delete, list, set"),
+        (
+            "room paint x",
+            "new, load, save, delete, list, versions, older, set",
+        ),
         ("room new gravity=1,2", "three numbers"),
         ("room new gravity=0,-1e9,0", "out of range"),
         ("room new name=", "will not do"),
+        ("room older x", "no number of an older version"),
+        ("room older 0", "no number of an older version"),
         ("add box", "too few"),
         ("remove", "too few"),
     ] {

@@ -12,6 +12,7 @@ use super::super::phase::{Closing, Next, Opened, Opening, Phase, Request};
 use super::super::placelist::room_of;
 use super::super::veil::Veil;
 use super::super::visit::Visit;
+use super::super::workshop::note;
 use super::{CHUNK_BUDGET, Play};
 use crate::failure::Failure;
 use crate::options;
@@ -168,7 +169,10 @@ impl Play {
                 self.pace.rest();
                 let dir = self.worlds.rooms().path().to_path_buf();
                 let mut visit = Visit::new(*room, self.opened, dir);
-                if builds {
+                if let Some(why) = visit.room.read_only() {
+                    let words = note(&menus.texts, why).text;
+                    menus.shell.toast(words, ToastKind::Problem);
+                } else if builds {
                     visit.build();
                 }
                 return Phase::InRoom(Box::new(visit));

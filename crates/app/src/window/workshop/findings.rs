@@ -7,6 +7,7 @@ use antipode_ui::workshop::MessageRow;
 use antipode_workshop::{Checker, Finding};
 
 use super::rows::said;
+use crate::rooms::RoomNote;
 
 /// What was found so far.
 #[derive(Debug)]
@@ -17,11 +18,13 @@ pub struct Findings {
     found: Vec<Finding>,
     /// Whether that is all that there is to find in it.
     is_all: bool,
+    /// What there is to tell of how the room was found; above all others, until it is read.
+    notes: Vec<RoomNote>,
 }
 
 impl Findings {
-    /// Nothing yet.
-    pub fn begin() -> Self {
+    /// Nothing yet but what there is to tell of how the room was found.
+    pub fn begin(notes: Vec<RoomNote>) -> Self {
         let checker = Checker::start(SHAPE);
         let checker = checker.inspect_err(|why| tracing::warn!("rooms are not checked: {why}"));
         Self {
@@ -29,6 +32,7 @@ impl Findings {
             asked: None,
             found: Vec::new(),
             is_all: false,
+            notes,
         }
     }
 
@@ -59,7 +63,8 @@ impl Findings {
             text: said(texts, "finding", &it.said),
             is_grave: it.is_grave,
         };
-        self.found.iter().map(row).collect()
+        let notes = self.notes.iter().map(|it| note(texts, it));
+        notes.chain(self.found.iter().map(row)).collect()
     }
 
     /// How many there are.
@@ -68,8 +73,41 @@ impl Findings {
         self.found.len()
     }
 
-    /// The one of that number.
-    pub fn get(&self, number: usize) -> Option<&Finding> {
-        self.found.get(number)
+    /// The finding of that row. What there is to tell of the room itself is read then, and gone.
+    pub fn take(&mut self, number: usize) -> Option<Finding> {
+        if number < self.notes.len() {
+            self.notes.remove(number);
+            return None;
+        }
+        self.found.get(number - self.notes.len()).cloned()
     }
+
+    /// What was not read.
+    pub fn unread(&mut self) -> Vec<RoomNote> {
+        std::mem::take(&mut self.notes)
+    }
+}
+
+/// What there is to tell of how a room was found, in words.
+pub fn note(texts: &Texts, note: &RoomNote) -> MessageRow {
+    let (text, is_grave) = match note {
+        RoomNote::Ahead => (texts.say("workshop-note-ahead"), false),
+        RoomNote::Changed => (texts.say("workshop-note-changed"), false),
+        RoomNote::Aside(path) => {
+            let file = path.display().to_string().into();
+            (
+                texts.say_with("workshop-note-aside", &[("file", file)]),
+                true,
+            )
+        }
+        RoomNote::InUse => (texts.say("workshop-in-use"), true),
+        RoomNote::NoJournal(why) => {
+            let why = why.trim_end_matches('.').into();
+            (
+                texts.say_with("workshop-no-journal", &[("reason", why)]),
+                true,
+            )
+        }
+    };
+    MessageRow { text, is_grave }
 }

@@ -7,7 +7,7 @@ use antipode_ui::ToastKind;
 use antipode_ui::workshop::{BarModel, WorkshopModel, WorkshopPanes, WorkshopWish};
 
 use super::wishes::{Bench, Outcome};
-use super::{Lesson, Workshop, lines};
+use super::{Lesson, Workshop, findings, lines};
 use crate::bindings::Action;
 use crate::room_picture::Tile;
 use crate::window::game::Game;
@@ -32,6 +32,11 @@ impl Game {
         let kept = visit.room.kept.as_ref();
         if kept.is_none_or(|kept| kept.shipped) {
             self.menus.toast(ToastKind::State, "workshop-not-own", &[]);
+            return;
+        }
+        if let Some(why) = visit.room.read_only() {
+            let words = findings::note(&self.menus.texts, why).text;
+            self.menus.shell.toast(words, ToastKind::State);
             return;
         }
         visit.build();
@@ -98,6 +103,9 @@ impl Game {
         workshop.findings.pass(scene);
         if let Some(lesson) = &mut visit.lesson {
             lesson.pass(scene);
+        }
+        if let Some(why) = workshop.older.pass(scene) {
+            self.menus.shell.toast(why, ToastKind::State);
         }
         if let Some(why) = workshop.keeping.pass(scene, passed.as_secs_f64()) {
             let values = [("reason", why.into())];
@@ -280,6 +288,7 @@ impl Workshop {
             parts: &told.parts,
             messages: &self.findings.rows(texts),
             history: &told.history,
+            older: self.older.rows(),
             done: made,
             bar,
             lines: &lines::lines(self, scene, texts),

@@ -14,6 +14,7 @@ mod kits;
 mod lesson;
 mod lines;
 mod link;
+mod older;
 mod parts;
 mod rows;
 mod set;
@@ -29,10 +30,13 @@ use glam::DVec2;
 use super::background::Task;
 use super::visit::Visit;
 use crate::room_picture::{RoomView, Tile};
+use crate::rooms::RoomNote;
 use findings::Findings;
+pub(in crate::window) use findings::note;
 use hand::{Dragging, Meant};
 use keeping::Keeping;
 pub use lesson::Lesson;
+use older::OlderList;
 use told::Told;
 
 /// Turns that are held while one drags, degrees.
@@ -62,6 +66,7 @@ pub struct Workshop {
     field: Option<String>,
     keeping: Keeping,
     findings: Findings,
+    older: OlderList,
     told: Told,
     pictures: examples::Pictures,
     /// Whether a menu or a list is down.
@@ -84,8 +89,8 @@ impl std::fmt::Debug for Workshop {
 }
 
 impl Workshop {
-    /// It looks at a room as who is in it does.
-    pub fn new(scene: &RoomScene) -> Self {
+    /// It looks at a room as who is in it does. `notes`: what there is to tell of how the room was found.
+    pub fn new(scene: &RoomScene, notes: Vec<RoomNote>) -> Self {
         Self {
             panes: None,
             camera: FreeCamera::of(&scene.eye()),
@@ -104,7 +109,8 @@ impl Workshop {
             linking: None,
             field: None,
             keeping: Keeping::of(scene),
-            findings: Findings::begin(),
+            findings: Findings::begin(notes),
+            older: OlderList::default(),
             told: Told::default(),
             pictures: examples::Pictures::default(),
             is_dropped: false,
@@ -185,15 +191,17 @@ impl Visit {
     /// The room is built in from now on.
     pub fn build(&mut self) {
         self.room.look = View::Exact;
-        self.workshop = Some(Box::new(Workshop::new(self.scene())));
+        let notes = std::mem::take(&mut self.room.notes);
+        self.workshop = Some(Box::new(Workshop::new(self.scene(), notes)));
         self.room.scene.leave_out_hidden(true);
     }
 
     /// It is walked through again, from where it was looked at last.
     pub fn walk(&mut self) {
-        let Some(workshop) = self.workshop.take() else {
+        let Some(mut workshop) = self.workshop.take() else {
             return;
         };
+        self.room.notes = workshop.findings.unread();
         self.room.scene.document_mut().end_drag();
         self.room.scene.leave_out_hidden(false);
         self.room.scene.leave_out_walls(false);
@@ -211,7 +219,7 @@ impl Visit {
     /// Whether it is built in, and nothing moves until somebody does something.
     pub fn is_built_and_still(&self) -> bool {
         let workshop = self.workshop.as_ref();
-        workshop.is_some_and(|it| it.keeping.rests() && it.findings.rest())
+        workshop.is_some_and(|it| it.keeping.rests() && it.findings.rest() && it.older.rests())
     }
 
     /// What a picture of it is of while it is built in; of the whole window, of that width over height, where a menu lies over it.

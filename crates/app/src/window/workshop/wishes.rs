@@ -57,8 +57,12 @@ impl Bench<'_> {
         self.commit(plan)
     }
 
+    fn folder(&self) -> std::path::PathBuf {
+        self.dir.path().join(self.slug)
+    }
+
     fn commit(&mut self, plan: antipode_workshop::Plan) -> Result<(), WorkshopError> {
-        let dir = self.dir.path().join(self.slug);
+        let dir = self.folder();
         let read = |room: &Room| folder::assets(&dir, room);
         self.scene.make(plan, read).map_err(WorkshopError::Room)
     }
@@ -131,6 +135,8 @@ impl Workshop {
             WorkshopWish::ChooseTo(name) => choose_to(bench.scene, &name),
             WorkshopWish::ChooseAll(all) => choose_all(bench.scene, all),
             WorkshopWish::ShowMessage(number) => self.show_finding(bench.scene, number),
+            WorkshopWish::ShowOlder(shows) => self.older.show(bench.folder(), shows),
+            WorkshopWish::OpenOlder(when_s) => self.older.read(bench.folder(), when_s),
             wish => self.arrange(bench.scene, &wish),
         }
         Ok(())
@@ -267,7 +273,7 @@ impl Workshop {
 
     /// Chooses what a finding is about, and looks at it.
     fn show_finding(&mut self, scene: &mut RoomScene, number: usize) {
-        let Some(finding) = self.findings.get(number).cloned() else {
+        let Some(finding) = self.findings.take(number) else {
             return;
         };
         self.forget_chain();
