@@ -2,9 +2,7 @@
 //! strike. A bullet disappears some time after it has met something. A falling one meets ground sooner or later, even
 //! where none is loaded, and one that follows a geodesic disappears after a certain distance.
 
-use antipode_geometry::{
-    Atlas, ChartId, ChartPoint, Crossing, Doorway, Eye, Map, Strategy, pace,
-};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Doorway, Eye, Map, Strategy, pace};
 use antipode_physics::{
     Ball, BallTuning, PhysicsWorld, Touch, VehicleMotion, VehiclePhysics, meets_capsule,
 };

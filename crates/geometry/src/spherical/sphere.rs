@@ -110,7 +110,10 @@ impl Spherical {
     /// The way out from a chart's centre at a point, and how long a metre of the chart is along it and across it: with the
     /// point `cos y (sin r c, cos r)` at the height y these are cos y and cos y sin r / r; upright it is a metre.
     fn level_lengths(self, at: ChartPoint) -> (DVec3, [f64; 2]) {
-        let (r, y) = (at.pos.x.hypot(at.pos.z) / self.radius_m, at.pos.y / self.radius_m);
+        let (r, y) = (
+            at.pos.x.hypot(at.pos.z) / self.radius_m,
+            at.pos.y / self.radius_m,
+        );
         let round = if r > 0.0 { r.sin() / r } else { 1.0 };
         let out = at.pos.with_y(0.0).normalize_or(DVec3::X);
         (out, [y.cos(), y.cos() * round])

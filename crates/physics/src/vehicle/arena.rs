@@ -295,7 +295,12 @@ impl Arena {
         self.sills[at] = Some(LaidSill { sill, handle });
     }
 
-    fn lay(&mut self, shape: &SharedShape, (corner, turn_rad): Lie, earth: Earth) -> ColliderHandle {
+    fn lay(
+        &mut self,
+        shape: &SharedShape,
+        (corner, turn_rad): Lie,
+        earth: Earth,
+    ) -> ColliderHandle {
         let at = (corner - self.origin).as_vec3();
         let turn = DQuat::from_rotation_y(turn_rad).as_quat();
         let collider = ColliderBuilder::new(shape.clone())

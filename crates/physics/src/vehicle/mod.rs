@@ -25,8 +25,8 @@ use rapier3d::dynamics::RigidBodyHandle;
 
 use crate::PhysicsWorld;
 use arena::{Arena, Needed};
-pub use doors::VehicleDoors;
 use doors::Junction;
+pub use doors::VehicleDoors;
 use hold::Hold;
 use hull::Hull;
 use role::{JUNCTIONS, Role};

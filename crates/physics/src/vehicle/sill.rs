@@ -54,7 +54,11 @@ impl Sill {
         };
         let mut triangles = Vec::new();
         for (is_far, leaf, ground) in &found {
-            let side = if *is_far { -junction.side } else { junction.side };
+            let side = if *is_far {
+                -junction.side
+            } else {
+                junction.side
+            };
             cut_block(leaf, ground, side, &mut triangles);
         }
         let made = Self {

@@ -52,7 +52,11 @@ impl Site {
             ChartId::FIRST
         };
         // In one chart they lie apart.
-        let apart = if is_closed { DVec3::ZERO } else { DVec3::X * 64.0 };
+        let apart = if is_closed {
+            DVec3::ZERO
+        } else {
+            DVec3::X * 64.0
+        };
         let leaf = |at: usize, chart, apart: DVec3| Leaf {
             foot: ChartPoint::new(chart, FEET_M[at] + apart),
             yaw: YAWS_RAD[at],
@@ -78,7 +82,8 @@ impl Site {
     fn vehicle(&self, leaf: usize, local: DVec3, turn_rad: f64) -> Vehicle {
         let leaf = &self.pair.leaves[leaf];
         let turn = DQuat::from_rotation_y(-leaf.yaw - turn_rad);
-        self.physics.vehicle(VehicleMotion::at(leaf.place(local), turn))
+        self.physics
+            .vehicle(VehicleMotion::at(leaf.place(local), turn))
     }
 
     fn step(&mut self, all: &mut [(&mut Vehicle, Option<VehicleInput>)]) {
@@ -187,9 +192,15 @@ fn one_that_stands_beyond_a_door_is_run_into_and_what_one_loses_the_other_gets()
             }
         }
         let (leaf, x) = pushed_from.unwrap();
-        assert!(leaf == 0 && (-0.6..-0.2).contains(&x), "{geometry}: {leaf} {x}");
+        assert!(
+            leaf == 0 && (-0.6..-0.2).contains(&x),
+            "{geometry}: {leaf} {x}"
+        );
         let (leaf, at) = site.local(&other);
-        assert!(leaf == 1 && at.x > 3.2 && at.z.abs() < 0.2, "{geometry}: {leaf} {at}");
+        assert!(
+            leaf == 1 && at.x > 3.2 && at.z.abs() < 0.2,
+            "{geometry}: {leaf} {at}"
+        );
     }
 }
 
@@ -205,7 +216,10 @@ fn one_that_is_parked_beyond_stays_where_it_is_to_the_bit_while_another_stands_i
         let rests = other.motion();
         let mut car = site.vehicle(0, DVec3::new(-0.8, 0.02, 0.0), 0.0);
         for _ in 0..60 {
-            let held = VehicleInput { brake: true, ..VehicleInput::default() };
+            let held = VehicleInput {
+                brake: true,
+                ..VehicleInput::default()
+            };
             site.step(&mut [(&mut car, Some(held)), (&mut other, Some(parked()))]);
         }
         assert!(other.is_asleep() && other.motion() == rests, "{geometry}");
