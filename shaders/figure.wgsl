@@ -63,6 +63,13 @@ fn kept(cut: u32, place: vec3<f32>) -> f32 {
     return select(along - packed.y * CUT_REACH_M, 1.0, cut == WHOLE);
 }
 
+// What a cut takes away, pressed onto its plane: the shadow of the rest is that of what is shown.
+fn kept_part(cut: u32, place: vec3<f32>) -> vec3<f32> {
+    let heading = unpack2x16snorm(cut).x * HALF_TURN;
+    let past = min(kept(cut, place), 0.0);
+    return place - vec3<f32>(cos(heading), 0.0, sin(heading)) * past;
+}
+
 // A vertex of the model: where it is from the origin, in metres, and its normal.
 struct Stance {
     place: vec3<f32>,
@@ -188,7 +195,8 @@ fn vertex_bent_framed(in: VertexIn, skin: SkinIn) -> VertexOut {
 // What is not there throws no shadow: all of it falls on one point.
 fn caster_at(in: VertexIn, place: vec3<f32>) -> vec4<f32> {
     let is_there = (in.flags & (POSSIBLE | BARRED)) == 0u;
-    return caster_clip(in.offset + select(vec3<f32>(0.0), place, is_there));
+    let here = kept_part(in.lights.w, place);
+    return caster_clip(in.offset + select(vec3<f32>(0.0), here, is_there));
 }
 
 @vertex

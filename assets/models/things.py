@@ -205,7 +205,7 @@ def door():
     model = Model()
     teal, side, top = "1f7f8c", 1.04, 2.29
     # The feet go into the ground, for slopes.
-    both(box((0.0, 0.89, side), (0.10, 1.49, 0.09), teal, 0.02), model)
+    both(box((0.0, 0.615, side), (0.10, 1.765, 0.09), teal, 0.02), model)
     both(box((0.0, 0.10, side), (0.15, 0.14, 0.13), DARK, 0.03), model)
     both(box((0.0, 2.06, side), (0.13, 0.05, 0.115), CREAM, 0.015), model)
     box((0.0, top, 0.0), (0.10, 0.09, side + 0.09), teal, 0.02).into(model)

@@ -51,6 +51,9 @@ pub fn model(
             .map(|_| scene.brush_radius_m()),
         speed_km_h: scene.driven_car().map(|car| 3.6 * car.speed_m_s),
         mirror: false,
+        against: scene
+            .against_placing()
+            .map(|why| wording::unfit_here(texts, why)),
         show_crosshair: scene.camera_mode() == CameraMode::First
             || scene.inventory().held().is_some(),
         loading: None,

@@ -230,6 +230,15 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
     }
 }
 
+/// What is against a place, in a few words for the middle of the screen.
+pub fn unfit_here(texts: &Texts, why: Unfit) -> String {
+    texts.say(match why {
+        Unfit::Steep => "against-door-steep",
+        Unfit::Walled => "against-door-walled",
+        Unfit::Crowded => "against-door-crowded",
+    })
+}
+
 /// What somebody says about the space.
 pub fn said(texts: &Texts, greets: bool, line: Line) -> String {
     let words = line_words(texts, line);

@@ -94,9 +94,10 @@ impl Frame {
     }
 
     /// The marker, if there is one to be drawn.
-    pub fn marker(&self) -> Option<&Marker> {
-        let marker = self.content.marker.as_ref();
-        marker.filter(|_| self.view.shows_marks)
+    pub fn marker(&self) -> Option<Marker> {
+        let marker = self.content.marker.filter(|_| self.view.shows_marks)?;
+        let point = self.view.mark.unwrap_or(marker.point);
+        Some(Marker { point, ..marker })
     }
 
     /// The same content, looked at by somebody else.

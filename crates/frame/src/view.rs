@@ -22,6 +22,8 @@ pub struct View {
     pub fog_distance_m: f32,
     /// Whether the marker and the outlines of hit shapes are drawn: what the player is told, and not the world.
     pub shows_marks: bool,
+    /// Where the marker is in this picture, if that is not where it is: a door shows it there.
+    pub mark: Option<ChartPoint>,
     /// Whether faint contour bands are drawn on the land.
     pub contour_bands: bool,
     /// What the picture may leave out or simplify.
@@ -49,6 +51,7 @@ impl View {
             hand: None,
             fog_distance_m: Self::NO_FOG_M,
             shows_marks: true,
+            mark: None,
             contour_bands: false,
             quality: Quality::default(),
             isometry: DMat4::IDENTITY,

@@ -20,7 +20,7 @@ pub const HALF_WIDTH_M: f64 = 0.95;
 /// Height of the opening over the foot, metres.
 pub const HEIGHT_M: f64 = 2.2;
 /// How far the opening reaches below the foot, for ground that falls away to its sides, metres.
-pub const BELOW_FOOT_M: f64 = 0.55;
+pub const BELOW_FOOT_M: f64 = 1.1;
 /// A way is looked at as near as this to a foot, metres of the chart: the longest step of anything and the longest arm of a
 /// camera, and the leaf itself.
 const NEAR_M: f64 = 12.0;

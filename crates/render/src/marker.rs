@@ -77,7 +77,7 @@ impl MarkerBalls {
             queue.write_buffer(
                 &self.instances,
                 0,
-                bytemuck::cast_slice(&balls(frame, marker)),
+                bytemuck::cast_slice(&balls(frame, &marker)),
             );
         }
     }

@@ -18,6 +18,7 @@ use crate::frame::{HitShape, Quality};
 use crate::hit_shapes;
 use crate::inventory::Inventory;
 use crate::moment::Seen;
+use crate::notice::Unfit;
 use crate::npc::{self, Speech, Wound};
 use crate::photo::Viewpoint;
 use crate::probe::Probe;
@@ -45,6 +46,11 @@ impl Scene {
     /// The strategy of the world itself; pictures are taken with that of [`Scene::lens`].
     pub fn strategy(&self) -> &Arc<dyn Strategy> {
         &self.sim.world.strategy
+    }
+
+    /// What is against putting what is in hand where the crosshair is, of what is shown as it would stand.
+    pub fn against_placing(&self) -> Option<Unfit> {
+        fixture::against(self.now())
     }
 
     /// Time of day in seconds, 0 to 600.

@@ -5,100 +5,25 @@
 //! view is level on the other side at once.
 
 use antipode_geometry::doorway::{HALF_WIDTH_M, HEIGHT_M};
-use antipode_geometry::{ChartPoint, Crossing, Doorway, Leaf, Passing, pace};
-use antipode_items::{Item, Stands};
+use antipode_geometry::{Atlas, ChartPoint, Crossing, Doorway, Eye, Leaf, Passing, Strategy, pace};
+use antipode_items::Item;
 use antipode_terrain::{Gate, Part, Stroke};
 use glam::DVec3;
 
 use crate::actors::Actors;
-use crate::fixture::{self, Behaviour, Fixture};
+use crate::fixture::{self, Fixture};
 use crate::ground::height_below;
-use crate::notice::Unfit;
-use crate::pick::over;
 use crate::player::{Body, Look, Position, wrap_angle};
-use crate::situation::Situation;
 use crate::world::World;
 
 /// Ground on the other side is looked for from so far above a foot, and so far below it, metres.
 const STEP_UP_M: f64 = 1.2;
 const STEP_DOWN_M: f64 = 1.6;
 
-/// How far aside of the foot the posts stand, and how far the ground below them may lie above or below it, metres: they reach
-/// so far into the ground.
-const POST_M: f64 = 1.04;
-const UNEVEN_M: f64 = 0.55;
-/// So far before and behind it there is to be room, metres, in ground that rises or falls no more than this.
-const ROOM_M: f64 = 1.0;
-const STEP_M: f64 = 0.85;
-/// Heights over the foot that are to be free there, and how far aside, metres.
-const FREE_UP_M: [f64; 2] = [1.0, 1.8];
-const FREE_ASIDE_M: f64 = 0.6;
-/// The other door is farther off than this, metres.
-const APART_M: f64 = 2.4;
 /// No body's middle is farther from a leaf than this when a part of it has gone through, metres.
 const REACHES_M: f64 = 3.0;
 
-/// What stands in pairs.
-pub(crate) struct Paired;
-
-impl Behaviour for Paired {
-    /// On any ground: what is against it is told by [`Paired::unfit`].
-    fn foot_on(&self, _: &Stands, spot: ChartPoint, _: DVec3) -> Option<ChartPoint> {
-        Some(spot)
-    }
-
-    fn unfit(&self, now: Situation<'_>, it: &Fixture) -> Option<Unfit> {
-        let leaf = leaf_of(it);
-        let solid = |x: f64, y: f64, z: f64| {
-            let at = leaf.place(DVec3::new(x, y, z));
-            now.world.ground.is_solid(at)
-        };
-        // Ground within a span of a foot's height: rock at its lower end and air at its upper one.
-        let is_level = |x: f64, z: f64, span_m: f64| solid(x, -span_m, z) && !solid(x, span_m, z);
-        let stands = [-POST_M, 0.0, POST_M].map(|z| is_level(0.0, z, UNEVEN_M));
-        let leads_on = [-ROOM_M, ROOM_M].map(|x| is_level(x, 0.0, STEP_M));
-        let is_free = |x: f64| {
-            FREE_UP_M.iter().all(|y| {
-                [-FREE_ASIDE_M, 0.0, FREE_ASIDE_M]
-                    .iter()
-                    .all(|z| !solid(x, *y, *z))
-            })
-        };
-        if stands.contains(&false) {
-            return Some(Unfit::Steep);
-        }
-        if ![-ROOM_M, -0.5 * ROOM_M, 0.5 * ROOM_M, ROOM_M]
-            .into_iter()
-            .all(is_free)
-        {
-            return Some(Unfit::Walled);
-        }
-        if leads_on.contains(&false) {
-            return Some(Unfit::Steep);
-        }
-        is_crowded(now, &leaf).then_some(Unfit::Crowded)
-    }
-
-    fn is_foreseen(&self) -> bool {
-        true
-    }
-
-    fn replaces_oldest(&self) -> bool {
-        true
-    }
-}
-
-/// Whether the door that stays when one more is put up is too close to it.
-fn is_crowded(now: Situation<'_>, leaf: &Leaf) -> bool {
-    let others = fixture::map_of(now.actors, Item::Door, |_, it| it.foot.point);
-    let stays = others.last();
-    stays.is_some_and(|other| {
-        let there = over(&*now.world.strategy, leaf.foot, *other);
-        there.chart == leaf.foot.chart && there.pos.distance(leaf.foot.pos) < APART_M
-    })
-}
-
-fn leaf_of(it: &Fixture) -> Leaf {
+pub(crate) fn leaf_of(it: &Fixture) -> Leaf {
     Leaf {
         foot: it.foot.point,
         yaw: it.yaw_rad,
@@ -172,42 +97,80 @@ impl World {
 }
 
 /// The parts of a stroke whose ball reaches over a leaf: what is before the leaf, and what is reached through it, where that comes
-/// out of the other one. Of two leaves in its reach it goes through the nearer one.
+/// out of the other one. Where it reaches over both leaves, it is before neither, and goes on through each.
 pub(crate) fn parted(world: &World, whole: Stroke) -> Vec<Stroke> {
+    let Some(doors) = &world.doors else {
+        return vec![whole];
+    };
     let space = &*world.strategy;
-    let gate = |leaf: &Leaf, middle: ChartPoint| {
-        let crossing = space.carry_near(leaf.foot, middle)?;
-        let way = crossing.turn_vector(leaf.through());
-        Some(Gate {
-            foot: crossing.point.pos,
-            heading_rad: way.z.atan2(way.x),
-            half_width_m: HALF_WIDTH_M,
-            height_m: HEIGHT_M,
-        })
-    };
-    let away_m = |leaf: &Leaf| {
-        let at = leaf.local(space.carry_near(whole.centre, leaf.foot)?.point.pos);
-        let aside_m = (at.z.abs() - HALF_WIDTH_M).max(0.0);
-        let off_m = at.x.hypot(aside_m);
-        (off_m < whole.radius_m).then_some(off_m)
-    };
-    let parts = world.doors.as_ref().and_then(|doors| {
-        let reached = (0..2).filter_map(|at| Some((at, away_m(&doors.leaves[at])?)));
-        let (leaf, _) = reached.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let is_reached = |leaf: &usize| is_in_reach(space, &doors.leaves[*leaf], &whole);
+    let gates = |leaf: usize| {
         let there = doors.carry(space, leaf, whole.centre)?.point;
-        let (own, far) = (doors.leaves[leaf], doors.leaves[1 - leaf]);
-        let before = Stroke {
-            part: Part::Before(gate(&own, whole.centre)?),
-            ..whole
-        };
-        let through = Stroke {
-            centre: there,
-            part: Part::Through(gate(&far, there)?),
-            ..whole
-        };
-        Some(vec![before, through])
+        let own = gate(space, &doors.leaves[leaf], whole.centre)?;
+        let far = gate(space, &doors.leaves[1 - leaf], there)?;
+        Some((own, far, there))
+    };
+    let passed: Vec<_> = (0..2).filter(is_reached).filter_map(gates).collect();
+    let before = match passed[..] {
+        [] => return vec![whole],
+        [(own, ..)] => Part::Before(own),
+        [(a, ..), (b, ..), ..] => Part::BeforeBoth([a, b]),
+    };
+    let through = passed.iter().map(|(_, far, there)| Stroke {
+        centre: *there,
+        part: Part::Through(*far),
+        ..whole
     });
-    parts.unwrap_or_else(|| vec![whole])
+    let before = Stroke {
+        part: before,
+        ..whole
+    };
+    std::iter::once(before).chain(through).collect()
+}
+
+/// Whether the ball of a stroke reaches over a leaf.
+fn is_in_reach(space: &dyn Atlas, leaf: &Leaf, stroke: &Stroke) -> bool {
+    let near = space.carry_near(stroke.centre, leaf.foot);
+    near.is_some_and(|it| {
+        let at = leaf.local(it.point.pos);
+        let aside_m = (at.z.abs() - HALF_WIDTH_M).max(0.0);
+        at.x.hypot(aside_m) < stroke.radius_m
+    })
+}
+
+/// A leaf's opening in the chart of a stroke's middle.
+fn gate(space: &dyn Atlas, leaf: &Leaf, middle: ChartPoint) -> Option<Gate> {
+    let crossing = space.carry_near(leaf.foot, middle)?;
+    let way = crossing.turn_vector(leaf.through());
+    Some(Gate {
+        foot: crossing.point.pos,
+        heading_rad: way.z.atan2(way.x),
+        half_width_m: HALF_WIDTH_M,
+        height_m: HEIGHT_M,
+    })
+}
+
+/// Where a picture from some eye shows the ring about what is dug: at its middle, or, of a ring that reaches over a leaf, where
+/// that is taken through it, if it is nearer there.
+pub(crate) fn ring_seen(
+    space: &dyn Strategy,
+    doors: &Doorway,
+    eye: &Eye,
+    middle: ChartPoint,
+    radius_m: f64,
+) -> ChartPoint {
+    let whole = Stroke {
+        centre: middle,
+        radius_m,
+        amount: 0.0,
+        part: Part::Whole,
+    };
+    let reached = (0..2).filter(|leaf| is_in_reach(space, &doors.leaves[*leaf], &whole));
+    let others = reached.map(|leaf| doors.pictured(space, leaf, eye, middle));
+    let away_m = |at: &ChartPoint| space.eye_distance_m(eye, space.view_point(eye, *at));
+    let all = std::iter::once(middle).chain(others);
+    all.min_by(|a, b| away_m(a).total_cmp(&away_m(b)))
+        .unwrap_or(middle)
 }
 
 /// Carries a body on whose way led through a door; returns by how much it was lifted besides, metres, if it did.

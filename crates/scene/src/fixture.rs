@@ -23,7 +23,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{FIXTURE_REACH_M, REACH_M, STEP_S};
 use crate::world::World;
-use crate::{door, flag, lamp};
+use crate::{door_place, flag, lamp};
 
 /// Those within this of the player are looked after, in metres: further off nobody changes the ground.
 const NEAR_M: f64 = 40.0;
@@ -166,7 +166,7 @@ fn behaviour(item: Item) -> &'static dyn Behaviour {
     match item {
         Item::Lamp => &lamp::Clings,
         Item::Flag => &flag::Named,
-        Item::Door => &door::Paired,
+        Item::Door => &door_place::Paired,
         _ => &Plain,
     }
 }
@@ -291,6 +291,15 @@ pub(crate) fn foreseen(now: Situation<'_>) -> Option<Figure> {
         },
         ..Figure::standing(it.item.into(), it.foot.point, it.yaw_rad)
     })
+}
+
+/// What is against putting the one in hand where the crosshair is, of what is shown as it would stand.
+pub(crate) fn against(now: Situation<'_>) -> Option<Unfit> {
+    let held = now.player.inventory.held()?;
+    if !behaviour(held).is_foreseen() {
+        return None;
+    }
+    placing_held(now)?.1
 }
 
 /// Lets one more in, if the world can have it.

@@ -30,6 +30,7 @@ mod door;
 mod door_astride;
 mod door_camera;
 mod door_light;
+mod door_place;
 pub mod drops;
 pub mod fixture;
 pub mod flag;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Map, Projection, Strategy};
+use antipode_geometry::{ChartPoint, Doorway, Eye, Map, Projection, Strategy};
 use antipode_items::Item;
 use glam::DVec3;
 
@@ -22,7 +22,7 @@ use crate::scene::Scene;
 use crate::shown::figures_seen_by;
 use crate::tuning::{DOOR_FOG_M, NEAR_M};
 use crate::world::World;
-use crate::{fixture, hand};
+use crate::{door, fixture, hand};
 
 /// Identifies a figure or a light, so that it can be found again after the next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -201,6 +201,7 @@ impl Scene {
             time_s: moment.simulated_s as f32,
             loaded_world: world_id,
         };
+        let marker = content.marker;
         let view = View {
             hand: moment.hand,
             fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
@@ -208,12 +209,16 @@ impl Scene {
             quality: self.shown.quality,
             ..View::new(eye, Projection::new(fov_y_rad, aspect, NEAR_M), strategy)
         };
-        Frame {
+        let mut frame = Frame {
             content: Arc::new(content),
             mirror: own_car.map(|car| rear_view(&view, &car)),
             openings: self.openings(&view),
             view,
+        };
+        if let Some((doors, marker)) = self.sim.world.doors.as_ref().zip(marker) {
+            lead_ring_on(&mut frame, doors, &marker);
         }
+        frame
     }
 
     /// The doors in a picture. Where only the land about a far door is loaded, the fog is complete before that ends.
@@ -309,6 +314,23 @@ impl Scene {
     /// The camera that pictures are taken with.
     pub(crate) fn camera_pose(&self) -> CameraPose {
         self.now().camera_through(&self.picturing())
+    }
+}
+
+/// Has each view of a picture show the ring about what is dug where it reaches through doors.
+fn lead_ring_on(frame: &mut Frame, doors: &Doorway, marker: &Marker) {
+    if marker.shape == MarkerShape::Ball {
+        return;
+    }
+    let lead = |view: &mut View| {
+        let space = Arc::clone(&view.strategy);
+        let seen = door::ring_seen(&*space, doors, &view.eye, marker.point, marker.radius_m);
+        view.mark = Some(seen);
+    };
+    lead(&mut frame.view);
+    for opening in &mut frame.openings {
+        lead(&mut opening.view);
+        opening.again.as_deref_mut().into_iter().for_each(lead);
     }
 }
 

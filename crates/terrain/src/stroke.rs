@@ -40,6 +40,8 @@ pub enum Part {
     Whole,
     /// What is not reached through the gate.
     Before(Gate),
+    /// What is reached through neither of two.
+    BeforeBoth([Gate; 2]),
     /// What is reached through it alone.
     Through(Gate),
 }
@@ -83,6 +85,7 @@ impl Part {
         match self {
             Self::Whole => true,
             Self::Before(gate) => !gate.is_between(middle, place),
+            Self::BeforeBoth(gates) => !gates.iter().any(|gate| gate.is_between(middle, place)),
             Self::Through(gate) => gate.is_between(middle, place),
         }
     }

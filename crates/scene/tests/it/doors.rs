@@ -1,6 +1,6 @@
 //! Doors: put up in pairs, gone through by everything, kept.
 
-use antipode_geometry::{ChartId, ChartPoint, Doorway, Geometry, Leaf, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Doorway, Eye, Geometry, Leaf, Strategy};
 use antipode_items::Item;
 use antipode_scene::notice::Hint;
 use antipode_scene::{Actions, CarView, NpcMode};
@@ -87,8 +87,16 @@ fn a_bullet_a_thing_and_the_crosshair_go_through_in_every_space() {
             DVec3::from_array(bullet.pos),
         );
         let flown = local(&scene, &far, point);
-        let gone = flown - DVec3::new(40.0 / 30.0 - 0.5, 1.2, 0.1);
-        assert!(gone.length() < 0.1, "{geometry}: {flown}");
+        // As far in the space as it would have flown before the near one, and straight on.
+        let sills = [near, far].map(|leaf| leaf.place(DVec3::new(0.0, 1.2, 0.1)));
+        let way_m = |a, b| scene.strategy().distance_m(a, b, &Eye::default());
+        let metre = way_m(muzzle, sills[0]) / 0.5;
+        let off_m = way_m(sills[1], point) - metre * (40.0 / 30.0 - 0.5);
+        let aside_m = (flown.y - 1.2).hypot(flown.z - 0.1);
+        assert!(
+            flown.x > 0.0 && off_m.abs().hypot(aside_m) < 0.1,
+            "{geometry}: {flown} {off_m}"
+        );
 
         scene.aim(near.yaw, 0.0);
         let drop = Actions {

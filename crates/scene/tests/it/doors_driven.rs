@@ -124,18 +124,17 @@ fn a_car_keeps_its_speed_in_the_space_where_a_metre_of_the_chart_is_another() {
 
 #[test]
 fn a_bullet_keeps_its_speed_in_the_space_between_leaves_of_other_latitudes_and_heights() {
-    let mut scene = scene(Geometry::Spherical);
-    scene.set_npcs(NpcMode::Still);
-    let feet = scene.feet();
-    let near = Leaf {
-        foot: feet.moved(DVec3::new(3.0, 0.0, 1.0)),
-        yaw: 0.4,
-    };
     for (chart, [x, z], up_m, yaw) in [
         (ChartId::FIRST, [46.0, 5.0], 0.0, 2.6),
         (ChartId::SECOND, [4.0, -3.0], 6.0, -0.7),
         (ChartId::SECOND, [-30.0, -38.0], 2.0, 1.2),
     ] {
+        let mut scene = crate::common::scene(Geometry::Spherical);
+        scene.set_npcs(NpcMode::Still);
+        let near = Leaf {
+            foot: scene.feet().moved(DVec3::new(3.0, 0.0, 1.0)),
+            yaw: 0.4,
+        };
         let foot = ground(&scene, chart, x, z).moved(DVec3::Y * up_m);
         let leaves = [near, Leaf { foot, yaw }];
         put_up(&mut scene, leaves);

@@ -1,11 +1,11 @@
 //! Digging and building at a door: the brush goes through it.
 
 use antipode_geometry::{Doorway, Geometry, Leaf};
-use antipode_scene::{Actions, Scene};
+use antipode_scene::{Actions, NpcMode, Scene};
 use glam::DVec3;
 
-use crate::common::doors::{before_the_player, still};
-use crate::common::{LIMIT, steps};
+use crate::common::doors::{before_the_player, leaf, level_strip, local, put_up, still};
+use crate::common::{LIMIT, scene, steps};
 
 /// The height of the ground at a place of a leaf's axes, over its foot.
 fn ground_m(scene: &mut Scene, leaf: &Leaf, x: f64, z: f64) -> f64 {
@@ -63,5 +63,64 @@ fn a_brush_before_a_door_changes_the_ground_beyond_it_and_not_what_the_leaf_hide
                 "beside the door the ground goes on: {told}"
             );
         }
+    }
+}
+
+/// Two leaves that look the same way, one behind the other, and a brush between them whose ball reaches over both.
+#[test]
+fn of_two_leaves_in_one_brush_each_parts_it() {
+    let mut scene = scene(Geometry::Euclidean);
+    scene.set_npcs(NpcMode::Still);
+    let (foot, yaw) = level_strip(&scene, scene.feet(), 10.0, 5.0);
+    let middle = Leaf { foot, yaw };
+    let leaves = [-1.4, 1.4].map(|x| {
+        let at = middle.place(DVec3::X * x);
+        leaf(&scene, at.chart, at.pos.x, at.pos.z, yaw)
+    });
+    put_up(&mut scene, leaves);
+    let places = [-2.4, 0.0, 2.4];
+    let before = places.map(|x| ground_m(&mut scene, &middle, x, 0.0));
+    scene.teleport(middle.place(DVec3::new(0.0, 0.3, 0.0)));
+    assert!(scene.wait_for_step(LIMIT));
+    steps(&mut scene, 40, &still());
+    scene.inventory_mut().select(3);
+    scene.aim(yaw, -1.5);
+    let dig = Actions {
+        primary: true,
+        ..still()
+    };
+    steps(&mut scene, 40, &dig);
+    assert!(scene.settle(LIMIT));
+    let after = places.map(|x| ground_m(&mut scene, &middle, x, 0.0));
+    let dug: Vec<f64> = before.iter().zip(after).map(|(a, b)| a - b).collect();
+    assert!(dug[1] > 0.5, "between them: {dug:?}");
+    assert!(
+        dug[0].abs() < 0.15 && dug[2].abs() < 0.15,
+        "behind the leaves: {dug:?}"
+    );
+}
+
+/// The ring about what is dug goes on in the picture that a leaf shows.
+#[test]
+fn the_ring_of_a_brush_that_reaches_through_a_leaf_is_seen_on_the_other_side_in_every_space() {
+    for geometry in Geometry::ALL {
+        let (mut scene, pair) = before_the_player(geometry);
+        let [near, far] = pair.leaves;
+        scene.inventory_mut().select(3);
+        // At the ground half a metre before the leaf.
+        scene.aim(near.yaw, -(1.6f64 / 1.5).atan());
+        let dig = Actions {
+            primary: true,
+            ..still()
+        };
+        steps(&mut scene, 2, &dig);
+        let frame = scene.frame(1.2, 1.5, 1);
+        let marker = frame.marker().unwrap().point;
+        let here = local(&scene, &near, marker);
+        assert!(here.x < 0.0 && here.length() < 1.5, "{geometry}: {here}");
+        let beyond = frame.openings.iter().find(|it| it.leaf == near).unwrap();
+        let shown = frame.seen_by(beyond.view.clone()).marker().unwrap().point;
+        let there = local(&scene, &far, shown);
+        assert!((there - here).length() < 0.3, "{geometry}: {there} {here}");
     }
 }

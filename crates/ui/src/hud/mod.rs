@@ -94,6 +94,8 @@ pub struct HudModel {
     pub speed_km_h: Option<f64>,
     /// Whether the picture has a rear mirror: [`mirror_place`].
     pub mirror: bool,
+    /// What is against what would be done at the middle of the screen, in a few words.
+    pub against: Option<String>,
     /// Whether to mark the middle of the screen.
     pub show_crosshair: bool,
     /// Share of the land around that is there, 0 to 1, while some is missing.
@@ -185,6 +187,9 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     instruments
 }
 
+/// So far over the middle of the screen stands what is said of it, in points.
+const CROSSHAIR_UP: f32 = 18.0;
+
 /// Wounds, where damage comes from, and the crosshair.
 fn about_the_aim(painter: &Painter, whole: Rect, model: &HudModel) {
     wounds::show(painter, whole, &model.wounds);
@@ -196,6 +201,11 @@ fn about_the_aim(painter: &Painter, whole: Rect, model: &HudModel) {
     }
     if model.show_crosshair {
         crosshair(painter, whole.center());
+    }
+    if let Some(against) = &model.against {
+        let at = whole.center() - vec2(0.0, CROSSHAIR_UP);
+        let anchor = Align2::CENTER_BOTTOM;
+        plate(painter, whole, at, anchor, against, small(), TEXT);
     }
     if model.struck {
         damage::struck(painter, whole.center());
