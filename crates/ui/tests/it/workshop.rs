@@ -518,7 +518,7 @@ fn what_is_held_counts_at_the_moment_of_a_click_and_a_key_after_it_is_done_after
     harness.event(button(at, true, PointerButton::Primary));
     harness.event(button(at, false, PointerButton::Primary));
     harness.event(Event::Copy);
-    harness.input_mut().modifiers = Modifiers::COMMAND;
+    harness.event(Event::ModifiersChanged(Modifiers::COMMAND));
     harness.run_steps(1);
     let chosen = WorkshopWish::Choose {
         name: "wall".to_owned(),
@@ -554,6 +554,7 @@ fn all_panes_are_walked_through_by_tab() {
         "Search",
         "wall box",
         "Box",
+        "History",
         "Place x",
         "Stretch",
         "One begins in the air.",

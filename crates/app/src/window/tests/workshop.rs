@@ -352,7 +352,7 @@ fn what_was_built_is_kept_with_its_history() {
 fn the_lesson_comes_once_goes_on_by_ones_own_deeds_and_ends_inside_the_house() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = building(&dir);
-    let mut said = |game: &mut Game| {
+    let said = |game: &mut Game| {
         let now = Instant::now();
         game.tick(now);
         words(game)
