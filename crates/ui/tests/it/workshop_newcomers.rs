@@ -198,7 +198,7 @@ fn all_panes_are_walked_through_by_tab() {
     use egui_kittest::kittest::NodeT as _;
     let mut harness = wide();
     let mut found: Vec<String> = Vec::new();
-    for _ in 0..120 {
+    for _ in 0..80 {
         harness.key_press(Key::Tab);
         harness.run();
         let nodes = harness.root().children_recursive();
@@ -206,9 +206,6 @@ fn all_panes_are_walked_through_by_tab() {
             .map(|node| node.accesskit_node())
             .find(|node| node.is_focused() && node.role() != egui::Role::Window);
         let label = focused.and_then(|node| node.label()).unwrap_or_default();
-        if found.len() > 10 && found.first() == Some(&label) {
-            break;
-        }
         found.push(label);
     }
     for wanted in [
