@@ -27,9 +27,6 @@ const SHADOW_STEEPEST_HIGH: f32 = 32.0;
 // Depths of a texel that a triangle which strays from its normals may lie below what it strays from.
 const SHADOW_STRAY: f32 = 16.0;
 
-// The sine of the angle by which a triangle has turned from the light that none of it is lit.
-const AWAY: f32 = 0.4;
-
 struct Caster {
     clip: mat4x4<f32>,  // from what `caster_point` makes of the first chart's points
     curvature_per_m: f32,
@@ -58,7 +55,7 @@ const NOT_SHADED: Shaded = Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0)
 // From the cosine to the light. What turns to it by less is dim, and triangles of steep land stray from their normals as
 // far as that.
 fn surely_faced(cosine: f32) -> f32 {
-    return smoothstep(FACING, 2.0 * FACING, cosine);
+    return smoothstep(0.25 * FACING, 0.75 * FACING, cosine);
 }
 
 fn chosen(rows: array<vec4<f32>, 3>, number: u32) -> vec4<f32> {
@@ -124,10 +121,7 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
         // One whose normals face the light strays from them, as seams between levels of detail do and thin triangles,
         // and its plane is none of the land's: it is to look as the land beside it.
         let stray = s.z + SHADOW_STRAY * texel;
-        // Coarse land turns from the light by single triangles where its normals only begin to: by how far each has turned.
-        let away = texel / max(length(vec3<f32>(slope / safe, texel)), 1e-12);
-        let turned = (1.0 - point.faced) * smoothstep(0.0, AWAY, away);
-        return Placed(s.xy * to_texels + 0.5 * size, stray, vec2<f32>(0.0), joined, turned);
+        return Placed(s.xy * to_texels + 0.5 * size, stray, vec2<f32>(0.0), joined, 1.0 - point.faced);
     }
     return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g, joined, 0.0);
 }

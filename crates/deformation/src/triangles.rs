@@ -53,39 +53,71 @@ impl Triangles {
 
     fn meet(&self, part: u32, x: DVec3, v: DVec3, longest: f64) -> Option<SceneHit> {
         let triangle = &self.triangles[part as usize];
-        let [a, b, c] = triangle.corners;
-        let (ab, ac) = (b - a, c - a);
-        let across = v.cross(ac);
-        let volume = ab.dot(across);
-        if volume == 0.0 {
-            return None;
-        }
-        let from = x - a;
-        let along_b = from.dot(across) / volume;
-        let turned = from.cross(ab);
-        let along_c = v.dot(turned) / volume;
-        let time = ac.dot(turned) / volume;
-        let is_met = along_b >= 0.0 && along_c >= 0.0 && along_b + along_c <= 1.0;
-        (is_met && (0.0..=longest).contains(&time)).then(|| SceneHit {
+        let (time, normal) = meet(&triangle.corners, x, v, longest)?;
+        Some(SceneHit {
             time,
             object: triangle.object,
             part,
-            normal: ab.cross(ac).normalize(),
+            normal,
         })
+    }
+}
+
+/// When the path x + t v meets a triangle, 0 <= t <= `longest`, and the triangle's normal.
+pub(crate) fn meet(
+    [a, b, c]: &[DVec3; 3],
+    x: DVec3,
+    v: DVec3,
+    longest: f64,
+) -> Option<(f64, DVec3)> {
+    let (ab, ac) = (b - a, c - a);
+    let across = v.cross(ac);
+    let volume = ab.dot(across);
+    if volume == 0.0 {
+        return None;
+    }
+    let from = x - a;
+    let along_b = from.dot(across) / volume;
+    let turned = from.cross(ab);
+    let along_c = v.dot(turned) / volume;
+    let time = ac.dot(turned) / volume;
+    let is_met = along_b >= 0.0 && along_c >= 0.0 && along_b + along_c <= 1.0;
+    (is_met && (0.0..=longest).contains(&time)).then(|| (time, ab.cross(ac).normalize()))
+}
+
+/// A path, and what it takes to tell which boxes it goes through.
+pub(crate) struct Slabs {
+    x: DVec3,
+    inverse: DVec3,
+}
+
+impl Slabs {
+    /// Of the path x + t v.
+    pub fn new(x: DVec3, v: DVec3) -> Self {
+        let pace = v.to_array().map(|one| one.signum() / one.abs().max(1e-200));
+        Self {
+            x,
+            inverse: DVec3::from_array(pace),
+        }
+    }
+
+    /// Whether it is in a box at any 0 <= t <= `longest`.
+    pub fn enters(&self, low: DVec3, high: DVec3, longest: f64) -> bool {
+        let (a, b) = (
+            (low - self.x) * self.inverse,
+            (high - self.x) * self.inverse,
+        );
+        let (enters, leaves) = (a.min(b).max_element(), a.max(b).min_element());
+        enters <= leaves && leaves >= 0.0 && enters <= longest
     }
 }
 
 impl SceneQuery for Triangles {
     fn first(&self, x: DVec3, v: DVec3, longest: f64) -> Option<SceneHit> {
-        let pace = v.to_array().map(|one| one.signum() / one.abs().max(1e-200));
-        let inverse = DVec3::from_array(pace);
+        let path = Slabs::new(x, v);
         let nearest = std::cell::Cell::new(longest);
         let mut found = None;
-        let enter = |low: DVec3, high: DVec3| {
-            let (a, b) = ((low - x) * inverse, (high - x) * inverse);
-            let (enters, leaves) = (a.min(b).max_element(), a.max(b).min_element());
-            enters <= leaves && leaves >= 0.0 && enters <= nearest.get()
-        };
+        let enter = |low: DVec3, high: DVec3| path.enters(low, high, nearest.get());
         self.bvh.visit(enter, |part| {
             if let Some(hit) = self.meet(part, x, v, nearest.get()) {
                 nearest.set(hit.time);
@@ -103,7 +135,7 @@ impl SceneQuery for Triangles {
 }
 
 /// The corners of a triangle's box in `f32`, rounded outwards.
-fn bounds(corners: &[DVec3; 3]) -> (Vec3, Vec3) {
+pub(crate) fn bounds(corners: &[DVec3; 3]) -> (Vec3, Vec3) {
     let [a, b, c] = corners;
     let (low, high) = (a.min(*b).min(*c), a.max(*b).max(*c));
     let down = |value: f64| (value as f32).next_down();

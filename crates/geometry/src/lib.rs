@@ -29,6 +29,7 @@ mod kind;
 mod map;
 mod metric;
 mod optics;
+pub mod pace;
 mod point;
 mod projection;
 pub mod real;

@@ -1,6 +1,6 @@
 //! Distances and curvature of a space.
 
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 
 use crate::kernel::distance;
 use crate::{ChartPoint, Eye, Geometry};
@@ -78,6 +78,17 @@ pub trait Metric {
     fn eye_distance_m(&self, eye: &Eye, view: DVec4) -> f64 {
         let it = self.curvature_at(eye);
         distance::from_eye(it.sign, it.per_m, it.radius_m, view.to_array())
+    }
+
+    /// A velocity of the chart at a point in metres of the space along the axes of the chart's frame there. The same where
+    /// bodies know no other metre than the chart's.
+    fn in_frame(&self, _at: ChartPoint, velocity: DVec3) -> DVec3 {
+        velocity
+    }
+
+    /// The inverse of [`Metric::in_frame`].
+    fn from_frame(&self, _at: ChartPoint, velocity: DVec3) -> DVec3 {
+        velocity
     }
 
     /// Radius of [`Metric::curvature`] in metres.

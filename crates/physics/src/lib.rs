@@ -35,6 +35,6 @@ pub use loose::{LooseBlow, LooseBodies, LooseBody, LooseMotion, LooseShape};
 pub use rays::RayHit;
 pub use tuning::CharacterTuning;
 pub use vehicle::{
-    Vehicle, VehicleInput, VehicleMotion, VehiclePhysics, VehicleTuning, VehicleWheel,
+    Vehicle, VehicleDoors, VehicleInput, VehicleMotion, VehiclePhysics, VehicleTuning, VehicleWheel,
 };
 pub use world::PhysicsWorld;

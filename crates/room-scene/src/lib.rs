@@ -39,6 +39,7 @@ pub use picture::SignBoard;
 pub use probe::{CameraProbe, ObjectProbe, PlayerProbe, RoomProbe, Sizes};
 pub use probe_loose::LooseState;
 pub use scene::{NoSuchPlace, RoomScene};
+pub use solids::Remade;
 pub use sounds::RoomSound;
 pub use things::{Struck, Thing, ThingKind};
 pub use walk::Steer;

@@ -1,13 +1,13 @@
 //! An open room: what is worked out of it, and who is in it.
 
-use antipode_deformation::{Place, Space, Triangles, Walker};
+use antipode_deformation::{Place, Solids, Space, Triangles, Walker};
 use antipode_frame::Hand;
 use antipode_frame::hand::HandMotion;
 use antipode_frame::motion::Motion;
 use antipode_rooms::aberration::Sides;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
-use antipode_rooms::{Assets, Loaded, Room, RoomError, What, aberrations, space_in_parts};
+use antipode_rooms::{Assets, Loaded, Room, RoomError, What};
 use antipode_workshop::{Document, Plan, Said};
 use glam::DVec3;
 use thiserror::Error;
@@ -18,7 +18,7 @@ use crate::hands::Hands;
 use crate::held::RoomViewing;
 use crate::hints::RoomHint;
 use crate::righting::Righting;
-use crate::solids::{parted, standing, triangles};
+use crate::solids::{Known, Remade};
 use crate::sounds::RoomSound;
 use crate::things::Things;
 use crate::tuning::{PITCH_LIMIT_RAD, SHAPE};
@@ -51,7 +51,9 @@ pub struct RoomScene {
     /// The object of each portal of the space.
     pub(crate) portals: Vec<usize>,
     pub(crate) meshes: Vec<SolidMesh>,
-    pub(crate) solids: Triangles,
+    pub(crate) solids: Solids,
+    /// What was made so far, to be used again.
+    known: Known,
     /// What is loose, and its meshes in the same order.
     pub(crate) bodies: Bodies,
     pub(crate) loose_meshes: Vec<SolidMesh>,
@@ -101,7 +103,8 @@ impl RoomScene {
             boxes: Vec::new(),
             portals: Vec::new(),
             meshes: Vec::new(),
-            solids: Triangles::default(),
+            solids: Solids::default(),
+            known: Known::default(),
             bodies: Bodies::default(),
             loose_meshes: Vec::new(),
             loose: Triangles::default(),
@@ -226,24 +229,30 @@ impl RoomScene {
     /// Works out what the room is made of, after it has changed.
     fn work_out(&mut self) {
         let room = self.document.room();
-        let so_far = if self.leaves_out_walls {
-            space_in_parts(&without_walls(room))
-        } else {
-            space_in_parts(room)
-        };
-        (self.space, self.boxes, self.portals) = (so_far.space, so_far.boxes, so_far.portals);
-        (self.meshes, self.loose_meshes) = parted(room, standing(room, &self.assets));
+        let unwalled = self.leaves_out_walls.then(|| without_walls(room));
+        let space = (&mut self.space, &mut self.boxes, &mut self.portals);
+        self.known
+            .renew_space(unwalled.as_ref().unwrap_or(room), space);
+        (self.meshes, self.loose_meshes) = self.known.meshes(room, &self.assets);
         if self.leaves_out {
             let document = &self.document;
             let is_shown = |mesh: &SolidMesh| !document.is_hidden(&room.objects[mesh.object].name);
             self.meshes.retain(is_shown);
             self.loose_meshes.retain(is_shown);
         }
-        self.solids = triangles(&self.meshes);
+        let up = -room.gravity.normalize_or(DVec3::NEG_Y);
+        let (solids, loose_m) = self.known.solids(&self.meshes, &self.loose_meshes, up);
+        // One may stand in boxes that nothing stands in.
+        let of_boxes = self.known.boxes().flat_map(|it| {
+            let reach = DVec3::splat(it.half.length());
+            [it.centre - reach, it.centre + reach]
+        });
+        let all = of_boxes.chain([room.spawn.at]).map(|it| it.dot(up));
+        self.lowest_m = all.fold(solids.lowest(up).min(loose_m), f64::min);
+        self.solids = solids;
         self.grasp = Grasp::default();
         self.bodies.changed(room, &self.space);
         self.loose = self.bodies.solids(&self.space);
-        self.lowest_m = self.lowest();
         let place = &mut self.walker.body.place;
         *place = Place {
             scale: place.scale,
@@ -298,24 +307,9 @@ impl RoomScene {
         }
     }
 
-    fn lowest(&self) -> f64 {
-        let room = self.document.room();
-        let up = self.up();
-        let of_solids = self
-            .meshes
-            .iter()
-            .chain(&self.loose_meshes)
-            .flat_map(|mesh| {
-                let corners = mesh.shape.positions.iter();
-                corners.map(|it| mesh.pose.transform_point3(*it))
-            });
-        // One may stand in boxes that nothing stands in.
-        let of_boxes = aberrations(room).into_iter().flat_map(|(_, it)| {
-            let reach = DVec3::splat(it.half.length());
-            [it.centre - reach, it.centre + reach]
-        });
-        let all = of_solids.chain(of_boxes).chain([room.spawn.at]);
-        all.map(|it| it.dot(up)).fold(f64::INFINITY, f64::min)
+    /// How often what was made anew.
+    pub fn remade(&self) -> Remade {
+        self.known.remade()
     }
 
     /// Looks there, degrees; pitch is held short of the vertical.

@@ -42,7 +42,7 @@ pub use error::{Fault, RoomError};
 pub use folder::{Assets, Loaded};
 pub use library::{ARCHIVE, ARCHIVE_EXTENSION, RoomSummary, RoomsDir};
 pub use model::{ModelPart, RoomModel};
-pub use open_space::{SpaceSoFar, space_in_parts};
+pub use open_space::{SpaceParts, SpaceSoFar, space_in_parts};
 pub use place::rooms_dir;
 pub use portal::Portal;
 pub use pose::{direction, own_pose, poses, rotation};

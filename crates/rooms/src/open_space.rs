@@ -20,37 +20,87 @@ pub struct SpaceSoFar {
     pub closed: Vec<(usize, SpaceError)>,
 }
 
+/// What the space of a room is made of: its aberrations and portals where they stand, each with the place of its object among all.
+#[derive(Debug, Clone, Default)]
+pub struct SpaceParts {
+    boxes: Vec<(usize, deformation::Aberration)>,
+    portals: Vec<(usize, deformation::Portal)>,
+}
+
 /// The space of a room of which [`crate::check_each`] finds nothing wrong.
 pub fn space_in_parts(room: &Room) -> SpaceSoFar {
-    let mut boxes = aberrations(room);
-    let mut left = portals(room);
-    let mut closed = Vec::new();
-    loop {
-        let placed = boxes.iter().map(|(_, it)| it.clone()).collect();
-        let listed = left.iter().map(|(_, it)| it.clone()).collect();
-        let error = match Space::with_portals(placed, listed) {
-            Ok(space) => {
-                return SpaceSoFar {
-                    space,
-                    boxes: boxes.iter().map(|(index, _)| *index).collect(),
-                    portals: left.iter().map(|(index, _)| *index).collect(),
-                    closed,
-                };
-            }
-            Err(error) => error,
-        };
-        let name = unfit(&error);
-        let is_it = |it: &String| name == Some(it);
-        let index = room.objects.iter().position(|it| is_it(&it.name));
-        let had = boxes.len() + left.len();
-        boxes.retain(|(_, it)| !is_it(&it.name));
-        let kept: Vec<_> = left.iter().map(|(_, it)| !is_it(&it.name)).collect();
-        left = without(left, &kept);
-        if boxes.len() + left.len() == had {
-            // Nobody is named, so nobody can be closed alone.
-            (boxes, left) = (Vec::new(), Vec::new());
+    SpaceParts::of(room).space()
+}
+
+impl SpaceParts {
+    /// Those of a room.
+    pub fn of(room: &Room) -> Self {
+        Self {
+            boxes: aberrations(room),
+            portals: portals(room),
         }
-        closed.extend(index.map(|it| (it, error)));
+    }
+
+    /// The aberrations.
+    pub fn boxes(&self) -> impl Iterator<Item = &deformation::Aberration> {
+        self.boxes.iter().map(|(_, it)| it)
+    }
+
+    /// Whether the space of both is the same, wherever their objects are among the others.
+    pub fn make_the_space_of(&self, other: &Self) -> bool {
+        self.boxes
+            .iter()
+            .map(|it| &it.1)
+            .eq(other.boxes.iter().map(|it| &it.1))
+            && (self.portals.iter().map(|it| &it.1)).eq(other.portals.iter().map(|it| &it.1))
+    }
+
+    /// The place among all objects of the one that had the place `was` for what makes the same space.
+    pub fn now_of(&self, before: &Self, was: usize) -> Option<usize> {
+        let pairs = (before.boxes.iter().map(|it| it.0)).zip(self.boxes.iter().map(|it| it.0));
+        let doors = before.portals.iter().map(|it| it.0);
+        let mut pairs = pairs.chain(doors.zip(self.portals.iter().map(|it| it.0)));
+        pairs.find(|(old, _)| *old == was).map(|(_, new)| new)
+    }
+
+    /// Their space, without what does not fit.
+    pub fn space(&self) -> SpaceSoFar {
+        let (mut boxes, mut left) = (self.boxes.clone(), self.portals.clone());
+        let mut closed = Vec::new();
+        loop {
+            let placed = boxes.iter().map(|(_, it)| it.clone()).collect();
+            let listed = left.iter().map(|(_, it)| it.clone()).collect();
+            let error = match Space::with_portals(placed, listed) {
+                Ok(space) => {
+                    return SpaceSoFar {
+                        space,
+                        boxes: boxes.iter().map(|(index, _)| *index).collect(),
+                        portals: left.iter().map(|(index, _)| *index).collect(),
+                        closed,
+                    };
+                }
+                Err(error) => error,
+            };
+            let name = unfit(&error);
+            let is_it = |it: &String| name == Some(it);
+            let index = self.find(&is_it);
+            let had = boxes.len() + left.len();
+            boxes.retain(|(_, it)| !is_it(&it.name));
+            let kept: Vec<_> = left.iter().map(|(_, it)| !is_it(&it.name)).collect();
+            left = without(left, &kept);
+            if boxes.len() + left.len() == had {
+                // Nobody is named, so nobody can be closed alone.
+                (boxes, left) = (Vec::new(), Vec::new());
+            }
+            closed.extend(index.map(|it| (it, error)));
+        }
+    }
+
+    fn find(&self, is_it: &dyn Fn(&String) -> bool) -> Option<usize> {
+        let boxes = self.boxes.iter().map(|(index, it)| (*index, &it.name));
+        let portals = self.portals.iter().map(|(index, it)| (*index, &it.name));
+        let mut all = boxes.chain(portals);
+        all.find(|(_, name)| is_it(name)).map(|(index, _)| index)
     }
 }
 

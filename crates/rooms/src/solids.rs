@@ -5,14 +5,17 @@
 use antipode_deformation::{Triangle, Triangles};
 
 use crate::folder::Assets;
-use crate::mesh::{Roundness, SolidMesh, meshes};
-use crate::room::{Room, What};
+use crate::mesh::{Roundness, Shapes, SolidMesh, standing_meshes};
+use crate::room::Room;
 
 /// The meshes of all that stands in a room but the walls of its aberrations.
 pub fn standing(room: &Room, assets: &Assets) -> Vec<SolidMesh> {
-    let mut all = meshes(room, assets, Roundness::default());
-    all.retain(|mesh| !matches!(room.objects[mesh.object].what, What::Aberration(_)));
-    all
+    standing_again(room, assets, &mut Shapes::default())
+}
+
+/// The same of a room that has changed, with the shapes that were made for what stood there before.
+pub fn standing_again(room: &Room, assets: &Assets, shapes: &mut Shapes) -> Vec<SolidMesh> {
+    standing_meshes(room, assets, Roundness::default(), shapes)
 }
 
 /// Their triangles, each with the place of its object among all.

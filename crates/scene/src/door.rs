@@ -1,11 +1,11 @@
 //! Doors: a pair of frames that are put up like flags. What goes into one comes out of the other; a single one leads nowhere.
 //!
 //! The way through is `antipode_geometry::doorway`. Bodies go by it here, and the picks of the crosshair in `pick`. What has gone
-//! through keeps its speed, its height over the ground and its way in the doorway's own axes. Doors stand upright, so the
+//! through keeps its speed in the space, its height over the ground and its way in the doorway's own axes. Doors stand upright, so the
 //! view is level on the other side at once.
 
 use antipode_geometry::doorway::{HALF_WIDTH_M, HEIGHT_M};
-use antipode_geometry::{ChartPoint, Crossing, Doorway, Leaf, Passing};
+use antipode_geometry::{ChartPoint, Crossing, Doorway, Leaf, Passing, pace};
 use antipode_items::{Item, Stands};
 use antipode_terrain::{Gate, Part, Stroke};
 use glam::DVec3;
@@ -35,6 +35,8 @@ const FREE_UP_M: [f64; 2] = [1.0, 1.8];
 const FREE_ASIDE_M: f64 = 0.6;
 /// The other door is farther off than this, metres.
 const APART_M: f64 = 2.4;
+/// No body's middle is farther from a leaf than this when a part of it has gone through, metres.
+const REACHES_M: f64 = 3.0;
 
 /// What stands in pairs.
 pub(crate) struct Paired;
@@ -122,13 +124,38 @@ impl World {
         Some((doors, by))
     }
 
-    /// How somebody or something who went from one place to another is to be carried on, if the way led through a door. It
-    /// goes on as high over the ground as before, where there is ground at hand.
-    pub fn through_door(&self, from: ChartPoint, to: ChartPoint) -> Option<Crossing> {
-        self.led_through(from, to).map(|(crossing, _)| crossing)
+    /// How a thing that flew from one place to another is to be carried on, and its velocity, if the way led through a door.
+    /// It goes on as high over the ground as before, where there is ground at hand.
+    pub fn through_door(
+        &self,
+        from: ChartPoint,
+        to: ChartPoint,
+        velocity: DVec3,
+    ) -> Option<(Crossing, DVec3)> {
+        let (crossing, _) = self.led_through(from, to)?;
+        let velocity = pace::carried(&*self.strategy, to, &crossing, velocity);
+        Some((crossing, velocity))
     }
 
-    /// The same, and by how much it is lifted besides, metres.
+    /// Where somebody who is so near to a leaf that he may reach through it would be on the other side.
+    pub fn beyond_door(&self, at: ChartPoint) -> Option<ChartPoint> {
+        let doors = self.doors.as_ref()?;
+        let space = &*self.strategy;
+        let near = (0..2).find(|leaf| {
+            let leaf = &doors.leaves[*leaf];
+            let there = space.carry_near(at, leaf.foot);
+            there.is_some_and(|it| leaf.local(it.point.pos).length() < REACHES_M)
+        })?;
+        Some(doors.carry(space, near, at)?.point)
+    }
+
+    /// How a body is to be carried on that stands on the ground of both sides: as it is.
+    pub fn through_door_whole(&self, from: ChartPoint, to: ChartPoint) -> Option<Crossing> {
+        let (doors, by) = self.door_between(from, to)?;
+        doors.pass(&*self.strategy, by, to)
+    }
+
+    /// How somebody who walks is to be carried on, and by how much he is lifted besides, metres, to be as high over the ground as before.
     fn led_through(&self, from: ChartPoint, to: ChartPoint) -> Option<(Crossing, f64)> {
         let (doors, by) = self.door_between(from, to)?;
         let mut crossing = doors.pass(&*self.strategy, by, to)?;
@@ -192,9 +219,10 @@ pub(crate) fn pass(
     body: &mut Body,
 ) -> Option<f64> {
     let (crossing, lifted_m) = world.led_through(before, position.0)?;
+    let pace = pace::share(&*world.strategy, position.0, &crossing, body.0.velocity);
     position.0 = crossing.point;
     body.0.feet = crossing.point.pos;
     look.yaw = wrap_angle(look.yaw - crossing.turn_rad);
-    body.0.velocity = crossing.turn_vector(body.0.velocity);
+    body.0.velocity = crossing.turn_vector(body.0.velocity) * pace;
     Some(lifted_m)
 }

@@ -159,10 +159,14 @@ impl Drop {
         if self.rests {
             self.velocity = DVec3::ZERO;
         }
-        let door = world.through_door(before, self.point);
-        if let Some(crossing) = door.or_else(|| world.strategy.cross(self.point)) {
+        let door = world.through_door(before, self.point, self.velocity);
+        let crossed = door.or_else(|| {
+            let crossing = world.strategy.cross(self.point)?;
+            Some((crossing, crossing.turn_vector(self.velocity)))
+        });
+        if let Some((crossing, velocity)) = crossed {
             self.point = crossing.point;
-            self.velocity = crossing.turn_vector(self.velocity);
+            self.velocity = velocity;
         }
     }
 

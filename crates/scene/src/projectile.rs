@@ -2,7 +2,7 @@
 //! strike. A bullet disappears some time after it has met something. A falling one meets ground sooner or later, even
 //! where none is loaded, and one that follows a geodesic disappears after a certain distance.
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Doorway, Eye, Map};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Doorway, Eye, Map, Strategy, pace};
 use antipode_physics::{
     Ball, BallTuning, PhysicsWorld, Touch, VehicleMotion, VehiclePhysics, meets_capsule,
 };
@@ -86,7 +86,7 @@ pub(crate) struct Knock {
 
 /// What bullets fly through.
 pub(crate) struct Air<'a> {
-    pub strategy: &'a dyn Atlas,
+    pub strategy: &'a dyn Strategy,
     /// The space as it is seen, whose geodesics are followed.
     pub pictured: &'a dyn Map,
     pub physics: &'a PhysicsWorld,
@@ -237,8 +237,9 @@ impl Projectile {
         } else {
             self.velocity.y -= BULLET.gravity_m_s2 * gone_s;
         }
+        let sill = ChartPoint::new(before.chart, sill);
+        self.velocity = pace::carried(air.strategy, sill, &out, self.velocity);
         self.point = out.point;
-        self.velocity = out.turn_vector(self.velocity);
         STEP_S - gone_s
     }
 

@@ -48,6 +48,13 @@ fn placed(chart: ChartId, v: DVec4) -> DVec4 {
     sphere::placed(is_b(chart), v.to_array()).into()
 }
 
+/// A velocity with its part along a level direction and the level part across it made so many times as long.
+fn scaled(out: DVec3, [along, across]: [f64; 2], velocity: DVec3) -> DVec3 {
+    let away = out * velocity.dot(out);
+    let level = velocity.with_y(0.0);
+    (away * along + (level - away) * across).with_y(velocity.y)
+}
+
 impl Spherical {
     /// `radius_m` is the sphere's radius in metres, positive and finite.
     pub fn new(radius_m: f64) -> Self {
@@ -98,6 +105,18 @@ impl Spherical {
         let per_level = if level > 0.0 { r / level } else { 0.0 };
         let unit = DVec3::new(x.x * per_level, y, x.z * per_level);
         ChartPoint::new(chart, mirrored(chart, unit) * self.radius_m)
+    }
+
+    /// The way out from a chart's centre at a point, and how long a metre of the chart is along it and across it: with the
+    /// point `cos y (sin r c, cos r)` at the height y these are cos y and cos y sin r / r; upright it is a metre.
+    fn level_lengths(self, at: ChartPoint) -> (DVec3, [f64; 2]) {
+        let (r, y) = (
+            at.pos.x.hypot(at.pos.z) / self.radius_m,
+            at.pos.y / self.radius_m,
+        );
+        let round = if r > 0.0 { r.sin() / r } else { 1.0 };
+        let out = at.pos.with_y(0.0).normalize_or(DVec3::X);
+        (out, [y.cos(), y.cos() * round])
     }
 
     /// Distance of the equator from a chart's centre, metres.
@@ -238,6 +257,16 @@ impl Metric for Spherical {
     fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
         let (a, b) = (self.model(a), self.model(b));
         self.radius_m * distance::spherical(a.to_array(), b.to_array())
+    }
+
+    fn in_frame(&self, at: ChartPoint, velocity: DVec3) -> DVec3 {
+        let (out, [along, across]) = self.level_lengths(at);
+        scaled(out, [along, across], velocity)
+    }
+
+    fn from_frame(&self, at: ChartPoint, velocity: DVec3) -> DVec3 {
+        let (out, [along, across]) = self.level_lengths(at);
+        scaled(out, [along.recip(), across.recip()], velocity)
     }
 }
 

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use antipode_geometry::{ChartId, ChunkCoord};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
 use rapier3d::dynamics::{
     CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MassProperties,
@@ -17,11 +17,15 @@ use rapier3d::geometry::{
     BroadPhaseBvh, ColliderBuilder, ColliderHandle, ColliderSet, NarrowPhase,
 };
 use rapier3d::math::{Pose, Vector};
+use rapier3d::parry::shape::SharedShape;
 use rapier3d::pipeline::{PhysicsPipeline, QueryFilter};
 
+use super::doors::Junction;
 use super::hull::Hull;
+use super::role::{Earth, JUNCTIONS, Role};
+use super::sill::Sill;
 use super::{VehicleMotion, VehicleTuning};
-use crate::ChartGround;
+use crate::PhysicsWorld;
 use crate::collider::Block;
 
 /// The frame moves when a vehicle is farther than this from its origin along an axis, in metres.
@@ -31,14 +35,33 @@ const ORIGIN_STEP_M: f64 = 32.0;
 /// A wheel's ray leans by this share: the tree of boxes misses what a ray that is square to an axis meets.
 const RAY_LEANS: f32 = 1e-4;
 
-/// Which block of the ground: its chunk, and its number there.
-type BlockName = (ChunkCoord, usize);
+/// Which block of the ground: of which side of a door, its chunk, and its number there.
+type BlockName = (Earth, ChunkCoord, usize);
+
+/// Where a block lies: its corner, metres of the chart, and its turn about +y, radians.
+type Lie = (DVec3, f64);
 
 /// A block that was taken in.
 struct Taken {
-    origin: DVec3,
+    lie: Lie,
     block: Block,
     handle: ColliderHandle,
+}
+
+/// The ground that a step needs in a chart.
+#[derive(Default)]
+pub(super) struct Needed {
+    /// Boxes of the chart.
+    pub own: Vec<(DVec3, DVec3)>,
+    /// Junctions that have their host in it, each with boxes about the host for what comes from the other side, and whether
+    /// somebody stands in it.
+    pub junctions: [Option<(Junction, Vec<(DVec3, DVec3)>, bool)>; JUNCTIONS],
+}
+
+/// The ground of both sides of a door, as it was put in.
+struct LaidSill {
+    sill: Sill,
+    handle: Option<ColliderHandle>,
 }
 
 /// Bodies, ground and what Rapier needs to step them.
@@ -55,6 +78,7 @@ pub(super) struct Arena {
     ccd: CCDSolver,
     pipeline: PhysicsPipeline,
     ground: BTreeMap<BlockName, Taken>,
+    sills: [Option<LaidSill>; JUNCTIONS],
     origin: DVec3,
 }
 
@@ -74,6 +98,7 @@ impl Arena {
             ccd: CCDSolver::new(),
             pipeline: PhysicsPipeline::new(),
             ground: BTreeMap::new(),
+            sills: Default::default(),
             origin: DVec3::ZERO,
         }
     }
@@ -110,6 +135,7 @@ impl Arena {
         let handle = self.bodies.insert(body);
         let collider = ColliderBuilder::new(hull.shape.clone())
             .density(0.0)
+            .collision_groups(Role::Free.groups())
             .friction(tuning.body_friction as f32);
         self.colliders
             .insert_with_parent(collider, handle, &mut self.bodies);
@@ -168,6 +194,20 @@ impl Arena {
         }
     }
 
+    /// Says what a body meets.
+    pub fn set_role(&mut self, body: RigidBodyHandle, role: Role) {
+        let colliders = self.bodies.get(body).map(|it| it.colliders().to_vec());
+        for handle in colliders.into_iter().flatten() {
+            let groups = role.groups();
+            let collider = self.colliders.get(handle);
+            if collider.is_some_and(|it| it.collision_groups() != groups)
+                && let Some(collider) = self.colliders.get_mut(handle)
+            {
+                collider.set_collision_groups(groups);
+            }
+        }
+    }
+
     /// Strikes a body at a place of the chart with an impulse in N s.
     pub fn push(&mut self, body: RigidBodyHandle, at: DVec3, impulse: DVec3) {
         let at = (at - self.origin).as_vec3();
@@ -190,54 +230,93 @@ impl Arena {
         }
         for taken in self.ground.values() {
             if let Some(collider) = self.colliders.get_mut(taken.handle) {
-                collider.set_translation((taken.origin - self.origin).as_vec3());
+                collider.set_translation((taken.lie.0 - self.origin).as_vec3());
+            }
+        }
+        for handle in self.sills.iter().flatten().filter_map(|it| it.handle) {
+            if let Some(collider) = self.colliders.get_mut(handle) {
+                let moved = collider.translation() + shift;
+                collider.set_translation(moved);
             }
         }
     }
 
-    /// Takes in the ground within the given boxes of the chart, and lets go of the rest.
-    pub fn take_ground(&mut self, world: &ChartGround, boxes: &[(DVec3, DVec3)]) {
-        let mut wanted: BTreeMap<BlockName, (DVec3, &Block)> = BTreeMap::new();
-        for (min, max) in boxes {
-            for ground in world.grounds_in(*min, *max) {
-                let name = (ground.coord, ground.number());
-                wanted.insert(name, (ground.origin, &ground.block));
-            }
-        }
+    /// Takes in the ground that is needed, and lets go of the rest.
+    pub fn take_ground(&mut self, world: &PhysicsWorld, needed: &Needed) {
+        let wanted = wanted(world, self.chart, needed);
         let gone: Vec<BlockName> = self
             .ground
             .iter()
             .filter(|(name, taken)| {
-                !wanted.get(name).is_some_and(|(origin, block)| {
-                    *origin == taken.origin && taken.block.is_like(block)
-                })
+                !wanted
+                    .get(name)
+                    .is_some_and(|(lie, block)| *lie == taken.lie && taken.block.is_like(block))
             })
             .map(|(name, _)| *name)
             .collect();
         for name in gone {
             if let Some(taken) = self.ground.remove(&name) {
-                self.colliders.remove(
-                    taken.handle,
-                    &mut self.islands,
-                    &mut self.bodies,
-                    &mut self.soft_bodies,
-                    true,
-                );
+                self.take_up(taken.handle);
             }
         }
-        for (name, (origin, block)) in wanted {
+        for (name, (lie, block)) in wanted {
             if self.ground.contains_key(&name) {
                 continue;
             }
-            let at = (origin - self.origin).as_vec3();
-            let collider = ColliderBuilder::new(block.shape.clone()).translation(at);
-            let taken = Taken {
-                origin,
-                block: block.clone(),
-                handle: self.colliders.insert(collider),
-            };
-            self.ground.insert(name, taken);
+            let handle = self.lay(&block.shape, lie, name.0);
+            let block = block.clone();
+            self.ground.insert(name, Taken { lie, block, handle });
         }
+        for (at, junction) in needed.junctions.iter().enumerate() {
+            let stood_in = junction.as_ref().filter(|(.., is_stood_in)| *is_stood_in);
+            self.take_sill(world, at, stood_in.map(|(junction, ..)| junction));
+        }
+    }
+
+    /// Lays the ground of both sides of a junction, or takes it up.
+    fn take_sill(&mut self, world: &PhysicsWorld, at: usize, junction: Option<&Junction>) {
+        let before = self.sills[at].take();
+        let (before, handle) = before.map_or((None, None), |it| (Some(it.sill), it.handle));
+        let made = junction.map(|junction| (Sill::made(before, world, junction), junction));
+        if let Some(((sill, false), _)) = made {
+            self.sills[at] = Some(LaidSill { sill, handle });
+            return;
+        }
+        if let Some(handle) = handle {
+            self.take_up(handle);
+        }
+        let Some(((sill, _), junction)) = made else {
+            return;
+        };
+        // The leaf's own x lies along its heading, which is measured from x to z.
+        let lie = (junction.host.foot.pos, -junction.host.yaw);
+        let shape = sill.shape.clone();
+        let handle = shape.map(|shape| self.lay(&shape, lie, Earth::Sill(at)));
+        self.sills[at] = Some(LaidSill { sill, handle });
+    }
+
+    fn lay(
+        &mut self,
+        shape: &SharedShape,
+        (corner, turn_rad): Lie,
+        earth: Earth,
+    ) -> ColliderHandle {
+        let at = (corner - self.origin).as_vec3();
+        let turn = DQuat::from_rotation_y(turn_rad).as_quat();
+        let collider = ColliderBuilder::new(shape.clone())
+            .position(Pose::from_parts(at, turn))
+            .collision_groups(earth.groups());
+        self.colliders.insert(collider)
+    }
+
+    fn take_up(&mut self, handle: ColliderHandle) {
+        self.colliders.remove(
+            handle,
+            &mut self.islands,
+            &mut self.bodies,
+            &mut self.soft_bodies,
+            true,
+        );
     }
 
     /// Advances all bodies by one step.
@@ -276,12 +355,15 @@ impl Arena {
     pub fn roll(
         &mut self,
         controller: &mut DynamicRayCastVehicleController,
+        role: Role,
         pull: DVec3,
         dt_s: f64,
     ) {
         let chassis = controller.chassis;
         self.drift(chassis, pull);
-        let filter = QueryFilter::default().exclude_rigid_body(controller.chassis);
+        let filter = QueryFilter::default()
+            .exclude_rigid_body(controller.chassis)
+            .groups(role.groups());
         let queries = self.broad_phase.as_query_pipeline_mut(
             self.narrow_phase.query_dispatcher(),
             &mut self.bodies,
@@ -301,6 +383,38 @@ impl Arena {
             body.set_linvel(velocity, true);
         }
     }
+}
+
+/// The blocks that are needed in a chart, and how they lie there.
+fn wanted<'a>(
+    world: &'a PhysicsWorld,
+    chart: ChartId,
+    needed: &Needed,
+) -> BTreeMap<BlockName, (Lie, &'a Block)> {
+    let mut wanted = BTreeMap::new();
+    for (min, max) in &needed.own {
+        for ground in world.chart(chart).grounds_in(*min, *max) {
+            let name = (Earth::Own, ground.coord, ground.number());
+            wanted.insert(name, ((ground.origin, 0.0), &ground.block));
+        }
+    }
+    for (at, junction) in needed.junctions.iter().enumerate() {
+        let Some((junction, boxes, _)) = junction else {
+            continue;
+        };
+        for (min, max) in boxes {
+            let middle = junction.taken_back(0.5 * (*min + *max));
+            // However the box is turned there.
+            let half = DVec3::splat(0.5 * (*max - *min).length());
+            let ground = world.chart(junction.far.foot.chart);
+            for ground in ground.grounds_in(middle - half, middle + half) {
+                let name = (Earth::Far(at), ground.coord, ground.number());
+                let lie = (junction.brought(ground.origin), junction.turn_rad());
+                wanted.insert(name, (lie, &ground.block));
+            }
+        }
+    }
+    wanted
 }
 
 /// A controller with four wheels.

@@ -4,6 +4,7 @@
 //! creep on for ever, 5 cm/s at 17 degrees. Tyres that hold stand off from where they took hold until they pull as much
 //! as the weight does, as rubber bends.
 
+use antipode_geometry::Crossing;
 use glam::DVec3;
 
 /// How fast tyres go back to where they took hold, for each metre that they are off it, 1/s.
@@ -30,6 +31,12 @@ impl Hold {
         let off = (off - normal * off.dot(normal)).clamp_length_max(BENDS_M);
         self.anchor = Some(place - off);
         off * PULL_PER_S
+    }
+
+    /// The vehicle, which was at `place` (m), is carried whole: what took hold goes with it.
+    pub fn carry(&mut self, place: DVec3, crossing: &Crossing) {
+        let carried = |at: DVec3| crossing.point.pos + crossing.turn_vector(at - place);
+        self.anchor = self.anchor.map(carried);
     }
 
     /// The vehicle is elsewhere: they take hold there.

@@ -5,10 +5,13 @@
 
 mod arena;
 mod bodies;
+mod doors;
 mod drive;
 mod hold;
 mod hull;
 mod place;
+mod role;
+mod sill;
 mod state;
 mod steady;
 mod tuning;
@@ -21,9 +24,12 @@ use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::RigidBodyHandle;
 
 use crate::PhysicsWorld;
-use arena::Arena;
+use arena::{Arena, Needed};
+use doors::Junction;
+pub use doors::VehicleDoors;
 use hold::Hold;
 use hull::Hull;
+use role::{JUNCTIONS, Role};
 pub use state::{VehicleInput, VehicleMotion, VehicleWheel};
 pub use tuning::VehicleTuning;
 
@@ -48,6 +54,8 @@ pub struct Vehicle {
     rolled: DVec3,
     rests_s: f64,
     hold: Hold,
+    /// What it met in the last step.
+    role: Role,
     body: Option<(RigidBodyHandle, DynamicRayCastVehicleController)>,
 }
 
@@ -155,6 +163,7 @@ impl VehiclePhysics {
             rolled: motion.velocity,
             rests_s: 0.0,
             hold: Hold::default(),
+            role: Role::Free,
             body: None,
         }
     }
@@ -184,32 +193,49 @@ impl VehiclePhysics {
     }
 
     /// Advances all vehicles by `dt_s` seconds, always in the same order. One without an input is held still where it
-    /// is, as long as the ground below it is not there.
+    /// is, as long as the ground below it is not there. Whose middle goes through a door is to be carried by the caller.
     pub fn step(
         &mut self,
         world: &PhysicsWorld,
+        doors: Option<&VehicleDoors<'_>>,
         all: &mut [(&mut Vehicle, Option<VehicleInput>)],
         dt_s: f64,
     ) {
         if dt_s.is_nan() || dt_s <= 0.0 {
             return;
         }
+        let junctions = doors.map_or([None; JUNCTIONS], |doors| doors::junctions(doors, all));
+        let stays = doors.map(|doors| self.bring(doors, &junctions, all));
         wake_near(all);
         for (vehicle, input) in &mut *all {
             self.admit(vehicle, *input);
         }
+        self.step_brought(world, &junctions, all, dt_s);
+        if let Some((doors, stays)) = doors.zip(stays) {
+            self.take_back(doors, stays, all);
+        }
+    }
+
+    /// Advances all that move, in the arenas where they are.
+    fn step_brought(
+        &mut self,
+        world: &PhysicsWorld,
+        junctions: &[Option<Junction>; JUNCTIONS],
+        all: &mut [(&mut Vehicle, Option<VehicleInput>)],
+        dt_s: f64,
+    ) {
         let moving = all.iter_mut().filter(|(vehicle, _)| vehicle.is_moving());
         let moving: Vec<_> = moving.collect();
         let charts: BTreeSet<ChartId> = moving.iter().map(|(it, _)| it.motion.chart).collect();
         for chart in charts {
-            let motions = moving.iter().map(|(it, _)| &it.motion);
-            let here: Vec<_> = motions.filter(|motion| motion.chart == chart).collect();
-            let (Some(arena), Some(first)) = (self.arenas.get_mut(&chart), here.first()) else {
+            let here = moving.iter().map(|(it, _)| (it.role, &it.motion));
+            let here: Vec<_> = here.filter(|(_, it)| it.chart == chart).collect();
+            let (Some(arena), Some((_, first))) = (self.arenas.get_mut(&chart), here.first())
+            else {
                 continue;
             };
             arena.recentre(first.place);
-            let boxes: Vec<_> = here.iter().map(|it| ground_box(it, dt_s)).collect();
-            arena.take_ground(world.chart(chart), &boxes);
+            arena.take_ground(world, &needed(&here, junctions, dt_s));
             arena.step(self.tuning.gravity_m_s2, dt_s);
         }
         for (vehicle, input) in moving {
@@ -252,7 +278,7 @@ impl VehiclePhysics {
         drive::apply(controller, tuning, &effort, vehicle.steer_rad, dt_s);
         let stood_on = normals(controller);
         let pull = vehicle.hold.pull(motion.place, &stood_on, effort.holds);
-        arena.roll(controller, pull, dt_s);
+        arena.roll(controller, vehicle.role, pull, dt_s);
         // What nobody drives lies and leans as it fell, so that it comes to rest.
         if !input.parked {
             steady::steady(arena, *body, &normals(controller), tuning, dt_s);
@@ -307,6 +333,28 @@ fn wake_near(all: &mut [(&mut Vehicle, Option<VehicleInput>)]) {
         if moving.iter().any(is_near) {
             sleeper.wake();
         }
+    }
+}
+
+/// The ground that those need who move in a chart.
+fn needed(
+    here: &[(Role, &VehicleMotion)],
+    junctions: &[Option<Junction>; JUNCTIONS],
+    dt_s: f64,
+) -> Needed {
+    let of = |role: Role| here.iter().filter(move |(own, _)| *own == role);
+    let boxes = |role: Role| of(role).map(|(_, it)| ground_box(it, dt_s));
+    let natives = (0..JUNCTIONS).flat_map(|at| boxes(Role::Native(at)));
+    let about = |at: usize| {
+        let is_stood_in = of(Role::Astride(at)).next().is_some();
+        let guests: Vec<_> = boxes(Role::Guest(at)).collect();
+        let is_needed = is_stood_in || !guests.is_empty();
+        let junction = junctions[at].filter(|_| is_needed);
+        junction.map(|junction| (junction, guests, is_stood_in))
+    };
+    Needed {
+        own: boxes(Role::Free).chain(natives).collect(),
+        junctions: std::array::from_fn(about),
     }
 }
 

@@ -33,7 +33,7 @@ fn vehicles_at_one_place_of_two_charts_do_not_meet_until_one_is_carried() {
     let mut driven = physics.vehicle(place(0, 0.0));
     let step = |still: &mut Vehicle, driven: &mut Vehicle, physics: &mut VehiclePhysics| {
         let mut all = [(still, Some(parked)), (driven, Some(ahead))];
-        physics.step(&world, &mut all, STEP_S);
+        physics.step(&world, None, &mut all, STEP_S);
     };
     for _ in 0..150 {
         step(&mut still, &mut driven, &mut physics);

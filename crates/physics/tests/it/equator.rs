@@ -83,7 +83,7 @@ fn drive(
     let mut vehicle = physics.vehicle(free);
     for _ in 0..90 {
         let mut all = [(&mut vehicle, Some(VehicleInput::default()))];
-        physics.step(world, &mut all, STEP_S);
+        physics.step(world, None, &mut all, STEP_S);
     }
     let speed_m_s = if boost { 28.0 } else { 14.5 };
     let rested = vehicle.motion();
@@ -105,7 +105,7 @@ fn drive(
     };
     let mut back = 0.0;
     while run.after.len() < 12 {
-        physics.step(world, &mut [(&mut vehicle, Some(input))], STEP_S);
+        physics.step(world, None, &mut [(&mut vehicle, Some(input))], STEP_S);
         let motion = vehicle.motion();
         let felt = Felt {
             speed_m_s: motion.velocity.length(),

@@ -9,6 +9,7 @@
 mod air;
 mod charts;
 mod common;
+mod doors;
 mod equator;
 mod tipping;
 mod vehicle;

@@ -40,7 +40,7 @@ impl Driver {
     pub fn step_beside(&mut self, input: Option<VehicleInput>, other: Option<&mut Vehicle>) {
         let mut all = vec![(&mut self.vehicle, input)];
         all.extend(other.map(|it| (it, Some(parked()))));
-        self.physics.step(&self.world, &mut all, STEP_S);
+        self.physics.step(&self.world, None, &mut all, STEP_S);
     }
 
     pub fn set_motion(&mut self, motion: VehicleMotion) {

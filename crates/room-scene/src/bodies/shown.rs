@@ -1,7 +1,7 @@
 //! What is seen and met of bodies: who stands astride a portal is on both sides of it, cut at the plane, and astride a door of an
 //! aberration as large on either side as things are there.
 
-use antipode_deformation::{Place, SceneHit, SceneQuery, Space, Triangle, Triangles, half};
+use antipode_deformation::{Place, SceneHit, SceneQuery, Solids, Space, Triangle, Triangles, half};
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::{Bodies, Body, Owner};
@@ -139,7 +139,7 @@ impl Body {
 /// What stands, and what is loose.
 #[derive(Clone, Copy)]
 pub struct LooseSolids<'a> {
-    pub standing: &'a Triangles,
+    pub standing: &'a Solids,
     pub loose: &'a Triangles,
 }
 

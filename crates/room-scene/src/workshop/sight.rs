@@ -1,7 +1,7 @@
 //! What a place of a picture shows, found by the path that its light has taken.
 
 use antipode_deformation::{
-    Chain, EventKind, Place, SceneHit, SceneQuery, Trace, Traveller, Triangles, trace,
+    Chain, EventKind, Place, SceneHit, SceneQuery, Solids, Trace, Traveller, trace,
 };
 use antipode_rays::Eye;
 use glam::{DVec2, DVec3};
@@ -75,7 +75,7 @@ pub struct Sight {
 
 /// Solids without some of the objects.
 struct Beside<'a> {
-    solids: &'a Triangles,
+    solids: &'a Solids,
     hidden: &'a [usize],
 }
 

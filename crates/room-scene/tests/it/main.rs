@@ -13,6 +13,7 @@ mod edits;
 mod eyes;
 mod figure;
 mod hands;
+mod large;
 mod parallel;
 mod picture;
 mod portals;

@@ -5,9 +5,9 @@
 mod blocks;
 mod builder;
 mod round;
+mod shapes;
 mod walls;
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec2, DVec3};
@@ -17,6 +17,7 @@ use crate::pose::poses;
 use crate::room::{Room, Surface, What};
 use builder::Builder;
 
+pub use shapes::Shapes;
 pub use walls::{WALL_INSIDE_M, WALL_OUTSIDE_M};
 
 /// How thick the board of a sign is, metres.
@@ -78,8 +79,32 @@ impl Default for Roundness {
 /// The triangles of all that stands in a room, in the order of its objects. Models that `assets` does not have are left
 /// out.
 pub fn meshes(room: &Room, assets: &Assets, roundness: Roundness) -> Vec<SolidMesh> {
-    let mut known: HashMap<String, Arc<Shape>> = HashMap::new();
-    let mut out = Vec::new();
+    let walls = |what: &What| shape(what, roundness).map(Arc::new);
+    let shapes = &mut Shapes::default();
+    listed(room, assets, |what| match what {
+        What::Aberration(_) => walls(what),
+        _ => shapes.of(what, roundness),
+    })
+}
+
+/// The same without the walls of aberrations, with the shapes that are made already.
+pub fn standing_meshes(
+    room: &Room,
+    assets: &Assets,
+    roundness: Roundness,
+    shapes: &mut Shapes,
+) -> Vec<SolidMesh> {
+    let all = listed(room, assets, |what| shapes.of(what, roundness));
+    shapes.end_round();
+    all
+}
+
+fn listed(
+    room: &Room,
+    assets: &Assets,
+    mut shape_of: impl FnMut(&What) -> Option<Arc<Shape>>,
+) -> Vec<SolidMesh> {
+    let mut out = Vec::with_capacity(room.objects.len());
     for (object, (it, pose)) in room.objects.iter().zip(poses(room)).enumerate() {
         if let What::Model { file, scale } = &it.what {
             let Some(model) = assets.models.get(file) else {
@@ -97,21 +122,12 @@ pub fn meshes(room: &Room, assets: &Assets, roundness: Roundness) -> Vec<SolidMe
             }));
             continue;
         }
-        let made = || shape(&it.what, roundness).map(Arc::new);
-        let key = format!("{:?}", it.what);
-        let shape = match known.get(&key) {
-            Some(shape) => Arc::clone(shape),
-            None => match made() {
-                Some(shape) => Arc::clone(known.entry(key).or_insert(shape)),
-                None => continue,
-            },
-        };
-        out.push(SolidMesh {
+        out.extend(shape_of(&it.what).map(|shape| SolidMesh {
             object,
             pose,
             shape,
             look: Look::Surface(it.surface.clone()),
-        });
+        }));
     }
     out
 }

@@ -1,7 +1,7 @@
 //! One step of the cars: what their drivers ask for, over the edges of charts, out of ground, and with the player at the wheel.
 
-use antipode_geometry::{ChartPoint, Crossing};
-use antipode_physics::{VehicleInput, VehicleMotion, VehiclePhysics};
+use antipode_geometry::{ChartPoint, Crossing, pace};
+use antipode_physics::{VehicleDoors, VehicleInput, VehicleMotion, VehiclePhysics};
 use glam::DVec3;
 
 use super::damage::run_over;
@@ -42,7 +42,11 @@ pub(crate) fn step(
         (&mut car.vehicle, input)
     });
     let mut vehicles: Vec<_> = vehicles.collect();
-    physics.step(&world.physics, &mut vehicles, STEP_S);
+    let doors = world.doors.as_ref().map(|pair| VehicleDoors {
+        atlas: &*world.strategy,
+        pair,
+    });
+    physics.step(&world.physics, doors.as_ref(), &mut vehicles, STEP_S);
     for ((id, car), before) in cars.into_iter().zip(before) {
         car.keep_between_limits(world, physics);
         let crossing = car.cross(world, physics, before);
@@ -61,7 +65,9 @@ impl Car {
     fn input(&self, world: &World, actions: &Actions, driven: bool) -> Option<VehicleInput> {
         let speed_m_s = self.vehicle.motion().velocity.length();
         let reach_m = NEEDED_AROUND_M + NEEDED_AHEAD_S * speed_m_s;
-        if self.unplaced || !world.is_firm_around(self.point(), reach_m) {
+        let is_firm = |at: ChartPoint| world.is_firm_around(at, reach_m);
+        let beyond = world.beyond_door(self.point());
+        if self.unplaced || !is_firm(self.point()) || !beyond.is_none_or(is_firm) {
             return None;
         }
         Some(if driven {
@@ -121,9 +127,14 @@ impl Car {
         physics: &mut VehiclePhysics,
         before: ChartPoint,
     ) -> Option<Crossing> {
-        let door = world.through_door(before, self.point());
-        let crossing = door.or_else(|| world.strategy.cross(self.point()))?;
+        let (space, motion) = (&*world.strategy, self.vehicle.motion());
+        let door = world.through_door_whole(before, motion.point());
+        let crossing = door.or_else(|| space.cross(motion.point()))?;
         physics.carry(&mut self.vehicle, &crossing);
+        if door.is_some() {
+            let pace = pace::share(space, motion.point(), &crossing, motion.velocity);
+            physics.hasten(&mut self.vehicle, pace);
+        }
         Some(crossing)
     }
 }

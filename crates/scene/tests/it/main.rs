@@ -15,6 +15,7 @@ mod common;
 mod cone;
 mod contact;
 mod doors;
+mod doors_driven;
 mod doors_dug;
 mod doors_followed;
 mod doors_placed;
