@@ -317,6 +317,8 @@ workshop-do-examples = Was möglich ist
 workshop-do-parallel = Ohne Perspektive
 workshop-do-walls = Wände von Tunneln ausblenden
 workshop-field-times-all = Dehnung aller Achsen
+workshop-field-group = In der Gruppe
+workshop-choice-group-none = Keine
 workshop-part-house = Haus, innen größer
 workshop-about-house = Ein Haus von 4 m mit einer Tür. Innen ist es doppelt so groß, und wer eintritt, halb so groß.
 

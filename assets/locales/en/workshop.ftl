@@ -317,6 +317,8 @@ workshop-do-examples = What is possible
 workshop-do-parallel = Without perspective
 workshop-do-walls = Hide walls of tunnels
 workshop-field-times-all = Stretch of all axes
+workshop-field-group = In the group
+workshop-choice-group-none = None
 workshop-part-house = House larger inside
 workshop-about-house = A house of 4 m with a door. Inside it is twice as large, and who enters half as large.
 

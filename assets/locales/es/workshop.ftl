@@ -317,6 +317,8 @@ workshop-do-examples = Lo que es posible
 workshop-do-parallel = Sin perspectiva
 workshop-do-walls = Ocultar paredes de túneles
 workshop-field-times-all = Estiramiento de todos los ejes
+workshop-field-group = En el grupo
+workshop-choice-group-none = Ninguno
 workshop-part-house = Casa mayor por dentro
 workshop-about-house = Una casa de 4 m con una puerta. Por dentro es el doble de grande, y quien entra, la mitad.
 

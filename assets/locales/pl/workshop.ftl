@@ -357,6 +357,8 @@ workshop-do-examples = Co jest możliwe
 workshop-do-parallel = Bez perspektywy
 workshop-do-walls = Ukryj ściany tuneli
 workshop-field-times-all = Rozciągnięcie wszystkich osi
+workshop-field-group = W grupie
+workshop-choice-group-none = Żadnej
 workshop-part-house = Dom większy w środku
 workshop-about-house = Dom 4 m z drzwiami. W środku jest dwa razy większy, a kto wchodzi, o połowę mniejszy.
 

@@ -259,6 +259,8 @@ workshop-do-examples = 能做什么
 workshop-do-parallel = 无透视
 workshop-do-walls = 隐藏隧道的墙壁
 workshop-field-times-all = 所有轴的拉伸
+workshop-field-group = 所属组
+workshop-choice-group-none = 无
 workshop-part-house = 内部更大的房子
 workshop-about-house = 4 米的房子，有门。内部大一倍，进入者会缩小一半。
 

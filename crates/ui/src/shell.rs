@@ -380,6 +380,9 @@ impl Shell {
         if screen == Screen::Hidden {
             self.trail = Trail::new(Id::unique(MAIN));
         }
+        if matches!(self.screen, Screen::Main | Screen::Hidden) {
+            self.worlds.come();
+        }
         self.worlds.reset(Kind::of(&screen));
         self.settings = SettingsScreen::default();
         self.controls.reset();

@@ -43,11 +43,16 @@ impl WorldScreens {
         (place != (None, false, None)).then(|| Id::unique(place))
     }
 
+    /// The player comes to them from elsewhere: lists are at their top.
+    pub(crate) fn come(&mut self) {
+        self.visits = self.visits.wrapping_add(1);
+    }
+
     /// Back to the plain lists, of that kind.
     pub(crate) fn reset(&mut self, kind: Kind) {
         *self = Self {
             kind,
-            visits: self.visits.wrapping_add(1),
+            visits: self.visits,
             ..Self::default()
         };
     }

@@ -31,12 +31,11 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
         }
         _ => words.sentence.clone(),
     };
-    let mut state = match visit.room.look {
-        View::Plain => Vec::new(),
-        _ => {
-            let is_outside = scene.eye().place.stack.is_empty();
-            state(texts, scene.sizes(), is_outside)
-        }
+    let mut state = if visit.room.look == View::Plain {
+        Vec::new()
+    } else {
+        let is_outside = scene.eye().place.stack.is_empty();
+        state(texts, scene.sizes(), is_outside)
     };
     if is_new {
         state.push(keys(texts, profiles, visit.file().is_some()));

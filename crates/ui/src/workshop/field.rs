@@ -70,11 +70,11 @@ pub(super) fn said(texts: &Texts, value: f64, unit: Unit) -> String {
     } else {
         3
     };
-    let mut digits = format!("{value:.decimals$}");
-    if digits.contains('.') {
-        digits.truncate(digits.trim_end_matches('0').trim_end_matches('.').len());
-    }
-    let values = [("value", Value::from(digits))];
+    // As many as say something.
+    let digits = format!("{value:.decimals$}");
+    let after = digits.split_once('.').map_or("", |(_, after)| after);
+    let decimals = after.trim_end_matches('0').len();
+    let values = [("value", Value::decimals(value, decimals))];
     match unit {
         Unit::Metres => texts.say_with("workshop-unit-metres", &values),
         Unit::Degrees => texts.say_with("workshop-unit-degrees", &values),

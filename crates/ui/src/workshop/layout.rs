@@ -24,7 +24,7 @@ const DEEPEST: u32 = 8;
 /// Where the panes lie in a wide window, and in a narrow one.
 const WIDE: &str = "row(0.21 col(0.6 tabs(list*) 0.4 tabs(parts* history)) 0.54 col(0.82 tabs(view*) 0.18 tabs(messages*)) 0.25 tabs(inspector*))";
 const NARROW: &str =
-    "row(0.62 tabs(view*) 0.38 col(0.42 tabs(list* parts) 0.58 tabs(inspector* messages history)))";
+    "row(0.62 tabs(view*) 0.38 col(0.42 tabs(list* parts history) 0.58 tabs(inspector* messages)))";
 /// From this width on a window is wide, points.
 const WIDE_FROM: f32 = 1100.0;
 

@@ -54,9 +54,15 @@ pub(super) fn show(ui: &Ui, view: Rect, model: &WorkshopModel<'_>, wishes: &mut 
 
 /// Rings what the lesson is done with, if that is it.
 pub(super) fn point_out(ui: &Ui, model: &WorkshopModel<'_>, it: &LessonTarget, rect: Rect) {
-    let is_it = model.lesson.is_some_and(|lesson| lesson.target == *it);
-    if is_it {
-        ring(ui, rect);
+    let Some(lesson) = model.lesson.filter(|lesson| lesson.target == *it) else {
+        return;
+    };
+    ring(ui, rect);
+    // It comes into view once, and can be scrolled away then.
+    let id = Id::unique("antipode-workshop-pointed");
+    if ui.data(|data| data.get_temp(id)) != Some(lesson.number) {
+        ui.data_mut(|data| data.insert_temp(id, lesson.number));
+        ui.scroll_to_rect(rect, Some(egui::Align::Center));
     }
 }
 

@@ -8,7 +8,7 @@ use super::list::ListState;
 use super::model::{LessonTarget, WorkshopModel, WorkshopWish};
 use super::{bar, examples, inspector, keys, lesson, list, notes, parts, view};
 use crate::layout::inset;
-use crate::theme::{ACCENT, GRID, LINE, PANEL, TEXT, WEAK};
+use crate::theme::{ACCENT, FOCUS, GRID, LINE, PANEL, TEXT, WEAK};
 
 /// The panes of the workshop, and what is typed in them.
 pub struct WorkshopPanes {
@@ -179,6 +179,21 @@ impl Behavior<Pane> for Panes<'_, '_> {
             }
             _ => title.into(),
         }
+    }
+
+    fn on_tab_button(
+        &mut self,
+        _: &mut Tiles<Pane>,
+        _: TileId,
+        response: egui::Response,
+    ) -> egui::Response {
+        if response.has_focus() {
+            let painter = response.ctx.layer_painter(response.layer_id);
+            let stroke = egui::Stroke::new(2.0, FOCUS);
+            let rect = response.rect.shrink(1.0);
+            painter.rect_stroke(rect, 2, stroke, egui::StrokeKind::Inside);
+        }
+        response
     }
 
     fn tab_bar_color(&self, _: &egui::Visuals) -> Color32 {

@@ -27,4 +27,5 @@ mod sizes;
 mod speech;
 mod toasts;
 mod workshop;
+mod workshop_newcomers;
 mod worlds;

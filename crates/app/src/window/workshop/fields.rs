@@ -152,7 +152,23 @@ fn of_object(texts: &Texts, scene: &RoomScene, index: usize, alone: bool) -> Vec
     if has_surface(&object.what) {
         of_surface(&mut rows, &object.surface);
     }
+    of_group(&mut rows, scene.room(), object);
     rows.all
+}
+
+/// Which group carries something; none where there is no group that could.
+fn of_group(rows: &mut Rows<'_>, room: &Room, object: &Object) {
+    let is_other = |it: &&Object| it.what == What::Group && it.name != object.name;
+    let groups = room.objects.iter().filter(is_other);
+    let none = (String::new(), rows.texts.say("workshop-choice-group-none"));
+    let named = groups.map(|it| (it.name.clone(), it.name.clone()));
+    let options: Vec<_> = std::iter::once(none).chain(named).collect();
+    if options.len() == 1 {
+        return;
+    }
+    let wanted = object.group.as_deref().unwrap_or_default();
+    let chosen = options.iter().position(|(word, _)| word == wanted);
+    rows.add("group", FieldKind::Choice(options, chosen), true);
 }
 
 fn of_solid(rows: &mut Rows<'_>, what: &What) {

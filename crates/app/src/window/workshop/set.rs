@@ -30,6 +30,15 @@ pub fn edit(room: &Room, chosen: &[usize], key: &str, value: &FieldValue) -> Opt
     {
         return Some(link(room, &room.objects[*index].name, to));
     }
+    if key == "group"
+        && let FieldValue::Text(group) = value
+    {
+        let names = chosen.iter().map(|index| room.objects[*index].name.clone());
+        return Some(Edit::Carry {
+            group: (!group.is_empty()).then(|| group.clone()),
+            members: names.collect(),
+        });
+    }
     let edits: Vec<_> = chosen
         .iter()
         .filter_map(|index| {
@@ -295,6 +304,27 @@ mod tests {
         let reset = reset(document.room(), &[1], "times").unwrap();
         document.edit(&reset).unwrap();
         assert!((felt(&document) - 8.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn things_go_into_a_group_and_out_of_it_by_a_list_and_stay_where_they_are() {
+        let mut document = tunnel();
+        document
+            .edit(&Edit::Group {
+                name: "house".to_owned(),
+                at: DVec3::X,
+                members: Vec::new(),
+            })
+            .unwrap();
+        let at = antipode_rooms::poses(document.room())[1];
+        let group = |name: &str| FieldValue::Text(name.to_owned());
+        set(&mut document, &[1, 2], "group", &group("house"));
+        let carried = document.room().objects.iter();
+        assert_eq!(carried.filter(|it| it.group.is_some()).count(), 2);
+        assert_eq!(antipode_rooms::poses(document.room())[1], at);
+        set(&mut document, &[1], "group", &group(""));
+        assert_eq!(document.room().objects[1].group, None);
+        assert_eq!(antipode_rooms::poses(document.room())[1], at);
     }
 
     #[test]

@@ -106,6 +106,11 @@ impl Workshop {
             bench.make(&edit)?;
             if matches!(wish, WorkshopWish::Put(_)) {
                 bench.scene.document_mut().select_made();
+                self.forget_chain();
+                // It may have had to stand elsewhere.
+                if !self.sees_chosen(bench.scene) {
+                    self.focus(bench.scene);
+                }
             }
             return Ok(());
         }
@@ -281,6 +286,12 @@ impl Workshop {
         let fov_y_rad = self.fov_y_rad(scene);
         self.camera
             .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
+    }
+
+    /// Whether the middle of what is chosen is well in the view.
+    fn sees_chosen(&self, scene: &RoomScene) -> bool {
+        let handles = self.handles(scene);
+        handles.is_some_and(|(_, handles)| handles.at.abs().max_element() < 0.9)
     }
 
     /// Looks at what is chosen.
