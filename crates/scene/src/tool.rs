@@ -63,6 +63,8 @@ pub(crate) fn work(
         radius_m,
         amount: sign * strength * STEP_S as f32,
         part: Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     };
     let mut strokes = door::parted(now.world, whole);
     let before = strokes.len();

@@ -183,6 +183,18 @@ impl WorldStore {
     /// [`StorageError::Damaged`] if its record cannot be believed: go on with the
     /// chunk as generated, and say so. Failures of the file system.
     pub fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, StorageError> {
+        Ok(self.chunk_with_kinds(key)?.map(|(samples, _)| samples))
+    }
+
+    /// As [`Self::chunk`], with a byte for each sample that tells of the kind of ground laid there; none where nobody laid
+    /// any.
+    ///
+    /// # Errors
+    /// As [`Self::chunk`].
+    pub fn chunk_with_kinds(
+        &self,
+        key: &ChunkKey,
+    ) -> Result<Option<(Vec<i16>, Vec<u8>)>, StorageError> {
         let stored = key.to_bytes();
         let name = {
             let known = self.known();
@@ -195,7 +207,7 @@ impl WorldStore {
         bytes
             .map(|bytes| schema::read(&bytes, &stored))
             .transpose()
-            .map(|chunk| chunk.map(|ChunkBody(samples)| samples))
+            .map(|chunk| chunk.map(|ChunkBody(samples, kinds)| (samples, kinds)))
             .map_err(|fault| fault_in(&name, &key.to_string(), fault))
     }
 
