@@ -104,6 +104,9 @@ struct Scene {
 // Whether this view is cut at all: pictures that are not are drawn by pipelines without what that takes.
 override CUTS: bool = false;
 
+// Whether land shows the surfaces of its kinds and is lit by pixel; else it has their colours alone.
+override SURFACES: bool = false;
+
 // Whether a view point is cut off. To be asked after everything that looks at the next pixel.
 fn is_cut(view: vec4<f32>) -> bool {
     return CUTS && any(view * scene.cuts < vec4<f32>(0.0));

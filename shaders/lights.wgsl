@@ -9,6 +9,8 @@
 //                                     the reference: those of the first chart, or where charts have none in common its own
 //   grain_point(wrapped, p)           where grain is read: a place that is wrapped as grain repeats, or one from p, metres
 //                                     from the reference in the chart
+//   grain_up(grain)                   which way is up where grain is read
+//   tilted(normal, model_normal, ..)  both normals of a surface that slopes so in the grain's axes
 //   haze_before(view)                 the haze before a view point
 //   daylight_on(view, normal, ..)     all light but that of lamps and beams
 //   wants_model_normal(lights)        whether a vertex needs its normal in view coordinates
@@ -37,6 +39,20 @@
 struct LandLight {
     facing: vec3<f32>,
     dark: vec3<f32>,
+}
+
+// How much the grain and the view change to the next pixels.
+struct Steps {
+    grain_x: vec3<f32>,
+    grain_y: vec3<f32>,
+    view_x: vec4<f32>,
+    view_y: vec4<f32>,
+}
+
+// A normal in the common axes and in view coordinates.
+struct Tilted {
+    normal: vec3<f32>,
+    model_normal: vec4<f32>,
 }
 
 // What a lit point needs to know of itself.

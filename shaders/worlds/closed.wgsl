@@ -38,6 +38,26 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     return (radius + p.y) * home.xwz;
 }
 
+fn grain_up(grain: vec3<f32>) -> vec3<f32> {
+    return normalize(grain);
+}
+
+// The slope along the ground, from what the height changes by to the next pixels: with the ways a and b to those, a vector
+// p a + q b rises by (hx, hy) over them where <p a + q b, a> = hx and <p a + q b, b> = hy.
+fn tilted(normal: vec3<f32>, model_normal: vec4<f32>, slope: vec3<f32>, steps: Steps) -> Tilted {
+    let to_metres = vec4<f32>(1.0, 1.0, 1.0, scene.space.radius_m);
+    let a = steps.view_x * to_metres;
+    let b = steps.view_y * to_metres;
+    let rise = vec2<f32>(dot(slope, steps.grain_x), dot(slope, steps.grain_y));
+    let aa = dot(a, a);
+    let ab = dot(a, b);
+    let bb = dot(b, b);
+    let inverse = 1.0 / max(aa * bb - ab * ab, 1e-14);
+    let along = (a * (bb * rise.x - ab * rise.y) + b * (aa * rise.y - ab * rise.x)) * inverse;
+    let held = along * min(1.0, 1.6 * inverseSqrt(max(dot(along, along), 1e-8)));
+    return Tilted(normal, normalize(model_normal - held));
+}
+
 // The mean of the haze about the eye and that about the point.
 fn haze_before(view: vec4<f32>) -> vec3<f32> {
     let there = scene.horizon * mix(NIGHT_HAZE, vec3<f32>(1.0), daylight_at(model_of(view)));

@@ -62,6 +62,7 @@ impl Studio {
             scale: 1.0,
             output_format: FORMAT,
             shadows: options::shadows(settings, gpu.is_software()),
+            surfaces: settings.surfaces.are_fine(gpu.is_software()),
         };
         let mut renderer = Renderer::with_shaders(&gpu, options, shaders)?;
         renderer.resize(common.size.0, common.size.1);
@@ -87,6 +88,7 @@ impl Studio {
         let options = Options {
             samples: settings.msaa.samples(software),
             shadows: options::shadows(settings, software),
+            surfaces: settings.surfaces.are_fine(software),
             ..self.options
         };
         if options != self.options {

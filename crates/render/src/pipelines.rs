@@ -64,7 +64,8 @@ pub struct Pipelines {
 }
 
 impl Pipelines {
-    /// Compiles the scene's shaders for one map of the space, so many samples a pixel and shadows of a quality.
+    /// Compiles the scene's shaders for one map of the space, so many samples a pixel, shadows of a quality, and surfaces of land
+    /// or none.
     ///
     /// # Errors
     /// What the map's text lacks, or what the device has to say against one of them; either names the map.
@@ -73,7 +74,7 @@ impl Pipelines {
         shaders: Shaders,
         scene_layout: &BindGroupLayout,
         key: Key,
-        (samples, shadows): (u32, ShadowQuality),
+        (samples, shadows, surfaces): (u32, ShadowQuality, bool),
     ) -> Result<Self, String> {
         let refused = |why| format!("the map \"{}\" cannot be drawn: {why}", key.map.name);
         if let Some((file, function)) = key.map.lacks() {
@@ -81,7 +82,11 @@ impl Pipelines {
         }
         let made = accepted(device, || {
             let maker = Maker::new(device, shaders, scene_layout, key, samples);
-            Self::made_by(&Maker { shadows, ..maker })
+            Self::made_by(&Maker {
+                shadows,
+                surfaces,
+                ..maker
+            })
         });
         made.map_err(refused)
     }
@@ -148,6 +153,7 @@ pub(crate) struct Maker<'a> {
     pub(crate) map: &'static MapShader,
     samples: u32,
     pub(crate) shadows: ShadowQuality,
+    surfaces: bool,
     by_figures: bool,
     /// Whether sheets may cut off what is drawn.
     cuts: bool,
@@ -187,6 +193,7 @@ impl<'a> Maker<'a> {
             map: key.map,
             samples,
             shadows: ShadowQuality::Off,
+            surfaces: false,
             by_figures: true,
             cuts: key.is_cut,
         }
@@ -329,7 +336,8 @@ impl<'a> Maker<'a> {
         let shadows = ("SHADOWS", f64::from(self.shadows.number()));
         let by_figures = ("FIGURE_SHADOWS", f64::from(u8::from(self.by_figures)));
         let cuts = ("CUTS", f64::from(u8::from(self.cuts)));
-        let constants = [shadows, by_figures, cuts];
+        let surfaces = ("SURFACES", f64::from(u8::from(self.surfaces)));
+        let constants = [shadows, by_figures, cuts, surfaces];
         let compilation_options = wgpu::PipelineCompilationOptions {
             constants: &constants,
             ..Default::default()

@@ -148,6 +148,29 @@ impl Shadows {
 }
 
 choice! {
+    /// What land looks like near by.
+    Surfaces {
+        /// Fine on a graphics card, plain in software.
+        Auto = "auto",
+        /// The colours of its kinds.
+        Plain = "plain",
+        /// Grass, ripples, pebbles and layers, with light by pixel.
+        Fine = "fine",
+    } default Auto
+}
+
+impl Surfaces {
+    /// Whether they are fine; `software`: whether the processor draws.
+    pub fn are_fine(self, software: bool) -> bool {
+        match self {
+            Self::Auto => !software,
+            Self::Plain => false,
+            Self::Fine => true,
+        }
+    }
+}
+
+choice! {
     /// Whether there is a mirror over the view from a car's bonnet.
     RearMirror {
         /// On a graphics card, and not in software.

@@ -5,7 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use crate::choice::{
-    FrameCap, Language, Map, Msaa, Quality, RearMirror, RenderScale, Shadows, words,
+    FrameCap, Language, Map, Msaa, Quality, RearMirror, RenderScale, Shadows, Surfaces, words,
 };
 use crate::settings::Settings;
 
@@ -316,7 +316,7 @@ macro_rules! choice_of {
 
 const PERCENT: Kind = slider(0.0, 100.0, 5.0, "unit-percent");
 
-static FIELDS: [Field; 34] = [
+static FIELDS: [Field; 35] = [
     number!(
         "mouse-sensitivity",
         Look,
@@ -351,6 +351,7 @@ static FIELDS: [Field; 34] = [
     choice_of!("render-scale", Picture, render_scale, RenderScale),
     choice_of!("msaa", Picture, msaa, Msaa),
     choice_of!("shadows", Picture, shadows, Shadows),
+    choice_of!("surfaces", Picture, surfaces, Surfaces),
     choice_of!("frame-cap", Picture, frame_cap, FrameCap),
     toggle!("vsync", Picture, vsync),
     toggle!("fullscreen", Picture, fullscreen),

@@ -21,7 +21,7 @@ mod settings;
 use std::collections::BTreeSet;
 
 pub use action::{Action, ActionGroup, ActionInfo, actions};
-pub use choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale, Shadows};
+pub use choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale, Shadows, Surfaces};
 pub use field::{Field, Given, Group, Kind, SetError, Value, field, fields};
 pub use file::{
     Condition, Keeper, Notice, Opened, Reading, SaveProblem, config_path, open, read, write,

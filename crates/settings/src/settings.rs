@@ -1,6 +1,8 @@
 //! The settings as typed values. Ranges and words are in the table of [`crate::fields`].
 
-use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RearMirror, RenderScale, Shadows};
+use crate::choice::{
+    FrameCap, Language, Map, Msaa, Quality, RearMirror, RenderScale, Shadows, Surfaces,
+};
 use crate::field::{Field, Given, SetError, Value, field};
 
 /// What the player has chosen. Every value here is within the range of its field.
@@ -24,6 +26,8 @@ pub struct Settings {
     pub msaa: Msaa,
     /// How shadows of the sun and the moon are drawn.
     pub shadows: Shadows,
+    /// What land looks like near by.
+    pub surfaces: Surfaces,
     /// Share of the window's resolution that is drawn.
     pub render_scale: RenderScale,
     /// Size of texts and buttons, 1 being the system's.
@@ -88,6 +92,7 @@ impl Default for Settings {
             vsync: true,
             msaa: Msaa::default(),
             shadows: Shadows::default(),
+            surfaces: Surfaces::default(),
             render_scale: RenderScale::default(),
             ui_scale: 1.0,
             fullscreen: false,

@@ -270,7 +270,6 @@ pub fn apply_edits(
                     continue;
                 };
                 if !edits.parts.is_empty() {
-                    samples.cover();
                     add_neighbour(samples, coord, offset, &edits);
                     add_to_faces(samples, coord, offset, &edits);
                 }

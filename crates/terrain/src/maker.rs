@@ -85,39 +85,54 @@ impl<'a> Maker<'a> {
         let slope = self.slope(low);
         let normal = slope + (self.slope(high) - slope) * share;
         let mut solid = corner;
-        solid[axis] += usize::from(values[low] >= 0.0);
-        self.finished(at, normal, self.kind_byte(solid))
+        let mut air = corner;
+        let is_upward = usize::from(values[low] >= 0.0);
+        solid[axis] += is_upward;
+        air[axis] += 1 - is_upward;
+        self.finished(at, normal, self.kind_byte(solid, air))
     }
 
-    /// What the fourth byte of a vertex says: the kind of a solid corner, with [`SKIN`] where it is that.
+    /// What the fourth byte of a vertex says: the kind of a solid corner, with [`SKIN`] where it is that. The corner lies
+    /// up to a step below the surface, which is its skin wherever the air beside it was never ground.
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    fn kind_byte(&self, corner: [usize; 3]) -> u8 {
-        let [i, j, k] = corner;
+    fn kind_byte(&self, solid: [usize; 3], air: [usize; 3]) -> u8 {
+        if !self.samples.is_untouched() {
+            return self.kind_of(solid, self.covered(air).depth);
+        }
+        let [i, j, k] = solid;
         let known = &self.kinds[i * CORNERS + k];
         let tag = (j as u16 + 1) << 8;
         if known.get() & 0xff00 == tag {
             return known.get() as u8;
         }
-        let byte = self.kind_of(corner);
+        let byte = self.strata.at(self.sample_at(solid), 0);
         known.set(tag | u16::from(byte));
         byte
     }
 
-    #[expect(clippy::inline_always, reason = "compiled for several processors")]
-    #[inline(always)]
-    fn kind_of(&self, corner: [usize; 3]) -> u8 {
+    fn covered(&self, corner: [usize; 3]) -> Covered {
         let [i, j, k] = corner.map(|c| c + 1);
-        let Covered { depth, laid } = self.samples.covered(self.samples.index(i, j, k));
+        self.samples.covered(self.samples.index(i, j, k))
+    }
+
+    /// Whole metres from the chunk's origin to a corner.
+    fn sample_at(&self, corner: [usize; 3]) -> IVec3 {
+        let step_m = self.samples.level().step_m() as i32;
+        IVec3::from(corner.map(|c| c as i32)) * step_m
+    }
+
+    /// The kind of a corner, no deeper than that.
+    fn kind_of(&self, corner: [usize; 3], most_deep: u8) -> u8 {
+        let Covered { depth, laid } = self.covered(corner);
         if laid > 0 {
             return Kind::of_byte(laid).unwrap_or(Kind::PLAIN).byte();
         }
-        let step_m = self.samples.level().step_m() as i32;
-        let sample = IVec3::from(corner.map(|c| c as i32)) * step_m;
-        self.strata.at(sample, depth)
+        self.strata.at(self.sample_at(corner), depth.min(most_deep))
     }
 
-    /// As [`Self::kind_byte`], of the solid corner of a place's cell that is nearest to it, or else of the nearest.
+    /// The kind of the solid corner of a place's cell that is nearest to it, or else of the nearest: no deeper than any of
+    /// that cell's corners.
     pub(crate) fn kind_near(&self, place: [u32; 3]) -> u8 {
         let last = self.samples.level().cells() as u32 - 1;
         let low = place.map(|p| (p / self.length).min(last));
@@ -128,8 +143,10 @@ impl<'a> Maker<'a> {
             let far = (0..3).map(|axis| away(axis).pow(2)).sum::<u64>();
             (self.samples.get(i, j, k) >= 0.0, far)
         };
+        let depths = corners.clone().map(|corner| self.covered(corner.map(|c| c as usize)).depth);
+        let least = depths.min().unwrap_or(0);
         let nearest = corners.min_by_key(order).unwrap_or(low);
-        self.kind_byte(nearest.map(|c| c as usize))
+        self.kind_of(nearest.map(|c| c as usize), least)
     }
 
     /// A vertex anywhere in the chunk, in parts, with the normal of the field between the samples.
@@ -169,6 +186,14 @@ impl<'a> Maker<'a> {
 }
 
 impl Samples {
+    /// The kind of a sample by its whole metres from the chunk's origin, each 0 to 32; untouched, by its own depth.
+    pub fn kind_of_sample(&self, field: &Field, coord: ChunkCoord, local: IVec3) -> Kind {
+        let step = self.level().step_m() as i32;
+        let corner = (local / step).to_array().map(|c| c.max(0) as usize);
+        let byte = Maker::new(self, field, coord).kind_of(corner, u8::MAX);
+        Kind::of_byte(byte & !SKIN).unwrap_or(Kind::PLAIN)
+    }
+
     /// The kind of the ground at a place, metres from the chunk's origin, of a surface with this unit normal: that of the
     /// solid corner of its cell which is nearest.
     pub fn kind(&self, field: &Field, coord: ChunkCoord, local: DVec3, normal: Vec3) -> Kind {

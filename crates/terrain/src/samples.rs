@@ -141,8 +141,14 @@ impl Samples {
         &mut self.values
     }
 
+    /// Whether nothing was added to the block.
+    #[inline]
+    pub(crate) fn is_untouched(&self) -> bool {
+        self.covered.is_empty()
+    }
+
     /// Keeps what the block is before edits are added.
-    pub(crate) fn cover(&mut self) {
+    fn cover(&mut self) {
         if self.covered.is_empty() {
             let depths = self.values.iter().map(|&value| Covered {
                 depth: depth_of(value),
@@ -152,10 +158,13 @@ impl Samples {
         }
     }
 
-    /// Adds an edit to a sample by its index, in units, with the number of the kind that was laid there. After
-    /// [`Self::cover`].
+    /// Adds an edit to a sample by its index, in units, with the number of the kind that was laid there.
     #[inline]
     pub(crate) fn edit(&mut self, at: usize, units: i16, laid: u8) {
+        if units == 0 && laid == 0 {
+            return;
+        }
+        self.cover();
         if let (Some(value), Some(covered)) = (self.values.get_mut(at), self.covered.get_mut(at)) {
             *value += f32::from(units) * EDIT_STEP;
             covered.laid = laid;

@@ -117,6 +117,7 @@ impl Studio {
             scale: 1.0,
             output_format: wgpu::TextureFormat::Rgba8Unorm,
             shadows,
+            surfaces: false,
         };
         let mut renderer = Renderer::new(&gpu, options).unwrap();
         renderer.resize(SIZE.0, SIZE.1);

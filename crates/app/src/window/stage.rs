@@ -169,6 +169,7 @@ impl Stage {
             scale: settings.render_scale.share(software),
             output_format: self.config.format,
             shadows: options::shadows(settings, software),
+            surfaces: settings.surfaces.are_fine(software),
         };
         if options != self.options {
             self.renderer.set_options(options)?;

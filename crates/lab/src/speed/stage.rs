@@ -42,6 +42,7 @@ impl<'g> Stage<'g> {
             scale: 1.0,
             output_format: FORMAT,
             shadows,
+            surfaces: false,
         };
         let mut renderer = Renderer::new(gpu, options)?;
         renderer.resize(width, height);

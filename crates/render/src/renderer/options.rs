@@ -18,6 +18,8 @@ pub struct Options {
     pub output_format: TextureFormat,
     /// How shadows of the key light are drawn.
     pub shadows: ShadowQuality,
+    /// Whether land shows the surfaces of its kinds and is lit by pixel; else it has their colours alone.
+    pub surfaces: bool,
 }
 
 /// What a target shows after a frame was drawn into it.
@@ -97,6 +99,7 @@ mod tests {
             scale: 0.5,
             output_format: TextureFormat::Bgra8UnormSrgb,
             shadows: ShadowQuality::Off,
+            surfaces: false,
         };
         assert_eq!(check(&good), Ok(()));
         for bad in [

@@ -12,12 +12,12 @@ use crate::shadow::ShadowQuality;
 use crate::targets::drawn_size;
 use crate::tonemap::Tonemap;
 
-/// Samples a pixel, and the shadows' quality.
-type PipelineQuality = (u32, ShadowQuality);
+/// Samples a pixel, the shadows' quality, and whether there are surfaces.
+type PipelineQuality = (u32, ShadowQuality, bool);
 
 impl Options {
     pub(super) fn pipeline_quality(&self) -> PipelineQuality {
-        (self.samples, self.shadows)
+        (self.samples, self.shadows, self.surfaces)
     }
 }
 
@@ -64,7 +64,7 @@ impl Renderer {
     }
 
     /// Draws with other options from the next frame on. The land stays on the adapter; pipelines are made anew where
-    /// the samples or the shadows differ. After [`Renderer::prepare_maps`] no frame waits for those: they are drawn
+    /// the samples, the shadows or the surfaces differ. After [`Renderer::prepare_maps`] no frame waits for those: they are drawn
     /// with the options before until the new ones are ready.
     ///
     /// # Errors

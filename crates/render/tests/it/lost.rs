@@ -15,6 +15,7 @@ const OPTIONS: Options = Options {
     scale: 1.0,
     output_format: PLAIN,
     shadows: antipode_render::ShadowQuality::Off,
+    surfaces: false,
 };
 
 fn view() -> Frame {

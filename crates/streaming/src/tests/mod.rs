@@ -10,6 +10,7 @@ mod cone;
 mod damaged;
 mod editing;
 mod failing;
+mod kinds;
 mod levels;
 mod loading;
 mod overlap;

@@ -59,6 +59,7 @@ impl Canvas {
             } else {
                 ShadowQuality::High
             },
+            surfaces: !software,
         };
         let mut renderer = Renderer::with_shaders(&gpu, options, shaders)?;
         renderer.resize(width, height);

@@ -64,6 +64,7 @@ impl Studio {
                 scale,
                 output_format: format,
                 shadows: ShadowQuality::Off,
+                surfaces: false,
             },
         )
     }
@@ -82,6 +83,8 @@ impl Studio {
                 scale: 1.0,
                 output_format: PLAIN,
                 shadows,
+            surfaces: false,
+                surfaces: false,
             },
         )
     }
@@ -101,6 +104,7 @@ impl Studio {
             scale: 1.0,
             output_format: PLAIN,
             shadows,
+            surfaces: false,
         };
         Self::made_with(size, options, shaders)
     }
