@@ -163,7 +163,10 @@ impl Ground {
         let (local, normal) = (point.pos - coord.origin(), self.normal(point));
         match chunk.and_then(|chunk| chunk.samples.as_ref()) {
             Some(samples) => samples.kind(&self.field, coord, local, normal),
-            None => self.field.samples(coord).kind(&self.field, coord, local, normal),
+            None => self
+                .field
+                .samples(coord)
+                .kind(&self.field, coord, local, normal),
         }
     }
 

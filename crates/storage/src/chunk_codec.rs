@@ -31,9 +31,7 @@ pub fn pack_ground(samples: &[i16], kinds: &[u8]) -> Result<Vec<u8>, String> {
         .zip([CHUNK_SAMPLES, 0])
         .find(|(count, other)| count != other && *count != CHUNK_SAMPLES);
     if let Some((count, _)) = wrong {
-        return Err(format!(
-            "a chunk has {CHUNK_SAMPLES} samples, not {count}"
-        ));
+        return Err(format!("a chunk has {CHUNK_SAMPLES} samples, not {count}"));
     }
     let mut planes = vec![0; 2 * CHUNK_SAMPLES];
     let (low, high) = planes.split_at_mut(CHUNK_SAMPLES);
@@ -148,9 +146,16 @@ mod tests {
         let more = both.len() - alone.len();
         assert!((100..=1024).contains(&more), "{more} bytes");
         assert_eq!(unpack_ground(&both).unwrap(), (samples.clone(), kinds));
-        assert_eq!(unpack_ground(&alone).unwrap(), (samples.clone(), Vec::new()));
+        assert_eq!(
+            unpack_ground(&alone).unwrap(),
+            (samples.clone(), Vec::new())
+        );
         assert!(unpack_chunk(&both).is_err(), "kinds are not lost unsaid");
-        assert!(pack_ground(&samples, &[1; 7]).unwrap_err().contains("not 7"));
+        assert!(
+            pack_ground(&samples, &[1; 7])
+                .unwrap_err()
+                .contains("not 7")
+        );
     }
 
     #[test]

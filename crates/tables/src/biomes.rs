@@ -200,7 +200,11 @@ mod tests {
                     "8: top_m of \"tundra\" is to be over middle_m",
                 ),
                 ("Gravel", "Lava", "9: covers of \"tundra\": Unexpected "),
-                ("high: Grass", "high: Coal", "10: kinds.high of \"tundra\": "),
+                (
+                    "high: Grass",
+                    "high: Coal",
+                    "10: kinds.high of \"tundra\": ",
+                ),
                 (
                     "(206, 92, 48)",
                     "(206, 92, 480)",

@@ -143,7 +143,9 @@ impl<'a> Maker<'a> {
             let far = (0..3).map(|axis| away(axis).pow(2)).sum::<u64>();
             (self.samples.get(i, j, k) >= 0.0, far)
         };
-        let depths = corners.clone().map(|corner| self.covered(corner.map(|c| c as usize)).depth);
+        let depths = corners
+            .clone()
+            .map(|corner| self.covered(corner.map(|c| c as usize)).depth);
         let least = depths.min().unwrap_or(0);
         let nearest = corners.min_by_key(order).unwrap_or(low);
         self.kind_of(nearest.map(|c| c as usize), least)
@@ -197,7 +199,9 @@ impl Samples {
     /// The kind of the ground at a place, metres from the chunk's origin, of a surface with this unit normal: that of the
     /// solid corner of its cell which is nearest.
     pub fn kind(&self, field: &Field, coord: ChunkCoord, local: DVec3, normal: Vec3) -> Kind {
-        let place = (local * f64::from(PARTS_PER_M)).to_array().map(|part| part.max(0.0) as u32);
+        let place = (local * f64::from(PARTS_PER_M))
+            .to_array()
+            .map(|part| part.max(0.0) as u32);
         let maker = Maker::new(self, field, coord);
         let byte = maker.kind_near(place);
         let kind = Kind::of_byte(byte & !SKIN).unwrap_or(Kind::PLAIN);

@@ -195,7 +195,8 @@ impl<'a> Strata<'a> {
     fn wave(&self, memo: &mut Memo, pos: DVec3) -> Node {
         let mut place = |y: f64| {
             let pos = DVec3::new(pos.x, y, pos.z);
-            memo.places.at(self.field, ChartPoint::new(self.coord.chart, pos))
+            memo.places
+                .at(self.field, ChartPoint::new(self.coord.chart, pos))
         };
         let (here, risen) = (place(pos.y), place(pos.y * VEIN_RISE));
         let lattice = self.field.lattice();

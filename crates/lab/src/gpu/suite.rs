@@ -25,7 +25,7 @@ pub const MOST_STEPS: f64 = 3.0;
 const OPTIONS: [&str; 4] = ["--size", "256x144", "--view-distance", "2"];
 /// Settings whose automatic values depend on what draws, as they are in software.
 const SETTINGS: &str =
-    "(schema: 1, settings: {\"msaa\": \"off\", \"shadows\": \"low\", \"rear-mirror\": \"off\"})\n";
+    "(schema: 1, settings: {\"msaa\": \"off\", \"shadows\": \"low\", \"rear-mirror\": \"off\", \"surfaces\": \"plain\"})\n";
 /// How often is looked whether the game is done.
 const LOOK: Duration = Duration::from_millis(20);
 

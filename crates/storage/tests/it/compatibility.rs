@@ -134,9 +134,7 @@ fn v1_state() -> WorldState {
 
 /// Kinds of ground of which one belongs to a later game.
 fn laid() -> Vec<u8> {
-    (0..CHUNK_SAMPLES)
-        .map(|i| [0, 3, 200][i / 8 % 3])
-        .collect()
+    (0..CHUNK_SAMPLES).map(|i| [0, 3, 200][i / 8 % 3]).collect()
 }
 
 /// What version 8 was saved with.

@@ -50,7 +50,8 @@ fn levels_and_chunks_agree_on_the_kind_of_every_sample_that_they_share() {
                 let [i, j, k] = at.map(|c| c + 1);
                 if full.get(i, j, k) < 0.0 {
                     let local = DVec3::from(at.map(|c| c as f64));
-                    let kind = |samples: &Samples| samples.kind_of_sample(field, here, local.as_ivec3());
+                    let kind =
+                        |samples: &Samples| samples.kind_of_sample(field, here, local.as_ivec3());
                     assert_eq!(kind(&full), kind(&coarse), "{level:?} {local}");
                     compared += 1;
                 }
@@ -134,7 +135,10 @@ fn the_deeper_an_ore_the_rarer_it_is() {
             let counts = ores.map(|kind| of(kind).count());
             let least = ores.map(|kind| of(kind).map(|it| it.1).fold(f64::MAX, f64::min));
             assert!(counts.is_sorted_by(|a, b| a > b), "{seed} {counts:?}");
-            assert!(counts[2] > 0 && least.is_sorted(), "{seed} {counts:?} {least:?}");
+            assert!(
+                counts[2] > 0 && least.is_sorted(),
+                "{seed} {counts:?} {least:?}"
+            );
             let share = counts.iter().sum::<usize>() as f64 / all.len() as f64;
             assert!((0.01..0.2).contains(&share), "{seed} {share}");
             assert!(of(Kind::Slate).count() > 100);
@@ -154,11 +158,18 @@ fn what_lies_at_the_surface_tells_of_the_copper_below() {
             let point = ChartPoint::a(DVec3::new(x, y, z));
             let coord = ChunkCoord::containing(point);
             let local = point.pos - coord.origin();
-            (field.sample(point) < 0.0)
-                .then(|| field.samples(coord).kind_of_sample(&field, coord, local.as_ivec3()))
+            (field.sample(point) < 0.0).then(|| {
+                field
+                    .samples(coord)
+                    .kind_of_sample(&field, coord, local.as_ivec3())
+            })
         };
         let has = (5..12).any(|d| kind_at(y - f64::from(d)) == Some(Kind::Copper));
-        let count = if kind_at(y) == Some(Kind::Clay) { &mut with } else { &mut without };
+        let count = if kind_at(y) == Some(Kind::Clay) {
+            &mut with
+        } else {
+            &mut without
+        };
         count[usize::from(has)] += 1;
         if n > 1500 && with[1] > 20 {
             break;
@@ -200,17 +211,27 @@ fn only_what_turns_to_ground_is_laid_and_both_chunks_at_a_border_know_it() {
         let local = middle + DVec3::Y - coord.origin();
         samples.kind(&world.field, coord, local, Vec3::Y)
     };
-    assert_eq!(sides.map(|coord| here(coord, &mut world)), [Kind::Crystal; 2]);
+    assert_eq!(
+        sides.map(|coord| here(coord, &mut world)),
+        [Kind::Crystal; 2]
+    );
 }
 
 #[test]
 fn built_anew_without_a_kind_old_bytes_go_and_dug_ground_keeps_what_is_below() {
     let mut world = World::new(2, flat());
-    let y = world.field.surface_height(ChartId::FIRST, 16.0, 16.0).round();
+    let y = world
+        .field
+        .surface_height(ChartId::FIRST, 16.0, 16.0)
+        .round();
     let middle = DVec3::new(16.0, y + 3.0, 16.0);
     apply(&mut world, &build(middle, Some(Kind::Snow)));
     let coord = ChunkCoord::containing(ChartPoint::a(middle));
-    assert!(world.edits[&coord].kind_bytes().contains(&Kind::Snow.byte()));
+    assert!(
+        world.edits[&coord]
+            .kind_bytes()
+            .contains(&Kind::Snow.byte())
+    );
     let dig = Stroke {
         amount: 30.0,
         ..build(middle, None)
@@ -224,7 +245,10 @@ fn built_anew_without_a_kind_old_bytes_go_and_dug_ground_keeps_what_is_below() {
     let local = middle - coord.origin();
     let samples = world.samples(coord);
     assert!(samples.density(local) < 0.0);
-    assert_ne!(samples.kind(&world.field, coord, local, Vec3::Y), Kind::Snow);
+    assert_ne!(
+        samples.kind(&world.field, coord, local, Vec3::Y),
+        Kind::Snow
+    );
 }
 
 #[test]
@@ -283,7 +307,10 @@ fn bodies_come_out_as_they_are() {
 fn flattened_ground_is_flat_and_smoothed_ground_is_less_rough() {
     let space = strategy(Geometry::Euclidean, 20.0);
     let mut world = World::new(5, space);
-    let y = world.field.surface_height(ChartId::FIRST, 16.0, 16.0).round();
+    let y = world
+        .field
+        .surface_height(ChartId::FIRST, 16.0, 16.0)
+        .round();
     let height_m = y + 0.4;
     let flatten = Stroke {
         amount: 30.0,

@@ -1,8 +1,8 @@
 //! Parses the arguments of `set`.
 
 use antipode_geometry::HyperbolicMap;
-use antipode_scene::{BrushShape, NpcMode};
 use antipode_scene::frame::Quality;
+use antipode_scene::{BrushShape, NpcMode};
 use antipode_settings::{Settings, Value};
 use antipode_terrain::Kind;
 

@@ -83,7 +83,7 @@ impl Studio {
                 scale: 1.0,
                 output_format: PLAIN,
                 shadows,
-            surfaces: false,
+                surfaces: false,
                 surfaces: false,
             },
         )
