@@ -8,6 +8,7 @@
 //! were laid, their bytes follow as a third plane; where none were, there is none.
 
 use crate::codec::Fault;
+use crate::schema::StoredGround;
 
 /// Samples of a chunk: 32 along each axis.
 pub const CHUNK_SAMPLES: usize = 32 * 32 * 32;
@@ -62,7 +63,7 @@ pub fn unpack_chunk(packed: &[u8]) -> Result<Vec<i16>, String> {
 ///
 /// # Errors
 /// A sentence, if `packed` is not what [`pack_ground`] makes.
-pub fn unpack_ground(packed: &[u8]) -> Result<(Vec<i16>, Vec<u8>), String> {
+pub fn unpack_ground(packed: &[u8]) -> Result<StoredGround, String> {
     let mut planes = vec![0; 3 * CHUNK_SAMPLES];
     let length = lz4_flex::block::decompress_into(packed, &mut planes)
         .map_err(|_| Fault::Contents.to_string())?;

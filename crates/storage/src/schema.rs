@@ -255,6 +255,9 @@ impl Versioned for WorldState {
     }
 }
 
+/// Edits of a chunk's samples, and a byte for each that tells of the kind of ground laid there, or none at all.
+pub type StoredGround = (Vec<i16>, Vec<u8>);
+
 /// A chunk's edits as stored, and the bytes of its kinds of ground, of which there may be none; see [`crate::chunk_codec`].
 pub(crate) struct ChunkBody(pub Vec<i16>, pub Vec<u8>);
 

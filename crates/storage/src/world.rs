@@ -12,7 +12,7 @@ use crate::maintenance::free_beside;
 use crate::record::{RecordKind, Records};
 use crate::regular::{Entry, FileId};
 use crate::schema::{
-    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
+    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, StoredGround, WorldMeta, WorldState,
 };
 use crate::store::{META_KEY, Put, STATE_KEY, Store};
 use crate::survey::{Known, fault_in, survey};
@@ -191,10 +191,7 @@ impl WorldStore {
     ///
     /// # Errors
     /// As [`Self::chunk`].
-    pub fn chunk_with_kinds(
-        &self,
-        key: &ChunkKey,
-    ) -> Result<Option<(Vec<i16>, Vec<u8>)>, StorageError> {
+    pub fn chunk_with_kinds(&self, key: &ChunkKey) -> Result<Option<StoredGround>, StorageError> {
         let stored = key.to_bytes();
         let name = {
             let known = self.known();

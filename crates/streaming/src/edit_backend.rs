@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use antipode_geometry::{ChartId, ChunkCoord};
-use antipode_storage::{Batch, ChunkKey, StorageError, WorldStore};
+use antipode_storage::{Batch, ChunkKey, StorageError, StoredGround, WorldStore};
 use glam::IVec3;
 
 /// A failure of the store, already a sentence for the player.
@@ -18,7 +18,7 @@ pub(crate) enum ReadFault {
 }
 
 /// Edits of a chunk and the bytes of its kinds, as stored.
-pub(crate) type Stored = (Vec<i16>, Vec<u8>);
+pub(crate) type Stored = StoredGround;
 
 /// Where edited chunks are kept. A trait, so that tests can make it fail.
 pub(crate) trait EditBackend: Send + Sync {

@@ -100,7 +100,7 @@ impl<'a> Strata<'a> {
         Self {
             field,
             kinds: &biome.kinds,
-            skins: skins_of(&biome.kinds),
+            skins: skins_of(biome.kinds),
             coord,
             borders_m: [middle, top, top + CAP_OVER_M],
             offset_m: lowest,
@@ -207,7 +207,7 @@ impl<'a> Strata<'a> {
 }
 
 /// As [`Strata::skins`].
-fn skins_of(kinds: &Kinds) -> [Kind; 32] {
+fn skins_of(kinds: Kinds) -> [Kind; 32] {
     let by_height = [kinds.low, kinds.middle, kinds.high, kinds.cap];
     std::array::from_fn(|n| {
         if n & 0b1000 != 0 {

@@ -223,5 +223,5 @@ fn shapes_and_colours_are_those_from_before_kinds() {
     }
 }
 
-const SHAPES_FLAT: u64 = 0;
-const SHAPES_SPHERE: u64 = 0;
+const SHAPES_FLAT: u64 = 5_914_638_665_407_075_194;
+const SHAPES_SPHERE: u64 = 7_119_323_448_390_220_858;
