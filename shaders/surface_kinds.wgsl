@@ -113,21 +113,21 @@ fn stones(spot: Spot, frequency: f32) -> Stones {
 fn grass(spot: Spot) -> Detail {
     let wide = grain_noise(spot, 0.25);
     let mid = grain_noise(spot, 2.0);
-    let cell = cell_at(spot.p * 4.0, 4.0);
+    let cell = cell_at(spot.p * 8.0, 8.0);
     let fine = grain_noise(spot, 32.0);
     // Tussocks: blades stand out from their middles.
     let side = level_of(spot, cell.way);
     let axis = normalize(level_of(spot, vec3<f32>(0.8, 0.31, 0.5)));
     let angle = atan2(dot(side, cross(spot.up, axis)), dot(side, axis));
-    let blades_left = left_of(spot, 0.045);
+    let blades_left = left_of(spot, 0.03);
     let turns = 17.0 + floor(6.0 * cell.own);
     let blade = sin(angle * turns + 5.0 * fine.x + 40.0 * cell.own) * smoothstep(0.03, 0.25, cell.near);
-    let left = left_of(spot, 0.3);
+    let left = left_of(spot, 0.15);
     let dome = 1.0 - cell.near * cell.near * 1.6;
     var tone = vec3<f32>(1.0) + 0.22 * wide.x * vec3<f32>(1.0, 0.45, 0.3) * left_of(spot, 4.0);
     tone *= 1.0 + 0.20 * mid.x * left_of(spot, 0.6);
     tone *= mix(1.0, 0.62 + 0.62 * dome, 0.8 * left) + 0.16 * (cell.own - 0.5) * left;
-    tone *= 1.0 + (0.30 * blade + 0.22 * fine.x) * blades_left;
+    tone *= 1.0 + (0.22 * blade + 0.22 * fine.x) * blades_left;
     // Dry tips.
     tone += vec3<f32>(0.42, 0.26, 0.02) * max(blade, 0.0) * step(0.72, cell.own) * blades_left;
     let around = cross(spot.up, side) / max(dot(side, side), 0.02);

@@ -84,7 +84,6 @@ impl Studio {
                 output_format: PLAIN,
                 shadows,
                 surfaces: false,
-                surfaces: false,
             },
         )
     }
