@@ -103,8 +103,9 @@ struct Scene {
 
 // Whether this view is cut at all: pictures that are not are drawn by pipelines without what that takes.
 override CUTS: bool = false;
-// Whether all light is worked out at each pixel: else, what changes little along an edge is at the corners of triangles.
-override BY_PIXEL: bool = true;
+// Whether land shows the surfaces of its kinds and is lit by pixel; else it has their colours alone, and in closed worlds light from
+// the corners of its triangles.
+override BY_PIXEL: bool = false;
 
 // Whether a view point is cut off. To be asked after everything that looks at the next pixel.
 fn is_cut(view: vec4<f32>) -> bool {

@@ -9,11 +9,13 @@
 //                                     the reference: those of the first chart, or where charts have none in common its own
 //   grain_point(wrapped, p)           where grain is read: a place that is wrapped as grain repeats, or one from p, metres
 //                                     from the reference in the chart
+//   grain_up(grain)                   which way is up where grain is read
+//   tilted(normal, model_normal, ..)  both normals of a surface that slopes so in the grain's axes
 //   haze_before(view)                 the haze before a view point
 //   daylight_on(view, normal, ..)     all light but that of lamps and beams
 //   wants_model_normal(lights)        whether a vertex needs its normal in view coordinates
 //   land_light(view, normal, ..)      what a vertex of land tells its fragments of the day's light
-//   daylit(light, view, ..)           what those make of it, for a surface of that colour
+//   daylit(light, albedo, share)      what those make of it
 //   is_land_unlit(light, ..)          and whether it says that is_unlit
 //   seen_normal(view, normal, ..)     the normal as one sees it, to be compared with directions at the eye
 //   from_ring(place, view)            how far a point is from the middle of the ring, in metres of the chart
@@ -37,6 +39,20 @@
 struct LandLight {
     facing: vec3<f32>,
     dark: vec3<f32>,
+}
+
+// How much the grain and the view change to the next pixels.
+struct Steps {
+    grain_x: vec3<f32>,
+    grain_y: vec3<f32>,
+    view_x: vec4<f32>,
+    view_y: vec4<f32>,
+}
+
+// A normal in the common axes and in view coordinates.
+struct Tilted {
+    normal: vec3<f32>,
+    model_normal: vec4<f32>,
 }
 
 // What a lit point needs to know of itself.

@@ -4,7 +4,7 @@
 struct VertexIn {
     @location(0) units: vec4<u32>,      // xyz: 1/1024 m from the chunk's corner; w: 32nds of those, five bits each
     @location(1) octahedral: vec2<f32>, // unit normal, as crates/terrain/src/mesh.rs folds it
-    @location(2) colour: vec4<f32>,     // sRGB
+    @location(2) colour: vec4<f32>,     // sRGB, and the byte of the kind of ground
     @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
     @location(4) flags: u32,            // lowest bit: whether a figure's shadow may fall on the chunk; above it a
                                         // bit for each shade that may
@@ -33,6 +33,10 @@ struct VertexOut {
     @location(8) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(9) @interpolate(flat) lights: vec3<u32>,
     @location(10) dark: vec3<f32>,      // of the shadow
+    @location(11) kinds_a: vec4<f32>,   // of each kind of ground, how much, where surfaces are drawn; facing is the normal there
+    @location(12) kinds_b: vec4<f32>,
+    @location(13) kinds_c: vec4<f32>,
+    @location(14) kinds_d: vec4<f32>,
 }
 
 // Feet of the figure nearest to a vertex, of those that bits are set for. Flat over a triangle: a mean of two figures
@@ -69,6 +73,7 @@ fn beyond_chart(p: vec3<f32>) -> f32 {
 
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
+    let kind = kind_of(in.colour.a, authored.y);
     let world = in.world.xyz + in_common_axes(position_of(in.units));
     let grain = grain_point(world, p);
     // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
@@ -85,7 +90,18 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let normal = in_common_axes(chart_normal);
     let place = in_common_axes(p);
     // No ground is blacker than basalt, so that overhangs keep their shape.
-    out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
+    let biome = to_linear(in.colour.rgb) + 0.014;
+    if BY_PIXEL {
+        out.albedo = biome;
+        let weights = kind_weights(kind);
+        out.kinds_a = weights[0];
+        out.kinds_b = weights[1];
+        out.kinds_c = weights[2];
+        out.kinds_d = weights[3];
+    } else {
+        let own = mix(tinted(biome, u32(kind.x)), tinted(biome, ROCK), kind.y);
+        out.albedo = own * (1.0 + 0.34 * patches + 0.38 * tufts);
+    }
     out.grain = grain;
     out.veil = haze_before(view) * fog;
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
@@ -99,6 +115,9 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let light = land_light(view, normal, out.frame_normal, out.albedo);
     out.facing = light.facing;
     out.dark = light.dark;
+    if BY_PIXEL {
+        out.facing = normal;
+    }
     if any(in.lights != vec3<u32>(0u)) {
         let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
         out.lights = lamplight.near;
@@ -179,48 +198,87 @@ fn ringed(land: vec4<f32>, ring: vec2<f32>) -> vec4<f32> {
 
 // Whether land turns away from the light that throws shadows, or lies where that does not reach.
 fn is_turned(in: VertexOut) -> bool {
+    if BY_PIXEL {
+        return is_unlit(in.view, normalize(in.facing), in.frame_normal);
+    }
     return is_land_unlit(LandLight(in.facing, in.dark), in.view, in.frame_normal);
 }
 
-fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
-    let spread_m = in.land.y;
-    let steep = in.land.z;
-    let height = in.land.w;
-    var tone = 1.0;
+// How the grain and the view change to the next pixels. To be asked for before a fragment may be discarded.
+fn steps_at(in: VertexOut) -> Steps {
+    if !BY_PIXEL {
+        return Steps();
+    }
+    return Steps(dpdx(in.grain), dpdy(in.grain), dpdx(in.view), dpdy(in.view));
+}
+
+// The patterns of land that has no surfaces of its own.
+fn plain_tone(in: VertexOut) -> f32 {
     // Fine grain, gone where a pixel would hold several of its cells.
-    let near = 1.0 - clamp(spread_m * (1.0 / 44.0), 0.0, 1.0);
+    let near = 1.0 - clamp(in.land.y * (1.0 / 44.0), 0.0, 1.0);
     let dapple = smoothstep(0.24, 0.76, value_noise(in.grain * 8.0, 2047u)) - 0.5;
-    tone += dapple * (0.18 * near * near);
+    let tone = 1.0 + dapple * (0.18 * near * near);
     // Cuts show layers, about 1.1 m apart; whole over the 256 m after which heights wrap.
-    let cut = smoothstep(0.62, 0.86, steep);
+    let height = in.land.w;
+    let cut = smoothstep(0.62, 0.86, in.land.z);
     let layer = abs(fract(height * 0.8984375) - 0.5) + 0.7 * abs(fract(height * 0.37109375) - 0.5);
-    tone *= 1.0 - cut * (0.42 * layer);
+    return tone * (1.0 - cut * (0.42 * layer));
+}
+
+// What dims any land: contour bands and the shade of figures.
+fn common_tone(in: VertexOut) -> f32 {
+    let spread_m = in.land.y;
     // Contour bands keep their width along the ground, and a pixel's width far away.
-    let to_contour = abs(fract(height * 0.125 + 0.5) - 0.5) * 8.0;
-    let width = (0.04 + 0.0020 * spread_m) * max(steep, 0.06);
+    let to_contour = abs(fract(in.land.w * 0.125 + 0.5) - 0.5) * 8.0;
+    let width = (0.04 + 0.0020 * spread_m) * max(in.land.z, 0.06);
     let line = 1.0 - smoothstep(width, 2.0 * width, to_contour);
-    tone *= 1.0 - line * scene.contour_strength;
+    let tone = 1.0 - line * scene.contour_strength;
     // Figures stand in a soft shade of their own, wider and fainter the higher they are.
     let under = (in.place.xyz - in.feet.xyz) * vec3<f32>(1.5, 0.45, 1.5);
     let shade = max(1.0 - dot(under, under), 0.0);
-    tone *= 1.0 - 0.55 * shade;
+    return tone * (1.0 - 0.55 * shade);
+}
+
+// Land with the surfaces of its kinds, lit by pixel.
+fn surface_light(in: VertexOut, share: f32, steps: Steps) -> vec3<f32> {
+    let wide_m = 0.7 * max(length(steps.grain_x), length(steps.grain_y));
+    let weights = mat4x4<f32>(in.kinds_a, in.kinds_b, in.kinds_c, in.kinds_d);
+    let surface = surface_at(weights, in.albedo, in.grain, wide_m);
+    let tilt = tilted(normalize(in.facing), in.frame_normal, surface.slope, steps);
+    var lit = surface.albedo * daylight_on(in.view, tilt.normal, tilt.model_normal, share);
+    // Blinn's highlight of the key light.
+    let half_way = normalize(scene.key_direction - direction_of(in.view.xyz));
+    let shine = pow(max(dot(seen_normal(in.view, tilt.normal, tilt.model_normal), half_way), 0.0), 36.0);
+    lit += scene.key_colour * (0.30 * surface.gloss * shine * share);
+    if any(in.lights != vec3<u32>(0u)) {
+        lit += surface.albedo * lights_on(in.view, tilt.model_normal, in.lights, 0.0);
+    }
+    return lit + surface.glow;
+}
+
+fn land_colour(in: VertexOut, point: Shaded, steps: Steps) -> vec4<f32> {
     let unlit = is_turned(in);
     let share = key_share(point, in.clip.xy, unlit, in.feet.w > 0.5 * SHADED);
-    var lit = daylit(LandLight(in.facing, in.dark), in.view, in.frame_normal, in.albedo, share);
+    let tone = common_tone(in) * in.land.x;
+    if BY_PIXEL {
+        return vec4<f32>(surface_light(in, share, steps) * tone + in.veil, 1.0);
+    }
+    var lit = daylit(LandLight(in.facing, in.dark), in.albedo, share);
     if any(in.lights != vec3<u32>(0u)) {
         lit += in.albedo * lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }
-    return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);
+    return vec4<f32>(lit * (plain_tone(in) * tone) + in.veil, 1.0);
 }
 
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
+    let steps = steps_at(in);
     if is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(in, point), ring);
+    return ringed(land_colour(in, point, steps), ring);
 }
 
 // Beyond what the chart draws: over its edge, where another chart draws it, or past what a bent picture shows. By
@@ -234,10 +292,11 @@ fn is_trimmed(in: VertexOut) -> bool {
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
+    let steps = steps_at(in);
     if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(in, point), ring);
+    return ringed(land_colour(in, point, steps), ring);
 }
 
 struct DeepOut {
@@ -255,20 +314,22 @@ fn own_depth(in: VertexOut) -> f32 {
 fn fragment_deep(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
+    let steps = steps_at(in);
     if is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps), ring), own_depth(in));
 }
 
 @fragment
 fn fragment_deep_rim(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
+    let steps = steps_at(in);
     if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps), ring), own_depth(in));
 }
 
 // Which pixels show what comes at a share from 0 to 1: a 4 x 4 ordered dither (Bayer, 1973).
@@ -289,18 +350,20 @@ fn is_left_out(in: VertexOut) -> bool {
 fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
+    let steps = steps_at(in);
     if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(in, point), ring);
+    return ringed(land_colour(in, point, steps), ring);
 }
 
 @fragment
 fn fragment_deep_blending(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
+    let steps = steps_at(in);
     if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps), ring), own_depth(in));
 }

@@ -38,6 +38,26 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     return (radius + p.y) * home.xwz;
 }
 
+fn grain_up(grain: vec3<f32>) -> vec3<f32> {
+    return normalize(grain);
+}
+
+// The slope along the ground, from what the height changes by to the next pixels: with the ways a and b to those, a vector
+// p a + q b rises by (hx, hy) over them where <p a + q b, a> = hx and <p a + q b, b> = hy.
+fn tilted(normal: vec3<f32>, model_normal: vec4<f32>, slope: vec3<f32>, steps: Steps) -> Tilted {
+    let to_metres = vec4<f32>(1.0, 1.0, 1.0, scene.space.radius_m);
+    let a = steps.view_x * to_metres;
+    let b = steps.view_y * to_metres;
+    let rise = vec2<f32>(dot(slope, steps.grain_x), dot(slope, steps.grain_y));
+    let aa = dot(a, a);
+    let ab = dot(a, b);
+    let bb = dot(b, b);
+    let inverse = 1.0 / max(aa * bb - ab * ab, 1e-14);
+    let along = (a * (bb * rise.x - ab * rise.y) + b * (aa * rise.y - ab * rise.x)) * inverse;
+    let held = along * min(1.0, 1.6 * inverseSqrt(max(dot(along, along), 1e-8)));
+    return Tilted(normal, normalize(model_normal - held));
+}
+
 // The mean of the haze about the eye and that about the point.
 fn haze_before(view: vec4<f32>) -> vec3<f32> {
     let there = scene.horizon * mix(NIGHT_HAZE, vec3<f32>(1.0), daylight_at(model_of(view)));
@@ -74,12 +94,9 @@ fn wants_model_normal(lights: vec3<u32>) -> bool {
     return true;
 }
 
-// By pixel the normal; else the land's colour by day or night, and in the shadow: sun and moon stand among the land, and their
-// light is three times the work of a fixed direction's, and changes little along an edge.
+// The land's colour by day or night, and in the shadow: sun and moon stand among the land, and their light is three times
+// the work of a fixed direction's, and changes little along an edge.
 fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albedo: vec3<f32>) -> LandLight {
-    if BY_PIXEL {
-        return LandLight(normal, vec3<f32>(0.0));
-    }
     var light = LandLight(albedo * orbs_on(view, model_normal, normal.y, 1.0), vec3<f32>(0.0));
     if SHADOWS != 0u {
         let unlit = is_unlit(view, normal, model_normal);
@@ -88,10 +105,7 @@ fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albed
     return light;
 }
 
-fn daylit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>, albedo: vec3<f32>, share: f32) -> vec3<f32> {
-    if BY_PIXEL {
-        return albedo * orbs_on(view, normalize(model_normal), normalize(light.facing).y, share);
-    }
+fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
     if SHADOWS == 0u {
         return light.facing;
     }
@@ -99,9 +113,6 @@ fn daylit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>, albedo: ve
 }
 
 fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {
-    if BY_PIXEL {
-        return is_unlit(view, light.facing, model_normal);
-    }
     return all(light.facing - light.dark <= 0.002 * light.facing);
 }
 

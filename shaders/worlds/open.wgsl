@@ -12,6 +12,16 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     return wrapped;
 }
 
+fn grain_up(grain: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(0.0, 1.0, 0.0);
+}
+
+// The grain's axes are the common ones. Lamps see the ground as it is without its slope.
+fn tilted(normal: vec3<f32>, model_normal: vec4<f32>, slope: vec3<f32>, steps: Steps) -> Tilted {
+    let along = slope - normal * dot(normal, slope);
+    return Tilted(normalize(normal - along), model_normal);
+}
+
 fn haze_before(view: vec4<f32>) -> vec3<f32> {
     return haze(direction_of(view.xyz));
 }
@@ -29,7 +39,7 @@ fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albed
     return LandLight(normal, vec3<f32>(0.0));
 }
 
-fn daylit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>, albedo: vec3<f32>, share: f32) -> vec3<f32> {
+fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
     return albedo * light_on(normalize(light.facing), share);
 }
 

@@ -11,9 +11,11 @@ pub const MAP_FUNCTIONS: [&str; 6] = [
 ];
 
 /// The functions that the text of every kind of daylight defines; what they are for, `shaders/lights.wgsl` says.
-pub const DAYLIGHT_FUNCTIONS: [&str; 16] = [
+pub const DAYLIGHT_FUNCTIONS: [&str; 18] = [
     "in_common_axes",
     "grain_point",
+    "grain_up",
+    "tilted",
     "haze_before",
     "daylight_on",
     "wants_model_normal",

@@ -6,6 +6,12 @@ const COMMON: &str = include_str!("../../../shaders/common.wgsl");
 const LIGHTS: &str = include_str!("../../../shaders/lights.wgsl");
 const SHADOW: &str = include_str!("../../../shaders/shadow.wgsl");
 
+/// What kinds of ground look like: a part of the land's shader.
+const SURFACES: [&str; 2] = [
+    include_str!("../../../shaders/surface_kinds.wgsl"),
+    include_str!("../../../shaders/surfaces.wgsl"),
+];
+
 /// The land.
 pub const TERRAIN: Shader = Shader {
     name: "terrain",
@@ -63,7 +69,14 @@ impl Shader {
         match map {
             Some(map) => {
                 let light = map.daylight.text;
-                [GEOMETRY, map.text, COMMON, LIGHTS, SHADOW, light, self.own].join("\n")
+                let [kinds, surfaces] = match self.name {
+                    "terrain" => SURFACES,
+                    _ => [""; 2],
+                };
+                let parts = [
+                    GEOMETRY, map.text, COMMON, LIGHTS, SHADOW, light, kinds, surfaces, self.own,
+                ];
+                parts.join("\n")
             }
             None => self.own.to_owned(),
         }

@@ -7,7 +7,7 @@
 use antipode_geometry::doorway::{HALF_WIDTH_M, HEIGHT_M};
 use antipode_geometry::{Atlas, ChartPoint, Crossing, Doorway, Eye, Leaf, Passing, Strategy, pace};
 use antipode_items::Item;
-use antipode_terrain::{Gate, Part, Stroke};
+use antipode_terrain::{Gate, Part, Shape, Stroke};
 use glam::DVec3;
 
 use crate::actors::Actors;
@@ -164,6 +164,8 @@ pub(crate) fn ring_seen(
         radius_m,
         amount: 0.0,
         part: Part::Whole,
+        kind: None,
+        shape: Shape::default(),
     };
     let reached = (0..2).filter(|leaf| is_in_reach(space, &doors.leaves[*leaf], &whole));
     let others = reached.map(|leaf| doors.pictured(space, leaf, eye, middle));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, is_in_world};
-use antipode_terrain::{ChunkMesh, Cover, Field, Samples};
+use antipode_terrain::{ChunkMesh, Cover, Field, Kind, Samples};
 use glam::{DVec3, IVec3, Vec3};
 
 use crate::frame::{ChunkChange, Land};
@@ -153,6 +153,21 @@ impl Ground {
     /// The field at a point as it was before any edit.
     pub fn untouched_density(&self, point: ChartPoint) -> f32 {
         self.field.sample(point)
+    }
+
+    /// What the ground at a point is made of: that of untouched land where no chunk with a surface is resident, or no body
+    /// near.
+    pub fn kind(&self, point: ChartPoint) -> Kind {
+        let coord = ChunkCoord::containing(point);
+        let chunk = self.chunks.get(&coord);
+        let (local, normal) = (point.pos - coord.origin(), self.normal(point));
+        match chunk.and_then(|chunk| chunk.samples.as_ref()) {
+            Some(samples) => samples.kind(&self.field, coord, local, normal),
+            None => self
+                .field
+                .samples(coord)
+                .kind(&self.field, coord, local, normal),
+        }
     }
 
     /// What covers the ground at a point.

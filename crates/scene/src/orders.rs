@@ -2,10 +2,12 @@
 
 use antipode_geometry::{ChartPoint, Eye, HyperbolicMap};
 use antipode_items::Item;
+use antipode_terrain::Kind;
 use glam::DVec3;
 
 use crate::actors::ActorId;
 use crate::bot::{self, Bot};
+use crate::brush::BrushShape;
 use crate::fixture::{self, Fixture};
 use crate::flag::tidy_name;
 use crate::frame::Quality;
@@ -248,6 +250,16 @@ impl Scene {
     /// world is not flat.
     pub fn set_bend(&mut self, value: f64) -> bool {
         self.repicture(|lens| lens.set_bend(value))
+    }
+
+    /// Takes a brush of another shape, until the world is left.
+    pub fn set_brush_shape(&mut self, shape: BrushShape) {
+        self.sim.player.brush.shape = shape;
+    }
+
+    /// Builds of a kind of ground, until the world is left; of none, what untouched land has at each place.
+    pub fn set_built_kind(&mut self, kind: Option<Kind>) {
+        self.sim.player.brush.kind = kind;
     }
 
     fn repicture(&mut self, set: impl FnOnce(&mut Lens) -> bool) -> bool {

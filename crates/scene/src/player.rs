@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 
 use crate::actions::Actions;
 use crate::aimed::Gaze;
+use crate::brush::Brush;
 use crate::circumnavigation::Circumnavigation;
 use crate::damage::Condition;
 use crate::frame::ModelId;
@@ -23,6 +24,7 @@ pub(crate) struct Player {
     /// Where the tool in hand works.
     pub tool: Option<ToolMark>,
     pub brush_radius_m: f64,
+    pub brush: Brush,
     pub flying: bool,
     pub condition: Condition,
     /// Until the gun can be fired again, seconds.
@@ -46,6 +48,7 @@ impl Player {
             gaze: Gaze::through(lens),
             tool: None,
             brush_radius_m: BRUSH_RADIUS_M.2,
+            brush: Brush::default(),
             flying: false,
             condition: Condition::default(),
             gun_rests_s: 0.0,

@@ -240,6 +240,10 @@ pub struct MarkerProbe {
     pub pos: Option<[f64; 3]>,
     /// Brush radius, metres.
     pub radius: f64,
+    /// The brush's shape, as `ball`.
+    pub shape: &'static str,
+    /// The kind of ground that is built, as `grass`; null for what untouched land has there.
+    pub kind: Option<&'static str>,
 }
 
 /// Terrain chunks in a probe.
@@ -260,4 +264,8 @@ pub struct ChunkProbe {
 pub struct TerrainProbe {
     /// Height of the first ground below the player's head, metres; null when there is none near.
     pub ground_height: Option<f64>,
+    /// The kind of that ground, as `grass`; null when there is none near.
+    pub kind: Option<&'static str>,
+    /// The kind of what the crosshair is on within a tool's reach; null where that is no ground.
+    pub kind_ahead: Option<&'static str>,
 }

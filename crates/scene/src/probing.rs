@@ -3,11 +3,13 @@
 use antipode_geometry::{ChartPoint, HyperbolicMap};
 use antipode_physics::Character;
 use antipode_storage::RecordKind;
+use antipode_terrain::Kind;
 use glam::DVec3;
 
 use crate::actors::ActorId;
 use crate::bot::{self, BotView};
 use crate::car::CarView;
+use crate::crosshair::Crosshair;
 use crate::day;
 use crate::drops::Drop;
 use crate::fixture::{self, Fixture};
@@ -21,6 +23,7 @@ use crate::probe::{
 };
 use crate::projectile::Projectile;
 use crate::situation::Situation;
+use crate::tuning::REACH_M;
 use antipode_items::Item;
 
 fn chart(now: Situation<'_>, point: ChartPoint) -> String {
@@ -77,6 +80,8 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
         marker: MarkerProbe {
             pos: player.tool.map(|mark| mark.point.pos.to_array()),
             radius: player.brush_radius_m,
+            shape: player.brush.shape.name(),
+            kind: player.brush.kind.map(Kind::name),
         },
         flashlight: player.flashlight,
         car: near_car(now, &cars).map(|it| car_probe(now, it)),
@@ -97,9 +102,19 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
             triangles: world.ground.triangles(),
             edited: world.streamer.edited_count(),
         },
-        terrain: TerrainProbe {
-            ground_height: world.ground_height(now.head().point),
-        },
+        terrain: terrain_probe(now),
+    }
+}
+
+fn terrain_probe(now: Situation<'_>) -> TerrainProbe {
+    let (world, head) = (now.world, now.head().point);
+    let ground_height = world.ground_height(head);
+    let below = ground_height.map(|y| ChartPoint::new(head.chart, head.pos.with_y(y)));
+    let ahead = Crosshair::aimed(now).ground(REACH_M);
+    TerrainProbe {
+        ground_height,
+        kind: below.map(|point| world.ground.kind(point).name()),
+        kind_ahead: ahead.hit.then(|| world.ground.kind(ahead.point).name()),
     }
 }
 

@@ -27,14 +27,19 @@ pub(crate) struct ToolMark {
     pub point: ChartPoint,
     /// Whether it is being used.
     pub active: bool,
+    /// The height where the stroke began, metres.
+    pub level_m: f64,
 }
 
 /// Where the tool in hand would work: along the geodesic through the crosshair. An empty hand works nowhere.
 pub(crate) fn mark(now: Situation<'_>) -> Option<ToolMark> {
     strength_in_hand(now)?;
+    let point = Crosshair::aimed(now).ground(REACH_M).point;
+    let stroke = now.player.tool.filter(|before| before.active);
     Some(ToolMark {
-        point: Crosshair::aimed(now).ground(REACH_M).point,
+        point,
         active: false,
+        level_m: stroke.map_or(point.pos.y, |before| before.level_m),
     })
 }
 
@@ -58,15 +63,19 @@ pub(crate) fn work(
     let (Some(mark), Some(strength), true) = (mark, strength_in_hand(now), sign != 0.0) else {
         return (mark, Vec::new());
     };
+    let brush = now.player.brush;
+    let digs = sign > 0.0 && !brush.shape.is_for_both();
     let whole = Stroke {
         centre: mark.point,
         radius_m,
         amount: sign * strength * STEP_S as f32,
         part: Part::Whole,
+        kind: brush.kind,
+        shape: brush.shape.of_stroke(mark.level_m),
     };
     let mut strokes = door::parted(now.world, whole);
     let before = strokes.len();
-    strokes.retain(|stroke| sign > 0.0 || !would_immure(now, stroke.centre));
+    strokes.retain(|stroke| digs || !would_immure(now, stroke.centre));
     if strokes.len() < before && !now.player.secondary_before {
         outbox.hints.push(Hint::InTheWay);
     }

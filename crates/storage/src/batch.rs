@@ -1,8 +1,10 @@
 //! The contents of one commit, and their sealing.
 
+use std::collections::BTreeMap;
+
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
-use crate::pack_chunk;
+use crate::pack_ground;
 use crate::record::{Record, RecordChanges, RecordKey};
 use crate::schema::{ChunkKey, SCHEMA_VERSION, WorldMeta};
 use crate::store::{META_KEY, Put};
@@ -16,6 +18,8 @@ pub struct Batch {
     pub records: RecordChanges,
     /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each.
     pub chunks: Vec<(ChunkKey, Vec<i16>)>,
+    /// Of those chunks in which kinds of ground were laid, a byte for each sample.
+    pub kinds: BTreeMap<ChunkKey, Vec<u8>>,
 }
 
 impl Batch {
@@ -34,7 +38,8 @@ impl Batch {
             puts.push(sealed_record(*key, record.as_ref(), sequence, world)?);
         }
         for (key, samples) in &self.chunks {
-            let body = pack_chunk(samples)
+            let kinds = self.kinds.get(key).map_or(&[][..], Vec::as_slice);
+            let body = pack_ground(samples, kinds)
                 .map_err(|reason| unstorable(world, &key.to_string(), reason))?;
             puts.push(sealed_chunk(*key, sequence, &body));
         }

@@ -4,9 +4,11 @@
 //! Gaussian brush strokes, flat where they saturate). So: predict each sample from
 //! its neighbour along x, keep the residual zigzagged (small magnitudes of either
 //! sign become small numbers), and put all low bytes before all high bytes. The
-//! high plane is then almost all zeros, and LZ4 makes little of both.
+//! high plane is then almost all zeros, and LZ4 makes little of both. Where kinds of ground
+//! were laid, their bytes follow as a third plane; where none were, there is none.
 
 use crate::codec::Fault;
+use crate::schema::StoredGround;
 
 /// Samples of a chunk: 32 along each axis.
 pub const CHUNK_SAMPLES: usize = 32 * 32 * 32;
@@ -17,11 +19,20 @@ pub const CHUNK_SAMPLES: usize = 32 * 32 * 32;
 /// # Errors
 /// A sentence, if there are not exactly [`CHUNK_SAMPLES`].
 pub fn pack_chunk(samples: &[i16]) -> Result<Vec<u8>, String> {
-    if samples.len() != CHUNK_SAMPLES {
-        return Err(format!(
-            "a chunk has {CHUNK_SAMPLES} samples, not {}",
-            samples.len()
-        ));
+    pack_ground(samples, &[])
+}
+
+/// As [`pack_chunk`], with a byte for each sample that tells of its kind of ground, or no bytes at all.
+///
+/// # Errors
+/// A sentence, if there are not exactly [`CHUNK_SAMPLES`] of either.
+pub fn pack_ground(samples: &[i16], kinds: &[u8]) -> Result<Vec<u8>, String> {
+    let wrong = [samples.len(), kinds.len()]
+        .into_iter()
+        .zip([CHUNK_SAMPLES, 0])
+        .find(|(count, other)| count != other && *count != CHUNK_SAMPLES);
+    if let Some((count, _)) = wrong {
+        return Err(format!("a chunk has {CHUNK_SAMPLES} samples, not {count}"));
     }
     let mut planes = vec![0; 2 * CHUNK_SAMPLES];
     let (low, high) = planes.split_at_mut(CHUNK_SAMPLES);
@@ -31,6 +42,9 @@ pub fn pack_chunk(samples: &[i16]) -> Result<Vec<u8>, String> {
         previous = sample;
         [*low, *high] = (((residual << 1) ^ (residual >> 15)) as u16).to_le_bytes();
     }
+    if kinds.iter().any(|kind| *kind != 0) {
+        planes.extend(kinds);
+    }
     Ok(lz4_flex::block::compress(&planes))
 }
 
@@ -39,12 +53,25 @@ pub fn pack_chunk(samples: &[i16]) -> Result<Vec<u8>, String> {
 /// # Errors
 /// A sentence, if `packed` is not what [`pack_chunk`] makes.
 pub fn unpack_chunk(packed: &[u8]) -> Result<Vec<i16>, String> {
-    let mut planes = vec![0; 2 * CHUNK_SAMPLES];
+    match unpack_ground(packed)? {
+        (samples, kinds) if kinds.is_empty() => Ok(samples),
+        _ => Err(Fault::Length.to_string()),
+    }
+}
+
+/// The inverse of [`pack_ground`]: [`CHUNK_SAMPLES`] samples, and as many bytes of kinds or none.
+///
+/// # Errors
+/// A sentence, if `packed` is not what [`pack_ground`] makes.
+pub fn unpack_ground(packed: &[u8]) -> Result<StoredGround, String> {
+    let mut planes = vec![0; 3 * CHUNK_SAMPLES];
     let length = lz4_flex::block::decompress_into(packed, &mut planes)
         .map_err(|_| Fault::Contents.to_string())?;
-    if length != planes.len() {
+    if length % CHUNK_SAMPLES != 0 || length < 2 * CHUNK_SAMPLES {
         return Err(Fault::Length.to_string());
     }
+    planes.truncate(length);
+    let kinds = planes.split_off(2 * CHUNK_SAMPLES);
     let (low, high) = planes.split_at(CHUNK_SAMPLES);
     let mut previous = 0_i16;
     let samples = low.iter().zip(high).map(|(&low, &high)| {
@@ -53,7 +80,7 @@ pub fn unpack_chunk(packed: &[u8]) -> Result<Vec<i16>, String> {
         previous = previous.wrapping_add(residual);
         previous
     });
-    Ok(samples.collect())
+    Ok((samples.collect(), kinds))
 }
 
 #[cfg(test)]
@@ -108,10 +135,36 @@ mod tests {
     }
 
     #[test]
+    fn kinds_come_back_cost_nothing_where_there_are_none_and_little_where_there_are() {
+        let samples = brushed(&[[15.3, 16.8, 14.1], [20.0, 16.0, 17.0]], 5.0, -8.0);
+        let alone = pack_chunk(&samples).unwrap();
+        assert_eq!(pack_ground(&samples, &[0; CHUNK_SAMPLES]).unwrap(), alone);
+        let kinds: Vec<u8> = samples
+            .iter()
+            .map(|&edit| if edit < -500 { 9 } else { 0 })
+            .collect();
+        let both = pack_ground(&samples, &kinds).unwrap();
+        let more = both.len() - alone.len();
+        assert!((100..=1024).contains(&more), "{more} bytes");
+        assert_eq!(unpack_ground(&both).unwrap(), (samples.clone(), kinds));
+        assert_eq!(
+            unpack_ground(&alone).unwrap(),
+            (samples.clone(), Vec::new())
+        );
+        assert!(unpack_chunk(&both).is_err(), "kinds are not lost unsaid");
+        assert!(
+            pack_ground(&samples, &[1; 7])
+                .unwrap_err()
+                .contains("not 7")
+        );
+    }
+
+    #[test]
     fn wrong_lengths_are_refused() {
         assert!(pack_chunk(&[0; 5]).unwrap_err().contains("not 5"));
         assert!(unpack_chunk(&lz4_flex::block::compress(&[0; 100])).is_err());
         assert!(unpack_chunk(&lz4_flex::block::compress(&vec![0; 70_000])).is_err());
+        assert!(unpack_ground(&lz4_flex::block::compress(&vec![0; 32_768])).is_err());
         assert!(unpack_chunk(&[]).is_err());
     }
 

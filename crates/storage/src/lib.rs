@@ -12,7 +12,8 @@
 //! Every stored value is a sealed record: schema version, checksum, its own key,
 //! the number of the commit that wrote it. So a flipped bit is noticed before it
 //! is believed, and records can be salvaged from a file whose index is lost.
-//! Nothing here knows how terrain is generated; a chunk is 32 768 numbers.
+//! Nothing here knows how terrain is generated; a chunk is 32 768 numbers, and as
+//! many bytes where kinds of ground were laid.
 
 mod archive;
 mod atomic_file;
@@ -50,7 +51,7 @@ mod world;
 
 pub use archive::{ArchiveKind, pack as pack_archive, unpack as unpack_archive};
 pub use batch::Batch;
-pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, unpack_chunk};
+pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, pack_ground, unpack_chunk, unpack_ground};
 pub use error::StorageError;
 pub use guard::is_guarded;
 pub use listing::{LookError, WorldInfo, WorldSummary, holds_world, is_saves_dir_named, saves_dir};
@@ -65,8 +66,8 @@ pub use record::{Record, RecordChanges, RecordKey, RecordKind, Records};
 pub use saves::SavesDir;
 pub use schema::{
     BotRecord, CarRecord, ChunkKey, CourseRecord, DropRecord, FixtureRecord, FlagRecord,
-    LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SCHEMA_VERSION, SlotRecord, ViewRecord,
-    WorldMeta, WorldState,
+    LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SCHEMA_VERSION, SlotRecord, StoredGround,
+    ViewRecord, WorldMeta, WorldState,
 };
 pub use scratch::{Scratch, sweep};
 pub use slug::{ROOMS_FOLDER, is_reserved_name, slug_of};

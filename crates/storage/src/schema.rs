@@ -21,7 +21,9 @@ pub use crate::record_shapes::{
 pub use crate::state::WorldState;
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 7;
+pub const SCHEMA_VERSION: u16 = 8;
+/// The last version whose chunks had no kinds of ground.
+const LAST_WITHOUT_KINDS: u16 = 7;
 /// The last version that kept the state as one value.
 const LAST_OF_ONE_STATE: u16 = 6;
 
@@ -253,16 +255,24 @@ impl Versioned for WorldState {
     }
 }
 
-/// A chunk's edits as stored; see [`crate::chunk_codec`].
-pub(crate) struct ChunkBody(pub Vec<i16>);
+/// Edits of a chunk's samples, and a byte for each that tells of the kind of ground laid there, or none at all.
+pub type StoredGround = (Vec<i16>, Vec<u8>);
+
+/// A chunk's edits as stored, and the bytes of its kinds of ground, of which there may be none; see [`crate::chunk_codec`].
+pub(crate) struct ChunkBody(pub Vec<i16>, pub Vec<u8>);
 
 impl Versioned for ChunkBody {
     const KIND: Kind = Kind::Chunk;
 
-    fn upgrade(_version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
-        Ok(Self(
-            crate::chunk_codec::unpack_chunk(body).map_err(SchemaFault::Damaged)?,
-        ))
+    fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
+        let read = match version {
+            1..=LAST_WITHOUT_KINDS => {
+                crate::chunk_codec::unpack_chunk(body).map(|samples| (samples, Vec::new()))
+            }
+            _ => crate::chunk_codec::unpack_ground(body),
+        };
+        let (samples, kinds) = read.map_err(SchemaFault::Damaged)?;
+        Ok(Self(samples, kinds))
     }
 }
 

@@ -315,6 +315,7 @@ mod tests {
                     meta: None,
                     records: (&state).into(),
                     chunks,
+                    kinds: BTreeMap::new(),
                 };
                 world.commit(&batch).unwrap();
             }

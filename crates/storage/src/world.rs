@@ -12,7 +12,7 @@ use crate::maintenance::free_beside;
 use crate::record::{RecordKind, Records};
 use crate::regular::{Entry, FileId};
 use crate::schema::{
-    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
+    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, StoredGround, WorldMeta, WorldState,
 };
 use crate::store::{META_KEY, Put, STATE_KEY, Store};
 use crate::survey::{Known, fault_in, survey};
@@ -183,6 +183,15 @@ impl WorldStore {
     /// [`StorageError::Damaged`] if its record cannot be believed: go on with the
     /// chunk as generated, and say so. Failures of the file system.
     pub fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, StorageError> {
+        Ok(self.chunk_with_kinds(key)?.map(|(samples, _)| samples))
+    }
+
+    /// As [`Self::chunk`], with a byte for each sample that tells of the kind of ground laid there; none where nobody laid
+    /// any.
+    ///
+    /// # Errors
+    /// As [`Self::chunk`].
+    pub fn chunk_with_kinds(&self, key: &ChunkKey) -> Result<Option<StoredGround>, StorageError> {
         let stored = key.to_bytes();
         let name = {
             let known = self.known();
@@ -195,7 +204,7 @@ impl WorldStore {
         bytes
             .map(|bytes| schema::read(&bytes, &stored))
             .transpose()
-            .map(|chunk| chunk.map(|ChunkBody(samples)| samples))
+            .map(|chunk| chunk.map(|ChunkBody(samples, kinds)| (samples, kinds)))
             .map_err(|fault| fault_in(&name, &key.to_string(), fault))
     }
 

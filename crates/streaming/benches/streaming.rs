@@ -44,6 +44,8 @@ fn edit_over_eight_chunks(bencher: divan::Bencher<'_, '_>, radius_m: f64) {
             radius_m,
             amount,
             part: antipode_terrain::Part::Whole,
+            kind: None,
+            shape: antipode_terrain::Shape::Ball,
         });
         streamer.wait(Until::Edits, LIMIT)
     });

@@ -4,10 +4,10 @@
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use antipode_geometry::ChunkCoord;
-use antipode_terrain::Stroke;
+use antipode_terrain::{Samples, Stroke, apply_edits};
 
 use crate::api::Chunk;
 use crate::edit_store::{Change, Entered};
@@ -169,6 +169,22 @@ fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Appl
     }
 }
 
+/// What a chunk's ground is with all edits, those of the batch so far too.
+fn now(
+    shared: &Shared,
+    coord: ChunkCoord,
+    changes: &BTreeMap<ChunkCoord, Change>,
+    problems: &mut Vec<String>,
+) -> Samples {
+    let before = shared.edit_store.snapshot(coord, problems);
+    let mut samples = Samples::clone(&shared.base(coord, true));
+    apply_edits(&mut samples, coord, |near| match changes.get(&near) {
+        Some(change) => Some(Arc::new(change.edits.clone())),
+        None => before.of(near),
+    });
+    samples
+}
+
 /// The new edits of every chunk that a stroke reaches, and in `reached` the chunks that show them;
 /// `None` if one of them is stored and cannot be read now.
 fn changes(
@@ -192,7 +208,14 @@ fn changes(
                     })
                 }
             };
-            change.visible |= stroke.apply(coord, &mut change.edits, strategy);
+            if !stroke.needs_samples(&change.edits) {
+                change.visible |= stroke.apply(coord, &mut change.edits, strategy);
+                continue;
+            }
+            let now = now(shared, coord, &changes, problems);
+            if let Some(change) = changes.get_mut(&coord) {
+                change.visible |= stroke.apply_to(coord, &mut change.edits, strategy, Some(&now));
+            }
         }
         reached.extend(stroke.remeshed(strategy));
     }

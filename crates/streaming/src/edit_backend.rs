@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use antipode_geometry::{ChartId, ChunkCoord};
-use antipode_storage::{Batch, ChunkKey, StorageError, WorldStore};
+use antipode_storage::{Batch, ChunkKey, StorageError, StoredGround, WorldStore};
 use glam::IVec3;
 
 /// A failure of the store, already a sentence for the player.
@@ -17,12 +17,15 @@ pub(crate) enum ReadFault {
     Unreadable(Failure),
 }
 
+/// Edits of a chunk and the bytes of its kinds, as stored.
+pub(crate) type Stored = StoredGround;
+
 /// Where edited chunks are kept. A trait, so that tests can make it fail.
 pub(crate) trait EditBackend: Send + Sync {
     /// The chunks that have edits.
     fn edited(&self) -> Result<Vec<ChunkKey>, Failure>;
-    /// The edits of one chunk; `None` if it has none.
-    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault>;
+    /// The edits of one chunk, and the bytes of the kinds laid there or none; `None` if it has no edits.
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Stored>, ReadFault>;
     /// Writes everything or nothing, and returns once it is durable.
     fn commit(&self, batch: &Batch) -> Result<(), Failure>;
 }
@@ -32,8 +35,8 @@ impl EditBackend for WorldStore {
         Ok(self.edited_chunks()?)
     }
 
-    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
-        WorldStore::chunk(self, key).map_err(|error| match error {
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Stored>, ReadFault> {
+        WorldStore::chunk_with_kinds(self, key).map_err(|error| match error {
             StorageError::Damaged { .. } => ReadFault::Damaged(error.into()),
             other => ReadFault::Unreadable(other.into()),
         })

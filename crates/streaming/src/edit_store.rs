@@ -13,11 +13,15 @@ use antipode_geometry::ChunkCoord;
 use antipode_terrain::ChunkEdits;
 use lru::LruCache;
 
-use crate::edit_backend::{EditBackend, ReadFault, key_of};
+use crate::edit_backend::{EditBackend, ReadFault, Stored, key_of};
 use crate::range::around;
 
 /// Saved chunks of a stored world that stay in memory, those used last: 8 MB of them.
 const MOST_SAVED: usize = 64;
+
+/// Said once of a world.
+const UNKNOWN_KINDS: &str = "Somebody has built with a kind of ground that only a later version of the game knows. It is shown \
+                             as soil here, and stays in the world as it is.";
 
 /// Edits of a chunk and its neighbours at one revision.
 pub(crate) struct Snapshot {
@@ -61,6 +65,8 @@ struct State {
     on_disk: HashSet<ChunkCoord>,
     /// Stored, and told to be out of reach.
     complained: HashSet<ChunkCoord>,
+    /// Whether it was told that there are kinds of ground of a later game.
+    told: bool,
     /// Changed, and not on disk as they are.
     unsaved: EditMap,
     revision: u64,
@@ -84,6 +90,7 @@ impl EditStore {
                 chunks: LruCache::unbounded(),
                 on_disk,
                 complained: HashSet::new(),
+                told: false,
                 unsaved: EditMap::new(),
                 revision: 0,
                 evictions: 0,
@@ -251,6 +258,9 @@ impl EditStore {
             }
             match found {
                 Ok(Some(edits)) => {
+                    if edits.has_unknown_kinds() && !std::mem::replace(&mut state.told, true) {
+                        problems.push(UNKNOWN_KINDS.to_owned());
+                    }
                     state.chunks.put(coord, Arc::new(edits));
                 }
                 Ok(None) => {}
@@ -278,8 +288,9 @@ fn read_record(
     coord: ChunkCoord,
 ) -> Result<Option<ChunkEdits>, ReadFault> {
     let units = backend.chunk(&key_of(coord))?;
+    let edits = |(units, kinds): Stored| ChunkEdits::from_units(&units)?.with_kind_bytes(&kinds);
     units
-        .map(|units| ChunkEdits::from_units(&units))
+        .map(edits)
         .transpose()
         .map_err(|why| ReadFault::Damaged(why.into()))
 }

@@ -4,6 +4,7 @@ use std::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use antipode_storage::{Batch, RecordChanges, WorldMeta};
+use antipode_terrain::ChunkEdits;
 use crossbeam_channel::{Receiver, Sender};
 
 use crate::api::Cause;
@@ -71,10 +72,15 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
         .iter()
         .map(|(coord, edits)| (key_of(*coord), edits.to_units()))
         .collect();
+    let laid = |edits: &ChunkEdits| Some(edits.kind_bytes().to_vec()).filter(|it| !it.is_empty());
+    let kinds = (land.iter())
+        .filter_map(|(coord, edits)| Some((key_of(*coord), laid(edits)?)))
+        .collect();
     let batch = Batch {
         meta,
         records,
         chunks,
+        kinds,
     };
     if batch.is_empty() {
         return None;

@@ -144,7 +144,8 @@ impl Shared {
         collider
     }
 
-    fn base(&self, coord: ChunkCoord, keep: bool) -> Arc<Samples> {
+    /// The untouched samples of a chunk at full resolution, which are worth keeping or not.
+    pub(crate) fn base(&self, coord: ChunkCoord, keep: bool) -> Arc<Samples> {
         let base = self
             .bases
             .get(coord)

@@ -83,6 +83,8 @@ fn alike(a: &Stroke, b: &Stroke) -> bool {
     a.centre == b.centre
         && a.radius_m == b.radius_m
         && a.part == b.part
+        && a.kind == b.kind
+        && a.shape == b.shape
         && (a.amount > 0.0) == (b.amount > 0.0)
 }
 
@@ -98,6 +100,8 @@ mod tests {
             radius_m: 5.0,
             amount,
             part: antipode_terrain::Part::Whole,
+            kind: None,
+            shape: antipode_terrain::Shape::Ball,
         }
     }
 

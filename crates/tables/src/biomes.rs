@@ -16,6 +16,7 @@ pub(crate) struct Biome {
     middle_m: f64,
     top_m: f64,
     covers: [Cover; 3],
+    kinds: Kinds,
     palette: Palette,
     level_errors_m: [f64; 3],
 }
@@ -30,6 +31,34 @@ enum Cover {
     Grass,
 }
 
+/// As `Kinds` of the terrain.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Kinds {
+    low: Kind,
+    middle: Kind,
+    high: Kind,
+    cap: Kind,
+    patch: Kind,
+    under: Kind,
+    stone: Kind,
+}
+
+/// As those `Kind` of the terrain that lie at the surface.
+#[derive(Debug, Clone, Copy, Deserialize)]
+enum Kind {
+    Grass,
+    Soil,
+    Sand,
+    Gravel,
+    Rock,
+    Ash,
+    Snow,
+    Moss,
+    Clay,
+    Basalt,
+}
+
 /// As `Palette` of the terrain.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -40,6 +69,24 @@ struct Palette {
     top: [u8; 3],
     rock: [u8; 3],
     strata: [u8; 3],
+}
+
+impl Kinds {
+    fn expression(&self) -> String {
+        let Self {
+            low,
+            middle,
+            high,
+            cap,
+            patch,
+            under,
+            stone,
+        } = self;
+        format!(
+            "Kinds {{ low: Kind::{low:?}, middle: Kind::{middle:?}, high: Kind::{high:?}, cap: Kind::{cap:?}, \
+             patch: Kind::{patch:?}, under: Kind::{under:?}, stone: Kind::{stone:?} }}"
+        )
+    }
 }
 
 impl Row for Biome {
@@ -78,7 +125,7 @@ impl Source for Biome {
         let covers = self.covers.map(|cover| format!("Cover::{cover:?}"));
         format!(
             "Row {{ name: {:?}, octaves: {}, first_frequency: {:?}, first_amplitude_m: {:?}, middle_m: {:?}, top_m: {:?}, \
-             covers: [{}], palette: {:?}, level_errors_m: {:?} }}",
+             covers: [{}], kinds: {}, palette: {:?}, level_errors_m: {:?} }}",
             self.id,
             self.octaves,
             self.first_frequency,
@@ -86,6 +133,7 @@ impl Source for Biome {
             self.middle_m,
             self.top_m,
             covers.join(", "),
+            self.kinds.expression(),
             self.palette,
             self.level_errors_m,
         )
@@ -106,6 +154,7 @@ mod tests {
     middle_m: 15,
     top_m: 23,
     covers: (Rock, Gravel, Grass),
+    kinds: (low: Rock, middle: Ash, high: Grass, cap: Snow, patch: Moss, under: Soil, stone: Rock),
     palette: (
       bottom: (206, 92, 48),
       middle: (96, 74, 78),
@@ -127,7 +176,7 @@ mod tests {
                 (
                     "  ),\n]",
                     &format!("  ),{twin}"),
-                    "20: id of \"tundra\" is the id of an earlier row, too",
+                    "21: id of \"tundra\" is the id of an earlier row, too",
                 ),
                 (
                     "octaves: 4",
@@ -152,19 +201,24 @@ mod tests {
                 ),
                 ("Gravel", "Lava", "9: covers of \"tundra\": Unexpected "),
                 (
+                    "high: Grass",
+                    "high: Coal",
+                    "10: kinds.high of \"tundra\": ",
+                ),
+                (
                     "(206, 92, 48)",
                     "(206, 92, 480)",
-                    "11: palette.bottom of \"tundra\": ",
+                    "12: palette.bottom of \"tundra\": ",
                 ),
                 (
                     "strata",
                     "stripes",
-                    "15: \"tundra\": Unexpected field named `stripes`",
+                    "16: \"tundra\": Unexpected field named `stripes`",
                 ),
                 (
                     "(0.8, 2.2",
                     "(2.8, 2.2",
-                    "17: level_errors_m of \"tundra\" is to be more than 0 and to rise",
+                    "18: level_errors_m of \"tundra\" is to be more than 0 and to rise",
                 ),
             ],
         );

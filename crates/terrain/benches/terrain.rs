@@ -80,6 +80,8 @@ fn stroke_into_a_chunk(bencher: Bencher<'_, '_>, radius_m: f64) {
         radius_m,
         amount: 0.05,
         part: antipode_terrain::Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     };
     let mut edits = ChunkEdits::new();
     bencher.bench_local(|| stroke.apply(chunk(), &mut edits, &*strategy));

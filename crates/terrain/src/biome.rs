@@ -5,6 +5,7 @@
 
 use crate::cover::Cover;
 use crate::fractal::Octave;
+use crate::kind::Kind;
 
 /// Frequencies double from octave to octave.
 const FREQUENCY_RATIO: f64 = 2.0;
@@ -26,6 +27,25 @@ pub(crate) struct Palette {
     pub strata: [u8; 3],
 }
 
+/// The kinds of a biome's ground.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Kinds {
+    /// Of low ground.
+    pub low: Kind,
+    /// Of middle ground.
+    pub middle: Kind,
+    /// Of high ground.
+    pub high: Kind,
+    /// Of the highest.
+    pub cap: Kind,
+    /// Of patches in all but the highest.
+    pub patch: Kind,
+    /// What is found right below.
+    pub under: Kind,
+    /// What is below that.
+    pub stone: Kind,
+}
+
 /// A kind of land, chosen by a world's seed.
 #[derive(Debug)]
 pub struct Biome {
@@ -37,6 +57,7 @@ pub struct Biome {
     top_m: f64,
     /// What low, middle and high ground is covered with.
     pub(crate) covers: [Cover; 3],
+    pub(crate) kinds: Kinds,
     pub(crate) palette: Palette,
     /// How far the ground of flat worlds at 2, 4 and 8 m is off, metres.
     pub(crate) level_errors_m: [f64; 3],

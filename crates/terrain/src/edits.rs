@@ -11,6 +11,7 @@ use antipode_geometry::ChunkCoord;
 use glam::IVec3;
 use thiserror::Error;
 
+use crate::kind::Kind;
 use crate::level::Level;
 use crate::samples::{FACE_AXES, Samples};
 
@@ -52,12 +53,14 @@ pub enum EditsError {
 pub struct ChunkEdits {
     /// Sums in parts of a unit by `(i * 32 + k) * 32 + j`, or nothing.
     parts: Box<[i32]>,
+    /// Numbers of the kinds that were laid, in the same order, 0 where none was; or nothing.
+    kinds: Box<[u8]>,
 }
 
 impl PartialEq for ChunkEdits {
     /// Equal when they look and save the same.
     fn eq(&self, other: &Self) -> bool {
-        (0..COUNT).all(|at| self.unit(at) == other.unit(at))
+        (0..COUNT).all(|at| self.unit(at) == other.unit(at) && self.laid(at) == other.laid(at))
     }
 }
 
@@ -128,6 +131,57 @@ impl ChunkEdits {
         self.parts.get(at).map_or(0, |&parts| rounded(parts))
     }
 
+    /// The number of the kind laid at owned sample `(i, j, k)`, each in `0..32`; 0 where none was, and outside.
+    pub fn kind_byte(&self, i: usize, j: usize, k: usize) -> u8 {
+        if i.max(j).max(k) >= OWNED {
+            return 0;
+        }
+        self.laid(owned_index(i, j, k))
+    }
+
+    /// The numbers of all laid kinds, by `(i * 32 + k) * 32 + j`; empty where none was laid.
+    pub fn kind_bytes(&self) -> &[u8] {
+        &self.kinds
+    }
+
+    /// Whether a kind was laid that this game does not know.
+    pub fn has_unknown_kinds(&self) -> bool {
+        let is_unknown = |byte: &u8| *byte != 0 && Kind::of_byte(*byte).is_none();
+        self.kinds.iter().any(is_unknown)
+    }
+
+    /// Lays a kind at a sample, or takes it away by 0. Says whether that changed anything.
+    pub(crate) fn lay_at(&mut self, at: usize, byte: u8) -> bool {
+        if self.laid(at) == byte {
+            return false;
+        }
+        if self.kinds.is_empty() {
+            self.kinds = vec![0; COUNT].into_boxed_slice();
+        }
+        if let Some(kind) = self.kinds.get_mut(at) {
+            *kind = byte;
+        }
+        true
+    }
+
+    fn laid(&self, at: usize) -> u8 {
+        self.kinds.get(at).copied().unwrap_or_default()
+    }
+
+    /// The same with the numbers of laid kinds that [`Self::kind_bytes`] gave; those of later games stay as they are.
+    ///
+    /// # Errors
+    /// [`EditsError::Length`] unless there are 32^3 of them, or none.
+    pub fn with_kind_bytes(self, kinds: &[u8]) -> Result<Self, EditsError> {
+        if !matches!(kinds.len(), 0 | COUNT) {
+            return Err(EditsError::Length { found: kinds.len() });
+        }
+        Ok(Self {
+            kinds: kinds.into(),
+            ..self
+        })
+    }
+
     /// All 32^3 edits in units of [`EDIT_STEP`], by `(i * 32 + k) * 32 + j`.
     pub fn to_units(&self) -> Vec<i16> {
         (0..COUNT).map(|at| self.unit(at)).collect()
@@ -146,6 +200,7 @@ impl ChunkEdits {
             .map(|&unit| (i32::from(unit) * PARTS).max(-LIMIT));
         Ok(Self {
             parts: sums.collect(),
+            kinds: Box::default(),
         })
     }
 
@@ -234,12 +289,11 @@ fn add_neighbour(samples: &mut Samples, coord: ChunkCoord, offset: IVec3, edits:
     for a in 0..na {
         for c in 0..nc {
             let first = samples.index(i0 + a, j0, k0 + c);
-            let column = samples.values_mut().iter_mut().skip(first).take(nb);
-            for (b, value) in column.enumerate() {
+            for b in 0..nb {
                 let y = first_m + ((j0 + b) * step) as f64;
                 if y >= low && y <= high {
                     let owned = owned_index(a0 + a * step, b0 + b * step, c0 + c * step);
-                    *value += f32::from(edits.unit(owned)) * EDIT_STEP;
+                    samples.edit(first + b, edits.unit(owned), edits.laid(owned));
                 }
             }
         }

@@ -29,7 +29,8 @@ pub struct Vertex {
     pub parts: u16,
     /// Unit normal in the chart, toward the air, as [`octahedral`] gives it.
     pub octahedral: [i16; 2],
-    /// Colour, sRGB; the fourth is 255.
+    /// Colour, sRGB; the fourth is the number of the kind of ground at the solid end of the vertex's edge, with 64 more
+    /// where that is the skin of untouched land, which shows rock where it is steep. 255 stands for none.
     pub colour: [u8; 4],
 }
 

@@ -6,8 +6,10 @@
 use antipode_geometry::{CHUNK_CELLS, ChunkCoord};
 use glam::DVec3;
 
+use crate::edits::EDIT_STEP;
 use crate::field::{Field, editable_y_m};
 use crate::level::Level;
+use crate::strata::depth_of;
 
 /// Samples along an edge of a chunk's block at [`Level::FULL`]: 33 corners of its 32 cells and
 /// one sample of border on each side, which central differences need.
@@ -25,6 +27,17 @@ pub struct Samples {
     /// Face after face, each `face_side` squared; empty at [`Level::FULL`].
     faces: Box<[f32]>,
     editable_y_m: (f64, f64),
+    /// What edits have covered up, of each value; empty where nobody changed anything.
+    covered: Box<[Covered]>,
+}
+
+/// What a sample was before edits, and what it was made of by them.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Covered {
+    /// As [`crate::strata::depth_of`].
+    pub depth: u8,
+    /// The number of a kind; 0 where nobody built.
+    pub laid: u8,
 }
 
 /// Samples along an edge of a level's block.
@@ -71,6 +84,7 @@ impl Samples {
             values: vec![0.0; side(level).pow(3)].into_boxed_slice(),
             faces: vec![0.0; faces].into_boxed_slice(),
             editable_y_m,
+            covered: Box::default(),
         }
     }
 
@@ -125,6 +139,48 @@ impl Samples {
 
     pub(crate) fn values_mut(&mut self) -> &mut [f32] {
         &mut self.values
+    }
+
+    /// Whether nothing was added to the block.
+    #[inline]
+    pub(crate) fn is_untouched(&self) -> bool {
+        self.covered.is_empty()
+    }
+
+    /// Keeps what the block is before edits are added.
+    fn cover(&mut self) {
+        if self.covered.is_empty() {
+            let depths = self.values.iter().map(|&value| Covered {
+                depth: depth_of(value),
+                laid: 0,
+            });
+            self.covered = depths.collect();
+        }
+    }
+
+    /// Adds an edit to a sample by its index, in units, with the number of the kind that was laid there.
+    #[inline]
+    pub(crate) fn edit(&mut self, at: usize, units: i16, laid: u8) {
+        if units == 0 && laid == 0 {
+            return;
+        }
+        self.cover();
+        if let (Some(value), Some(covered)) = (self.values.get_mut(at), self.covered.get_mut(at)) {
+            *value += f32::from(units) * EDIT_STEP;
+            covered.laid = laid;
+        }
+    }
+
+    /// How deep untouched land has a sample by its index, and the kind that somebody laid there.
+    #[inline]
+    pub(crate) fn covered(&self, at: usize) -> Covered {
+        match self.covered.get(at) {
+            Some(covered) => *covered,
+            None => Covered {
+                depth: depth_of(self.values[at]),
+                laid: 0,
+            },
+        }
     }
 
     /// The samples of a face, `0..6` for -x, +x, -y, +y, -z and +z, at half the step: rows of

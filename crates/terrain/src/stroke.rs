@@ -8,7 +8,10 @@ use glam::{DVec2, DVec3, IVec3};
 
 use crate::edits::{ChunkEdits, owned_index};
 use crate::field::{RIM_REACH_M, editable_y_m};
+use crate::kind::Kind;
 use crate::level::Level;
+use crate::samples::Samples;
+use crate::shape::Shape;
 
 /// How fast a stroke weakens: `exp(-FALLOFF_PER_M2 d^2)`, as in the reference game.
 pub const FALLOFF_PER_M2: f64 = 0.1;
@@ -30,6 +33,10 @@ pub struct Stroke {
     pub amount: f32,
     /// What of the ball is changed.
     pub part: Part,
+    /// What is built of; nothing says that what untouched land has there comes back.
+    pub kind: Option<Kind>,
+    /// The brush's shape and what it does.
+    pub shape: Shape,
 }
 
 /// The part of a stroke's ball that is changed: all of it, or what is reached from its middle through a gate or not.
@@ -161,9 +168,27 @@ impl Stroke {
         self.chunks(strategy, Seen::padded(level))
     }
 
-    /// Adds the stroke to the edits of the chunk at `coord`; says whether any edit's stored
-    /// value changed. Edits must be kept either way: what is less than a stored unit adds up.
+    /// Whether the stroke goes by what the ground is: [`Self::apply_to`] needs samples then.
+    pub fn needs_samples(&self, edits: &ChunkEdits) -> bool {
+        let lays = self.amount < 0.0 && (self.kind.is_some() || !edits.kind_bytes().is_empty());
+        self.shape != Shape::Ball || lays
+    }
+
+    /// Adds the stroke to the edits of the chunk at `coord`, as far as that needs no samples; says whether any edit's
+    /// stored value changed. Edits must be kept either way: what is less than a stored unit adds up.
     pub fn apply(&self, coord: ChunkCoord, edits: &mut ChunkEdits, strategy: &dyn Atlas) -> bool {
+        self.apply_to(coord, edits, strategy, None)
+    }
+
+    /// As [`Self::apply`], by what the chunk's ground is with all edits before. What turns from air to ground is laid of
+    /// the stroke's kind.
+    pub fn apply_to(
+        &self,
+        coord: ChunkCoord,
+        edits: &mut ChunkEdits,
+        strategy: &dyn Atlas,
+        now: Option<&Samples>,
+    ) -> bool {
         let [x0, y0, z0] = coord.index.to_array().map(|c| i64::from(c) * 32);
         let mut changed = false;
         for mut window in self.windows(strategy) {
@@ -179,19 +204,49 @@ impl Stroke {
                     if !self.part.holds(self.centre.pos, self.centre.pos + off) {
                         continue;
                     }
-                    let d2 = column.way.length_squared() + dy * dy;
-                    let amount = f64::from(self.amount) * (-FALLOFF_PER_M2 * d2).exp();
                     let local = [column.x - x0, y - y0, column.z - z0].map(|c| c as usize);
-                    changed |=
-                        edits.add_at(owned_index(local[0], local[1], local[2]), amount as f32);
+                    changed |= self.apply_at(local, off, edits, now);
                 }
             }
         }
         changed
     }
 
+    /// Changes one sample of a chunk, which is so far off the stroke's middle.
+    fn apply_at(
+        &self,
+        local: [usize; 3],
+        off: DVec3,
+        edits: &mut ChunkEdits,
+        now: Option<&Samples>,
+    ) -> bool {
+        let [i, j, k] = local;
+        let at = owned_index(i, j, k);
+        let amount = match (self.shape, now) {
+            (Shape::Ball, _) | (_, None) => {
+                f64::from(self.amount) * (-FALLOFF_PER_M2 * off.length_squared()).exp()
+            }
+            (shape, Some(now)) => {
+                let place = (off, self.centre.pos.y + off.y);
+                let change = shape.change(now, local, place, (self.radius_m(), self.amount > 0.0));
+                f64::from(change.clamp(-self.amount.abs(), self.amount.abs()))
+            }
+        };
+        let changed = edits.add_at(at, amount as f32);
+        let Some(now) = now else { return changed };
+        let before = now.get(i + 1, j + 1, k + 1);
+        let turns = before >= 0.0 && before + (amount as f32) < 0.0;
+        let laid = self.kind.map_or(0, Kind::byte);
+        (turns && edits.lay_at(at, laid)) || changed
+    }
+
     fn radius_m(&self) -> f64 {
         self.radius_m.clamp(0.0, MAX_RADIUS_M)
+    }
+
+    /// How far from its middle the stroke changes anything.
+    fn reach_m(&self) -> f64 {
+        self.shape.reach_m(self.radius_m())
     }
 
     fn chunks(&self, strategy: &dyn Atlas, seen: Seen) -> Vec<ChunkCoord> {
@@ -223,7 +278,7 @@ impl Stroke {
             x: whole(point.pos.x - half, point.pos.x + half),
             z: whole(point.pos.z - half, point.pos.z + half),
         };
-        let radius = self.radius_m();
+        let radius = self.reach_m();
         let images = strategy.images(self.centre, radius + EDITED_PAST_RIM_M);
         let spread = strategy.spread_m(self.centre, radius, EDITED_PAST_RIM_M);
         // What is near by way of another chart need not be near in its own.
@@ -237,7 +292,7 @@ impl Stroke {
         let (low, high) = editable_y_m(strategy);
         let editable = whole(low, high);
         let domain = strategy.domain(window.chart);
-        let radius2 = self.radius_m().powi(2);
+        let radius2 = self.reach_m().powi(2);
         let mut reached = Vec::new();
         for x in window.x.clone() {
             for z in window.z.clone() {

@@ -192,6 +192,8 @@ fn a_thousand_edits_at_chunk_corners_leave_no_gap_and_what_is_seen_carries() {
             radius_m: 1.0 + 9.0 * dice.unit(),
             amount: sign * (0.5 + 4.0 * dice.unit() as f32),
             part: antipode_terrain::Part::Whole,
+            kind: None,
+            shape: antipode_terrain::Shape::Ball,
         });
         if n % STROKES_A_BATCH == STROKES_A_BATCH - 1 {
             batches += shown.take(streamer.wait(Until::Edits, LIMIT));

@@ -48,7 +48,7 @@ pub struct CommandInfo {
 }
 
 /// Settings that `set` knows, each with the words it takes; none where it takes a number.
-pub const SETTINGS: [(&str, &[&str]); 9] = [
+pub const SETTINGS: [(&str, &[&str]); 11] = [
     ("time", &[]),
     ("curvature", &[]),
     ("map", &["raised", "horizon"]),
@@ -58,6 +58,14 @@ pub const SETTINGS: [(&str, &[&str]); 9] = [
     ("health", &[]),
     ("fly", &["on", "off"]),
     ("npcs", &["on", "off", "still"]),
+    ("brush", &["ball", "box", "cylinder", "flatten", "smooth"]),
+    (
+        "ground",
+        &[
+            "found", "grass", "soil", "sand", "gravel", "rock", "ash", "snow", "moss", "clay",
+            "basalt", "slate", "coal", "copper", "crystal",
+        ],
+    ),
 ];
 
 const fn command(

@@ -182,6 +182,8 @@ fn set<H: Host + ?Sized>(host: &mut H, setting: Setting) -> Result<(), Failure> 
         Setting::Health(health) => scene.set_health(health),
         Setting::Fly(on) => scene.set_flying(on),
         Setting::Npcs(mode) => scene.set_npcs(mode),
+        Setting::Brush(shape) => scene.set_brush_shape(shape),
+        Setting::Ground(kind) => scene.set_built_kind(kind),
         Setting::Own(..) => {}
     }
     Ok(())

@@ -137,6 +137,8 @@ impl Order {
                 | Setting::Bend(_)
                 | Setting::Quality(_)
                 | Setting::ViewDistance(_)
+                | Setting::Brush(_)
+                | Setting::Ground(_)
                 | Setting::Own(..) => false,
                 // A script that sends them away has it easier.
                 Setting::Npcs(mode) => *mode != NpcMode::On,

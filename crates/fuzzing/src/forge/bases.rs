@@ -88,6 +88,7 @@ pub fn batch(commit: i32) -> Batch {
         chunks: (0..CHUNKS)
             .map(|chunk| (key(chunk), samples(chunk, commit)))
             .collect(),
+        kinds: std::collections::BTreeMap::new(),
     }
 }
 

@@ -100,6 +100,8 @@ fn stroke(corner: DVec3, n: usize) -> Stroke {
         radius_m: RADIUS_M,
         amount: sense * AMOUNT,
         part: antipode_terrain::Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     }
 }
 

@@ -160,8 +160,20 @@ fn between(a: &Vertex, b: &Vertex) -> Vertex {
     Vertex::at(
         std::array::from_fn(|i| from[i].midpoint(to[i])),
         octahedral(a.normal() + b.normal()),
-        std::array::from_fn(|i| a.colour[i].midpoint(b.colour[i])),
+        halfway(a.colour, b.colour),
     )
+}
+
+/// The mean of two colours, with one's kind of ground: between two kinds there is none. Whichever chunk one looks from, it is
+/// that of the greater number.
+fn halfway(a: [u8; 4], b: [u8; 4]) -> [u8; 4] {
+    std::array::from_fn(|i| {
+        if i < 3 {
+            a[i].midpoint(b[i])
+        } else {
+            a[i].max(b[i])
+        }
+    })
 }
 
 /// The middles of halved edges: a hash table with open addressing and linear probing, at most half full. The

@@ -68,6 +68,7 @@ fn commit(world: &WorldStore, number: i16, chunks: impl Iterator<Item = i32>) {
         meta: None,
         records: (&state).into(),
         chunks: chunks.map(|x| (key(x), samples(x, number))).collect(),
+        kinds: std::collections::BTreeMap::new(),
     };
     world.commit(&batch).unwrap();
 }

@@ -39,6 +39,11 @@ const V7: &str = concat!(
     "/../../tests/saves/v7/v7.antipode-world"
 );
 
+const V8: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v8/v8.antipode-world"
+);
+
 const FAR: ChunkKey = ChunkKey {
     chart: 1,
     x: i32::MIN,
@@ -66,7 +71,7 @@ fn spike() -> Vec<i16> {
     samples
 }
 
-/// What versions 6 and 7 hold: everything.
+/// What versions 6 to 8 hold: everything.
 fn v6_state() -> WorldState {
     let lamp = SlotRecord {
         slot: 9,
@@ -127,6 +132,19 @@ fn v1_state() -> WorldState {
     }
 }
 
+/// Kinds of ground of which one belongs to a later game.
+fn laid() -> Vec<u8> {
+    (0..CHUNK_SAMPLES).map(|i| [0, 3, 200][i / 8 % 3]).collect()
+}
+
+/// What version 8 was saved with.
+fn v8_meta() -> WorldMeta {
+    WorldMeta {
+        cheated: true,
+        ..meta("Żółw of v8")
+    }
+}
+
 /// What version 7 was saved with.
 fn v7_meta() -> WorldMeta {
     WorldMeta {
@@ -173,18 +191,19 @@ fn v3_meta() -> WorldMeta {
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&v7_meta()).unwrap();
+    let (slug, world) = saves.create(&v8_meta()).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
             meta: None,
             records: (&v6_state()).into(),
             chunks,
+            kinds: [(NEAR, laid())].into(),
         })
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V7)).unwrap();
+    saves.export(&slug, Path::new(V8)).unwrap();
 }
 
 #[test]
@@ -196,6 +215,28 @@ fn the_worlds_of_all_versions_open_with_their_values() {
     opens(V5, &v5_meta(), &v5_state());
     opens(V6, &v6_meta(), &v6_state());
     opens(V7, &v7_meta(), &v6_state());
+    opens(V8, &v8_meta(), &v6_state());
+}
+
+/// Through import, a commit beside it, a copy and a repair.
+#[test]
+fn kinds_of_ground_are_kept_those_of_later_games_too() {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    let slug = saves.import(Path::new(V8)).unwrap();
+    let kinds_of = |slug: &str, key: &ChunkKey| {
+        let world = saves.open(slug).unwrap();
+        world.chunk_with_kinds(key).unwrap().unwrap()
+    };
+    assert_eq!(kinds_of(&slug, &NEAR), (ramp(), laid()));
+    assert_eq!(kinds_of(&slug, &FAR), (spike(), Vec::new()));
+    let copy = saves.duplicate(&slug).unwrap();
+    saves.repair(&copy).unwrap();
+    assert_eq!(kinds_of(&copy, &NEAR), (ramp(), laid()));
+    let file = dir.path().join("again.antipode-world");
+    saves.export(&copy, &file).unwrap();
+    let again = saves.import(&file).unwrap();
+    assert_eq!(kinds_of(&again, &NEAR), (ramp(), laid()));
 }
 
 fn opens(file: &str, meta: &WorldMeta, state: &WorldState) {

@@ -47,6 +47,7 @@ fn everything_committed_comes_back() {
         meta: Some(changed.clone()),
         records: antipode_storage::RecordChanges::new(),
         chunks: vec![(key(-7), samples(-7, 2)), (key(1), samples(1, 2))],
+        kinds: std::collections::BTreeMap::new(),
     };
     world.commit(&second).unwrap();
     drop(world);

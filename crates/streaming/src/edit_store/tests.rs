@@ -19,8 +19,9 @@ impl EditBackend for Disk {
         Ok(Vec::new())
     }
 
-    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
-        Ok(self.0.lock().unwrap().get(key).cloned())
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Stored>, ReadFault> {
+        let units = self.0.lock().unwrap().get(key).cloned();
+        Ok(units.map(|units| (units, Vec::new())))
     }
 
     fn commit(&self, _: &Batch) -> Result<(), Failure> {
@@ -137,7 +138,7 @@ impl EditBackend for Busy {
         Ok(Vec::new())
     }
 
-    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Stored>, ReadFault> {
         if let Some(meanwhile) = self.meanwhile.get()
             && !self.read.swap(true, Ordering::Relaxed)
         {

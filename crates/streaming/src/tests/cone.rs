@@ -85,6 +85,8 @@ fn a_hole_is_in_every_chart_that_has_it_and_stays() {
             radius_m: 4.0,
             amount: 3.0,
             part: antipode_terrain::Part::Whole,
+            kind: None,
+            shape: antipode_terrain::Shape::Ball,
         });
         game.wait(Until::Idle);
         let dug = triangles(&game);

@@ -141,6 +141,8 @@ fn a_coarse_neighbour_looks_the_same_whether_it_was_there_before_the_edit_or_cam
         radius_m: 1.9,
         amount: 30.0,
         part: antipode_terrain::Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     };
     assert!(!stroke.remeshed(&*game.space).contains(&coarse));
     let before = Arc::clone(&game.chunks[&coarse].mesh);

@@ -10,6 +10,7 @@ mod cone;
 mod damaged;
 mod editing;
 mod failing;
+mod kinds;
 mod levels;
 mod loading;
 mod overlap;
@@ -29,7 +30,7 @@ use crossbeam_channel::{Receiver, Sender, bounded};
 use glam::{DVec3, IVec3};
 
 use crate::api::{Chunk, Config, Until, Update, Wish};
-use crate::edit_backend::{EditBackend, Failure, ReadFault};
+use crate::edit_backend::{EditBackend, Failure, ReadFault, Stored};
 use crate::shared::{Step, Watch};
 use crate::streamer::Streamer;
 
@@ -184,6 +185,8 @@ fn stroke(at: DVec3, amount: f32) -> Stroke {
         radius_m: 5.0,
         amount,
         part: antipode_terrain::Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     }
 }
 
@@ -229,6 +232,7 @@ impl Gate {
 #[derive(Default)]
 struct Memory {
     chunks: Mutex<HashMap<ChunkKey, Vec<i16>>>,
+    kinds: Mutex<BTreeMap<ChunkKey, Vec<u8>>>,
     commits: Mutex<Vec<(bool, bool, Vec<ChunkKey>)>>,
     records: Mutex<Vec<RecordChanges>>,
     full: AtomicBool,
@@ -257,14 +261,16 @@ impl EditBackend for Memory {
         Ok(self.chunks.lock().unwrap().keys().copied().collect())
     }
 
-    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Stored>, ReadFault> {
         if self.absent.load(Ordering::SeqCst) {
             return Err(ReadFault::Unreadable("the disk is away".into()));
         }
         if *self.damaged.lock().unwrap() == Some(*key) {
             return Err(ReadFault::Damaged("its checksum is wrong".into()));
         }
-        Ok(self.chunks.lock().unwrap().get(key).cloned())
+        let kinds = self.kinds.lock().unwrap().get(key).cloned();
+        let units = self.chunks.lock().unwrap().get(key).cloned();
+        Ok(units.map(|units| (units, kinds.unwrap_or_default())))
     }
 
     fn commit(&self, batch: &Batch) -> Result<(), Failure> {
@@ -278,6 +284,7 @@ impl EditBackend for Memory {
             .unwrap()
             .push((batch.meta.is_some(), !batch.records.is_empty(), keys));
         self.records.lock().unwrap().push(batch.records.clone());
+        self.kinds.lock().unwrap().extend(batch.kinds.clone());
         self.chunks
             .lock()
             .unwrap()

@@ -72,6 +72,8 @@ fn a_hole_at_a_corner_is_in_every_chart_that_meets_there_and_stays() {
         radius_m: 4.0,
         amount: 2.0,
         part: antipode_terrain::Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     });
     game.wait(Until::Idle);
     let dug = triangles(&game);

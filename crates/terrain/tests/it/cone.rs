@@ -105,6 +105,8 @@ fn strokes() -> Vec<Stroke> {
         radius_m,
         amount: if radius_m > 5.0 { 2.0 } else { -1.5 },
         part: antipode_terrain::Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     };
     places.into_iter().map(stroke).collect()
 }
@@ -187,6 +189,8 @@ fn meshes_agree_to_the_bit_on_every_edge_also_where_it_was_dug() {
                     radius_m: 4.0,
                     amount: 3.0,
                     part: antipode_terrain::Part::Whole,
+                    kind: None,
+                    shape: antipode_terrain::Shape::Ball,
                 });
             }
         }

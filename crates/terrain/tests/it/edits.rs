@@ -16,6 +16,8 @@ fn stroke(pos: DVec3, radius_m: f64, amount: f32) -> Stroke {
         radius_m,
         amount,
         part: Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     }
 }
 

@@ -127,6 +127,8 @@ fn tunnel(world: &mut World, chart: ChartId, first: IVec3, size: i32, random: &m
                 radius_m,
                 amount,
                 part: antipode_terrain::Part::Whole,
+                kind: None,
+                shape: antipode_terrain::Shape::Ball,
             });
         }
     }

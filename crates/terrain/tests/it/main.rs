@@ -11,6 +11,7 @@ mod cone;
 mod detail;
 mod edits;
 mod field;
+mod kinds;
 mod levels;
 mod mesh;
 mod seams;

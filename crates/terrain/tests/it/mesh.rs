@@ -1,6 +1,7 @@
 //! Meshes: closed, wound toward the air, and whole at the rim.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use crate::common::{Random, chunk, flat, sphere};
 use antipode_geometry::ChartId;
@@ -110,7 +111,8 @@ fn ground_faces_the_air_its_normals_point_to() {
         assert!(area > 500.0 && wrong < 1e-4 * area, "{wrong} of {area}");
         for (n, vertex) in mesh.vertices.iter().enumerate() {
             assert!((normal(&mesh, n as u32).length() - 1.0).abs() < 1e-3);
-            assert_eq!((vertex.parts >> 15, vertex.colour[3]), (0, 255));
+            let kind = antipode_terrain::Kind::of_byte(vertex.colour[3] & 0x3f);
+            assert!(vertex.parts >> 15 == 0 && kind.is_some_and(|kind| !kind.is_deep()));
         }
     }
 }
@@ -181,3 +183,45 @@ fn triangles_come_where_their_corners_were_just_used() {
         assert!(share < 1.5, "{level:?}: {share}");
     }
 }
+
+/// A number of all that a mesh is but for its kinds of ground: FNV-1a (Fowler, Noll and Vo).
+fn number_of(meshes: impl Iterator<Item = ChunkMesh>) -> u64 {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut take = |value: u32| {
+        for byte in value.to_le_bytes() {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+        }
+    };
+    for mesh in meshes {
+        for vertex in &mesh.vertices {
+            vertex.place().into_iter().for_each(&mut take);
+            let [x, z] = vertex.octahedral.map(|c| u32::from(c.cast_unsigned()));
+            take(x << 16 | z);
+            let [r, g, b, _] = vertex.colour;
+            take(u32::from_le_bytes([r, g, b, 0]));
+        }
+        mesh.indices.iter().copied().for_each(&mut take);
+    }
+    hash
+}
+
+/// As they were made before ground had kinds: worlds that have been begun keep their shape and their colours.
+#[test]
+fn shapes_and_colours_are_those_from_before_kinds() {
+    let expected = [SHAPES_FLAT, SHAPES_SPHERE];
+    for (space, expected) in [flat(), sphere()].into_iter().zip(expected) {
+        let meshes = (0..5).flat_map(|seed| {
+            let field = Field::new(seed, space.clone());
+            let at = [(0, 0, 0), (-1, 0, 1), (0, 1, 0)];
+            let chunks = at.map(|(x, y, z)| chunk(ChartId::FIRST, x, y, z));
+            let meshes = chunks.map(|coord| {
+                Level::ALL.map(|level| march(&field.samples_at(coord, level), &field, coord))
+            });
+            meshes.into_iter().flatten()
+        });
+        assert_eq!(number_of(meshes), expected, "{space:?}");
+    }
+}
+
+const SHAPES_FLAT: u64 = 5_914_638_665_407_075_194;
+const SHAPES_SPHERE: u64 = 7_119_323_448_390_220_858;

@@ -120,6 +120,8 @@ fn edit_corners(space: &Arc<dyn Strategy>, chart: ChartId, count: usize, first: 
             radius_m: random.between(1.0, 10.0),
             amount: random.between(-6.0, 6.0) as f32,
             part: antipode_terrain::Part::Whole,
+            kind: None,
+            shape: antipode_terrain::Shape::Ball,
         };
         world.apply(&stroke);
         let again = stroke.remeshed(&**space);

@@ -101,6 +101,8 @@ fn strokes() -> Vec<Stroke> {
         radius_m,
         amount: if radius_m > 5.0 { 2.0 } else { -1.5 },
         part: antipode_terrain::Part::Whole,
+        kind: None,
+        shape: antipode_terrain::Shape::Ball,
     };
     places.into_iter().zip(radii).map(stroke).collect()
 }
@@ -222,6 +224,8 @@ fn the_surface_over_an_edge_and_a_corner_is_that_of_one_chart() {
             radius_m: 4.0,
             amount: 1.0,
             part: antipode_terrain::Part::Whole,
+            kind: None,
+            shape: antipode_terrain::Shape::Ball,
         };
         many.apply(&stroke);
         one.apply(&in_one_chart(&stroke));

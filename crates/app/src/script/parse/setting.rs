@@ -1,9 +1,10 @@
 //! Parses the arguments of `set`.
 
 use antipode_geometry::HyperbolicMap;
-use antipode_scene::NpcMode;
 use antipode_scene::frame::Quality;
+use antipode_scene::{BrushShape, NpcMode};
 use antipode_settings::{Settings, Value};
+use antipode_terrain::Kind;
 
 use super::{number, quoted, whole};
 
@@ -28,6 +29,10 @@ pub enum Setting {
     Fly(bool),
     /// Whether other figures come, and whether they have a mind.
     Npcs(NpcMode),
+    /// The shape of the brush.
+    Brush(BrushShape),
+    /// What is built of; nothing for what is found there.
+    Ground(Option<Kind>),
     /// One of the player's own settings: its id, and a value that it takes.
     Own(&'static str, Value),
 }
@@ -60,6 +65,17 @@ pub(super) fn setting(what: &str, value: &str) -> Result<Setting, String> {
             "off" => NpcMode::Off,
             "still" => NpcMode::Still,
             _ => return Err(format!("{} is none of on, off and still", quoted(value))),
+        }),
+        "brush" => Setting::Brush(
+            BrushShape::of_name(value)
+                .ok_or_else(|| format!("there is no brush {}", quoted(value)))?,
+        ),
+        "ground" => Setting::Ground(match value {
+            "found" => None,
+            _ => Some(
+                Kind::of_name(value)
+                    .ok_or_else(|| format!("there is no kind of ground {}", quoted(value)))?,
+            ),
         }),
         _ => return own_setting(what, value),
     })

@@ -72,6 +72,7 @@ fn play_on(bytes: &[u8], chunks: i32) {
             meta: Some(meta()),
             records: state.as_ref().map(RecordChanges::from).unwrap_or_default(),
             chunks,
+            kinds: std::collections::BTreeMap::new(),
         };
         // It may fail, but neither end the process nor say what is not so.
         let written = world.commit(&batch).is_ok();

@@ -141,5 +141,6 @@ pub fn batch(chunks: i32, commit: i32) -> Batch {
         meta: None,
         records: (&state(f64::from(commit))).into(),
         chunks: (0..chunks).map(|x| (key(x), samples(x, commit))).collect(),
+        kinds: std::collections::BTreeMap::new(),
     }
 }

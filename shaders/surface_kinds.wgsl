@@ -1,0 +1,382 @@
+// What each kind of ground is like at a pixel: `surfaces.wgsl` says how they come together.
+// Follows the file of a world's daylight, which says which way is up in the grain (`grain_up`).
+
+// One kind at a pixel, before its colour.
+struct Detail {
+    height: f32,        // 0 in hollows to 1 on top, for blending
+    slope: vec3<f32>,
+    tone: vec3<f32>,    // what the colour is multiplied by
+    gloss: f32,
+    glow: vec3<f32>,
+}
+
+// A pixel's place.
+struct Spot {
+    p: vec3<f32>,       // of the grain, m
+    up: vec3<f32>,
+    wide_m: f32,        // what the pixel spans
+}
+
+// How much is left of a pattern of a length where a pixel spans so much.
+fn left_of(spot: Spot, length_m: f32) -> f32 {
+    return 1.0 - smoothstep(0.22, 0.5, spot.wide_m / length_m);
+}
+
+// Value noise about zero, -1 to 1, with its gradient; so many cells a metre, a power of two.
+fn grain_noise(spot: Spot, frequency: f32) -> vec4<f32> {
+    let q = spot.p * frequency;
+    let mask = u32(256.0 * frequency) - 1u;
+    let base = floor(q);
+    let f = q - base;
+    let s = f * f * (3.0 - 2.0 * f);
+    let d = 6.0 * f * (1.0 - f);
+    let c0 = vec3<u32>(vec3<i32>(base)) & vec3<u32>(mask);
+    let c1 = (c0 + vec3<u32>(1u)) & vec3<u32>(mask);
+    let prime = vec3<u32>(0x9e3779b1u, 0x85ebca77u, 0xc2b2ae3du);
+    let h0 = c0 * prime;
+    let h1 = c1 * prime;
+    let v000 = mix_bits(h0.x ^ h0.y ^ h0.z);
+    let v100 = mix_bits(h1.x ^ h0.y ^ h0.z);
+    let v010 = mix_bits(h0.x ^ h1.y ^ h0.z);
+    let v110 = mix_bits(h1.x ^ h1.y ^ h0.z);
+    let v001 = mix_bits(h0.x ^ h0.y ^ h1.z);
+    let v101 = mix_bits(h1.x ^ h0.y ^ h1.z);
+    let v011 = mix_bits(h0.x ^ h1.y ^ h1.z);
+    let v111 = mix_bits(h1.x ^ h1.y ^ h1.z);
+    let near = mix(mix(v000, v100, s.x), mix(v010, v110, s.x), s.y);
+    let far = mix(mix(v001, v101, s.x), mix(v011, v111, s.x), s.y);
+    let along_x = mix(mix(v100 - v000, v110 - v010, s.y), mix(v101 - v001, v111 - v011, s.y), s.z);
+    let along_y = mix(mix(v010 - v000, v110 - v100, s.x), mix(v011 - v001, v111 - v101, s.x), s.z);
+    let gradient = vec3<f32>(along_x, along_y, far - near) * d * frequency;
+    return vec4<f32>(mix(near, far, s.z), gradient) * 2.0 - vec4<f32>(1.0, 0.0, 0.0, 0.0);
+}
+
+// The nearest of scattered middles, so many a metre along each axis: the way from it, and how far it and the next are, in
+// cells; a number of its own, 0 to 1.
+struct Cell {
+    way: vec3<f32>,
+    near: f32,
+    next: f32,
+    own: f32,
+}
+
+// Only the eight cells about the nearest corner are looked at, which jitter of less than half keeps from showing.
+fn cell_at(q: vec3<f32>, frequency: f32) -> Cell {
+    let mask = vec3<u32>(u32(256.0 * frequency) - 1u);
+    let corner = floor(q - 0.5);
+    var cell = Cell(vec3<f32>(0.0), 9.0, 9.0, 0.0);
+    for (var n = 0u; n < 8u; n++) {
+        let at = corner + vec3<f32>(vec3<u32>(n & 1u, (n >> 1u) & 1u, n >> 2u));
+        let c = vec3<u32>(vec3<i32>(at)) & mask;
+        let h = (c.x * 0x9e3779b1u) ^ (c.y * 0x85ebca77u) ^ (c.z * 0xc2b2ae3du);
+        let a = (h ^ (h >> 15u)) * 0x2c1b3c6du;
+        let b = (a ^ (a >> 12u)) * 0x297a2d39u;
+        let jitter = vec3<f32>(vec3<u32>(b, b >> 8u, b >> 16u) & vec3<u32>(255u)) * (1.0 / 255.0);
+        let way = q - at - 0.14 - 0.72 * jitter;
+        let far = dot(way, way);
+        if far < cell.near {
+            cell = Cell(way, far, cell.near, f32((a >> 9u) & 1023u) * (1.0 / 1023.0));
+        } else {
+            cell.next = min(cell.next, far);
+        }
+    }
+    cell.near = sqrt(cell.near);
+    cell.next = sqrt(cell.next);
+    return cell;
+}
+
+// What lies across the ground of a vector.
+fn level_of(spot: Spot, v: vec3<f32>) -> vec3<f32> {
+    return v - spot.up * dot(v, spot.up);
+}
+
+// Stones: domes of a size, each of its own tone, in dark gaps. The first four numbers are height and slope.
+struct Stones {
+    height: f32,
+    slope: vec3<f32>,
+    gap: f32,           // 1 between them
+    own: f32,
+}
+
+fn stones(spot: Spot, frequency: f32) -> Stones {
+    let cell = cell_at(spot.p * frequency, frequency);
+    let radius = 0.42 + 0.22 * cell.own;
+    let share = clamp(cell.near / radius, 0.0, 1.0);
+    let left = left_of(spot, 1.2 / frequency);
+    let height = 1.0 - share * share;
+    // Metres: a stone is a third as high as it is wide.
+    let slope = -cell.way * (0.7 / (radius * radius)) * step(share, 0.999);
+    let gap = smoothstep(0.55, 1.0, share);
+    return Stones(mix(0.55, height, left), slope * left, gap * left, mix(0.5, cell.own, left));
+}
+
+fn grass(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.25);
+    let mid = grain_noise(spot, 2.0);
+    let cell = cell_at(spot.p * 8.0, 8.0);
+    let fine = grain_noise(spot, 32.0);
+    // Tussocks: blades stand out from their middles.
+    let side = level_of(spot, cell.way);
+    let axis = normalize(level_of(spot, vec3<f32>(0.8, 0.31, 0.5)));
+    let angle = atan2(dot(side, cross(spot.up, axis)), dot(side, axis));
+    let blades_left = left_of(spot, 0.03);
+    let turns = 17.0 + floor(6.0 * cell.own);
+    let blade = sin(angle * turns + 5.0 * fine.x + 40.0 * cell.own) * smoothstep(0.03, 0.25, cell.near);
+    let left = left_of(spot, 0.15);
+    let dome = 1.0 - cell.near * cell.near * 1.6;
+    var tone = vec3<f32>(1.0) + 0.22 * wide.x * vec3<f32>(1.0, 0.45, 0.3) * left_of(spot, 4.0);
+    tone *= 1.0 + 0.20 * mid.x * left_of(spot, 0.6);
+    tone *= mix(1.0, 0.62 + 0.62 * dome, 0.8 * left) + 0.16 * (cell.own - 0.5) * left;
+    tone *= 1.0 + (0.22 * blade + 0.22 * fine.x) * blades_left;
+    // Dry tips.
+    tone += vec3<f32>(0.42, 0.26, 0.02) * max(blade, 0.0) * step(0.72, cell.own) * blades_left;
+    let around = cross(spot.up, side) / max(dot(side, side), 0.02);
+    let slope = -0.55 * side * left + around * (0.03 * blade * blades_left) + fine.yzw * (0.006 * blades_left)
+        + mid.yzw * (0.035 * left_of(spot, 0.6));
+    return Detail(clamp(dome, 0.0, 1.0), slope, tone, 0.0, vec3<f32>(0.0));
+}
+
+fn soil(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.5);
+    let lumps = grain_noise(spot, 4.0);
+    let crumbs = stones(spot, 16.0);
+    let pebbles = stones(spot, 4.0);
+    let fine = grain_noise(spot, 64.0);
+    let fine_left = left_of(spot, 0.03);
+    var tone = vec3<f32>(1.0 + 0.20 * wide.x * left_of(spot, 2.0) + 0.30 * lumps.x * left_of(spot, 0.3));
+    tone *= (1.0 + 0.30 * (crumbs.own - 0.5)) * (1.0 - 0.42 * crumbs.gap) * (1.0 + 0.2 * fine.x * fine_left);
+    var slope = lumps.yzw * (0.07 * left_of(spot, 0.3)) + crumbs.slope * 0.5 + wide.yzw * 0.10;
+    var height = 0.35 + 0.25 * lumps.x + 0.25 * crumbs.height;
+    // A stone here and there.
+    let is_stone = step(0.86, pebbles.own) * (1.0 - pebbles.gap);
+    tone = mix(tone, vec3<f32>(1.9, 2.1, 2.3) * (0.8 + 0.4 * fine.x * fine_left), is_stone);
+    slope = mix(slope, pebbles.slope, is_stone);
+    height = mix(height, 0.9, is_stone);
+    return Detail(height, slope, tone, 0.0, vec3<f32>(0.0));
+}
+
+// Waves across the ground along a way, one every so many metres, bent by a noise: their height 0 to 1 and slope for a
+// height of a metre. The way has whole waves in the 256 m after which places wrap.
+fn ripples(spot: Spot, way: vec3<f32>, bend: vec4<f32>) -> vec4<f32> {
+    let turn = 6.2831853 / 256.0;
+    let phase = dot(spot.p, way) * turn + bend.x;
+    let wave = sin(phase);
+    // Crests are sharper than troughs.
+    let height = 0.5 + 0.5 * wave;
+    let slope = 0.5 * cos(phase) * (way * turn + bend.yzw);
+    return vec4<f32>(height * height, 2.0 * height * slope);
+}
+
+fn sand(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.125);
+    let mid = grain_noise(spot, 0.5);
+    let fine = grain_noise(spot, 64.0);
+    let bend = wide * 7.0 + mid * 1.6;
+    // One every 0.16 m and every 2.2 m.
+    let small = ripples(spot, vec3<f32>(1420.0, 310.0, 660.0), bend * 2.0);
+    let large = ripples(spot, vec3<f32>(97.0, 24.0, 58.0), wide * 3.0);
+    let small_left = left_of(spot, 0.16) * (0.55 + 0.45 * mid.x);
+    let large_left = left_of(spot, 2.2);
+    let grains = fine.x * left_of(spot, 0.03);
+    var tone = vec3<f32>(1.0) + 0.10 * mid.x * left_of(spot, 2.0) * vec3<f32>(1.0, 0.9, 0.7);
+    tone *= (1.0 + 0.26 * (small.x - 0.4) * small_left) * (1.0 + 0.14 * (large.x - 0.4) * large_left);
+    tone *= 1.0 + 0.16 * grains;
+    let slope = small.yzw * (0.016 * small_left) + large.yzw * (0.13 * large_left) + fine.yzw * (0.0022 * left_of(spot, 0.03));
+    let spark = smoothstep(0.82, 0.97, grains);
+    return Detail(0.25 + 0.4 * small.x, slope, tone, 0.35 * spark, vec3<f32>(0.0));
+}
+
+fn gravel(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.5);
+    let large = stones(spot, 4.0);
+    let small = stones(spot, 16.0);
+    let fine = grain_noise(spot, 64.0);
+    let fine_left = left_of(spot, 0.03);
+    // Small ones lie between the large.
+    let between = large.gap;
+    let own = mix(large.own, small.own, between);
+    var tone = vec3<f32>(0.62 + 0.85 * own) + 0.16 * wide.x * left_of(spot, 2.0);
+    tone += (own - 0.5) * vec3<f32>(0.18, 0.0, -0.14);
+    tone *= 1.0 - 0.55 * between * (0.35 + 0.65 * small.gap);
+    tone *= 1.0 + 0.18 * fine.x * fine_left;
+    let slope = mix(large.slope, small.slope, between) + fine.yzw * (0.003 * fine_left);
+    return Detail(0.3 + 0.7 * mix(large.height, 0.4 * small.height, between), slope, tone, 0.06, vec3<f32>(0.0));
+}
+
+// Beds of rock along a way, a bed every metre over its length: which bed, how far from its edge, and the slope of ledges.
+fn beds(spot: Spot, way: vec3<f32>, bend: vec4<f32>) -> vec4<f32> {
+    let at = dot(spot.p, way) + bend.x;
+    let part = fract(at);
+    let over = clamp((part - 0.72) / 0.26, 0.0, 1.0);
+    let rise = 6.0 * over * (1.0 - over) / 0.26;
+    return vec4<f32>(smoothstep(0.72, 0.98, part), (way + bend.yzw) * rise);
+}
+
+fn bed_tone(spot: Spot, way: vec3<f32>, bend: f32) -> f32 {
+    let at = floor(dot(spot.p, way) + bend);
+    return mix_bits(u32(i32(at) & 0xff) * 0x9e3779b1u);
+}
+
+fn rock(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.25);
+    let mid = grain_noise(spot, 2.0);
+    let rough = grain_noise(spot, 8.0);
+    let fine = grain_noise(spot, 32.0);
+    let crack = cell_at(spot.p * 0.5 + 0.10 * mid.yzw * 0.2, 0.5);
+    let bend = wide * 1.1 + mid * 0.10;
+    let thick = spot.up * 1.25;
+    let thin = spot.up * 5.0;
+    let bed = beds(spot, thick, bend);
+    let layer = beds(spot, thin, bend * 4.0);
+    let thin_left = left_of(spot, 0.2);
+    let cracked = (1.0 - smoothstep(0.015, 0.05, crack.next - crack.near)) * left_of(spot, 0.5);
+    var tone = vec3<f32>(0.78 + 0.42 * bed_tone(spot, thick, bend.x) * left_of(spot, 0.8));
+    tone *= 1.0 + 0.26 * (bed_tone(spot, thin, bend.x * 4.0) - 0.5) * thin_left;
+    tone *= (1.0 - 0.30 * bed.x * left_of(spot, 0.8)) * (1.0 - 0.22 * layer.x * thin_left);
+    tone *= 1.0 + 0.24 * mid.x * left_of(spot, 0.6) + 0.26 * rough.x * left_of(spot, 0.16) + 0.2 * fine.x * left_of(spot, 0.045);
+    tone *= 1.0 - 0.5 * cracked;
+    let slope = bed.yzw * (-0.10 * left_of(spot, 0.8)) + layer.yzw * (-0.024 * thin_left) + mid.yzw * (0.07 * left_of(spot, 0.6))
+        + rough.yzw * (0.022 * left_of(spot, 0.16)) + fine.yzw * (0.006 * left_of(spot, 0.045));
+    return Detail(0.55 + 0.25 * mid.x + 0.2 * rough.x - 0.4 * cracked, slope, tone, 0.05, vec3<f32>(0.0));
+}
+
+fn ash(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.25);
+    let mid = grain_noise(spot, 1.0);
+    let fine = grain_noise(spot, 64.0);
+    let cinders = stones(spot, 8.0);
+    let bend = wide * 5.0 + mid * 1.2;
+    let small = ripples(spot, vec3<f32>(260.0, 70.0, -410.0), bend);
+    let fine_left = left_of(spot, 0.03);
+    var tone = vec3<f32>(1.0 + 0.34 * wide.x + 0.24 * mid.x * left_of(spot, 1.0)) + 0.30 * (small.x - 0.4) * left_of(spot, 0.5);
+    tone *= 1.0 + 0.20 * fine.x * fine_left;
+    var slope = small.yzw * (0.035 * left_of(spot, 0.5)) + mid.yzw * 0.05 + fine.yzw * (0.002 * fine_left);
+    let is_cinder = step(0.70, cinders.own) * (1.0 - cinders.gap) * left_of(spot, 0.15);
+    let ruddy = vec3<f32>(1.1, 0.72, 0.62) * (0.35 + 0.5 * fract(cinders.own * 17.0));
+    tone = mix(tone, ruddy, is_cinder);
+    slope = mix(slope, cinders.slope + fine.yzw * 0.006 * fine_left, is_cinder);
+    return Detail(0.3 + 0.3 * small.x + 0.4 * is_cinder, slope, tone, 0.0, vec3<f32>(0.0));
+}
+
+fn snow(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.25);
+    let mid = grain_noise(spot, 1.0);
+    let small = grain_noise(spot, 8.0);
+    let fine = grain_noise(spot, 128.0);
+    let drift = ripples(spot, vec3<f32>(150.0, 40.0, 96.0), wide * 6.0 + mid * 1.4);
+    let drift_left = left_of(spot, 1.3);
+    let hollow = 0.5 - 0.5 * (0.6 * mid.x + 0.4 * small.x * left_of(spot, 0.15));
+    var tone = vec3<f32>(1.0) - vec3<f32>(0.16, 0.10, 0.02) * hollow - vec3<f32>(0.10, 0.07, 0.02) * (1.0 - drift.x) * drift_left;
+    let spark = smoothstep(0.80, 0.96, fine.x) * left_of(spot, 0.016);
+    tone += 0.5 * spark;
+    let slope = drift.yzw * (0.06 * drift_left) + mid.yzw * 0.06 + small.yzw * (0.010 * left_of(spot, 0.15));
+    return Detail(0.55 + 0.3 * drift.x, slope, tone, 0.25 + spark, vec3<f32>(0.0));
+}
+
+fn moss(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.5);
+    let cushions = stones(spot, 2.0);
+    let tufts = stones(spot, 32.0);
+    let mid = grain_noise(spot, 8.0);
+    var tone = vec3<f32>(0.55, 0.62, 0.6) + cushions.height * vec3<f32>(0.65, 0.5, 0.25);
+    tone += 0.24 * wide.x * vec3<f32>(1.0, 0.5, 0.2);
+    tone *= 1.0 + 0.35 * (tufts.height - 0.55) + 0.24 * (tufts.own - 0.5) + 0.16 * mid.x * left_of(spot, 0.15);
+    tone *= 1.0 - 0.45 * cushions.gap;
+    let slope = cushions.slope * 0.8 + tufts.slope * 0.45 + mid.yzw * (0.012 * left_of(spot, 0.15));
+    return Detail(0.2 + 0.7 * cushions.height, slope, tone, 0.0, vec3<f32>(0.0));
+}
+
+fn clay(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.5);
+    let mid = grain_noise(spot, 4.0);
+    let fine = grain_noise(spot, 32.0);
+    let plate = cell_at((spot.p + mid.yzw * 0.006) * 2.0, 2.0);
+    let chip = cell_at((spot.p + mid.yzw * 0.004) * 8.0, 8.0);
+    let left = left_of(spot, 0.35);
+    let chip_left = left_of(spot, 0.1);
+    let edge = plate.next - plate.near;
+    let crack = (1.0 - smoothstep(0.03, 0.09, edge)) * left;
+    let small = (1.0 - smoothstep(0.02, 0.08, chip.next - chip.near)) * chip_left * 0.6;
+    // Plates curl up at their edges.
+    let curl = smoothstep(0.30, 0.06, edge) * (1.0 - crack);
+    var tone = vec3<f32>(1.0 + 0.22 * (plate.own - 0.5) * left + 0.16 * wide.x) + 0.16 * curl * left;
+    tone *= (1.0 - 0.68 * crack) * (1.0 - 0.40 * small) * (1.0 + 0.14 * mid.x * left_of(spot, 0.3) + 0.12 * fine.x * left_of(spot, 0.04));
+    let slope = plate.way * (0.42 * curl * left) + mid.yzw * (0.02 * left_of(spot, 0.3)) + fine.yzw * (0.003 * left_of(spot, 0.04));
+    return Detail(0.7 - 0.6 * crack, slope, tone, 0.10, vec3<f32>(0.0));
+}
+
+fn basalt(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.5);
+    let rough = grain_noise(spot, 8.0);
+    let pores = stones(spot, 32.0);
+    // Columns stand upright, each of its own height.
+    let across = level_of(spot, spot.p) + spot.up * floor(dot(spot.p, spot.up) * 0.8 + 0.3 * wide.x) * 3.0;
+    let column = cell_at(across * 2.0, 2.0);
+    let left = left_of(spot, 0.35);
+    let edge = column.next - column.near;
+    let joint = (1.0 - smoothstep(0.03, 0.12, edge)) * left;
+    let bevel = smoothstep(0.34, 0.05, edge) * left;
+    var tone = vec3<f32>(0.75 + 0.75 * column.own * left + 0.3 * wide.x);
+    tone *= (1.0 - 0.72 * joint) * (1.0 + 0.28 * rough.x * left_of(spot, 0.15));
+    tone *= 1.0 - 0.5 * (1.0 - pores.gap) * step(0.72, pores.own) * left_of(spot, 0.03);
+    tone += bevel * (1.0 - joint) * 0.35;
+    let tilt = (vec3<f32>(column.own, fract(column.own * 7.0), fract(column.own * 13.0)) - 0.5) * 0.5 * left;
+    let slope = level_of(spot, -column.way) * (1.1 * bevel) + tilt + rough.yzw * (0.018 * left_of(spot, 0.15));
+    return Detail(0.3 + 0.6 * column.own - 0.5 * joint, slope, tone, 0.14, vec3<f32>(0.0));
+}
+
+fn slate(spot: Spot) -> Detail {
+    let wide = grain_noise(spot, 0.5);
+    let mid = grain_noise(spot, 4.0);
+    let fine = grain_noise(spot, 32.0);
+    let way = normalize(spot.up + vec3<f32>(0.55, 0.2, -0.35)) * 9.0;
+    let bend = wide * 2.4 + mid * 0.35;
+    let leaf = beds(spot, way, bend);
+    let left = left_of(spot, 0.11);
+    let own = bed_tone(spot, way, bend.x);
+    var tone = vec3<f32>(0.85 + 0.4 * wide.x) + (own - 0.5) * vec3<f32>(0.45, 0.5, 0.6) * left;
+    tone *= (1.0 - 0.5 * leaf.x * left) * (1.0 + 0.2 * mid.x * left_of(spot, 0.3) + 0.16 * fine.x * left_of(spot, 0.04));
+    let slope = leaf.yzw * (-0.022 * left) + mid.yzw * (0.03 * left_of(spot, 0.3)) + fine.yzw * (0.003 * left_of(spot, 0.04));
+    return Detail(0.4 + 0.3 * own, slope, tone, 0.30, vec3<f32>(0.0));
+}
+
+// Facets: each cell is flat and leans its own way.
+fn lean(cell: Cell) -> vec3<f32> {
+    return vec3<f32>(cell.own, fract(cell.own * 37.0), fract(cell.own * 91.0)) - 0.5;
+}
+
+fn coal(spot: Spot) -> Detail {
+    let mid = grain_noise(spot, 2.0);
+    let lump = cell_at(spot.p * 8.0, 8.0);
+    let left = left_of(spot, 0.12);
+    let seam = (1.0 - smoothstep(0.02, 0.10, lump.next - lump.near)) * left;
+    let tone = vec3<f32>(0.7 + 1.3 * lump.own * left + 0.5 * mid.x) * (1.0 - 0.6 * seam);
+    return Detail(0.4 + 0.4 * lump.own, lean(lump) * (1.5 * left), tone, 0.75 * (1.0 - seam), vec3<f32>(0.0));
+}
+
+fn copper(spot: Spot) -> Detail {
+    var base = rock(spot);
+    let mid = grain_noise(spot, 2.0);
+    let small = grain_noise(spot, 8.0);
+    let near = abs(mid.x + 0.35 * small.x);
+    let vein = 1.0 - smoothstep(0.06, 0.13, near);
+    let patina = (1.0 - smoothstep(0.13, 0.34, near)) * (1.0 - vein);
+    base.tone = mix(base.tone, vec3<f32>(0.55, 2.3, 2.1), 0.85 * patina);
+    base.tone = mix(base.tone, vec3<f32>(4.2, 2.0, 1.05), vein);
+    base.gloss = mix(base.gloss, 0.9, vein);
+    base.height += 0.3 * vein;
+    return base;
+}
+
+fn crystal(spot: Spot) -> Detail {
+    let mid = grain_noise(spot, 1.0);
+    let facet = cell_at(spot.p * 4.0, 4.0);
+    let small = cell_at(spot.p * 16.0, 16.0);
+    let left = left_of(spot, 0.25);
+    let edge = (1.0 - smoothstep(0.02, 0.09, facet.next - facet.near)) * left;
+    let hue = mix(vec3<f32>(0.6, 1.1, 1.3), vec3<f32>(1.5, 0.7, 1.5), facet.own);
+    var tone = hue * (0.55 + 0.8 * fract(facet.own * 5.0) * left + 0.3 * mid.x);
+    tone = tone * (1.0 + 0.3 * (small.own - 0.5) * left_of(spot, 0.06)) + edge * 0.9;
+    let glow = hue * vec3<f32>(0.020, 0.040, 0.055) * (1.0 - facet.near) * (0.6 + 0.4 * mid.x);
+    return Detail(0.8, lean(facet) * (2.0 * left), tone, 1.0, glow);
+}

@@ -1,0 +1,153 @@
+// Surfaces of the kinds of ground: what a pixel's colour, slope and gloss are, by kind, near and farther off.
+// Follows surface_kinds.wgsl, which has what each is like; one entry, `surface_at`, and for vertices `kind_of`, `kind_weights`
+// and `tinted`.
+//
+// All is made of noise and of cells in the grain's own place (`grain_point`), so that nothing is stored, nothing tiles before
+// the 256 m after which places wrap, and nothing swims. Every pattern fades before a pixel spans half of its length, so that
+// nothing shimmers. Heights come with their gradients, for normals: of noise by the derivative of its weights, of cells by the
+// way to their middle. Kinds blend by the height of their detail: pebbles stand out of sand, and moss grows in hollows.
+
+// The numbers of kinds, as crates/terrain/src/kind.rs has them.
+const GRASS: u32 = 1u;
+const SOIL: u32 = 2u;
+const SAND: u32 = 3u;
+const GRAVEL: u32 = 4u;
+const ROCK: u32 = 5u;
+const ASH: u32 = 6u;
+const SNOW: u32 = 7u;
+const MOSS: u32 = 8u;
+const CLAY: u32 = 9u;
+const BASALT: u32 = 10u;
+const SLATE: u32 = 11u;
+const COAL: u32 = 12u;
+const COPPER: u32 = 13u;
+const CRYSTAL: u32 = 14u;
+const KINDS: u32 = 16u;
+// Added to the number of a kind that is the skin of untouched land.
+const SKIN: u32 = 0x40u;
+
+// The palette: a kind's colour in linear light, and the share of it; the rest is the biome's.
+fn palette(kind: u32) -> vec4<f32> {
+    switch kind {
+        case 1u: { return vec4<f32>(0.105, 0.190, 0.042, 0.35); }
+        case 2u: { return vec4<f32>(0.105, 0.066, 0.042, 0.55); }
+        case 3u: { return vec4<f32>(0.560, 0.400, 0.220, 0.45); }
+        case 4u: { return vec4<f32>(0.235, 0.215, 0.200, 0.50); }
+        case 5u: { return vec4<f32>(0.215, 0.195, 0.180, 0.35); }
+        case 6u: { return vec4<f32>(0.085, 0.080, 0.085, 0.60); }
+        case 7u: { return vec4<f32>(0.780, 0.830, 0.900, 0.93); }
+        case 8u: { return vec4<f32>(0.070, 0.150, 0.026, 0.65); }
+        case 9u: { return vec4<f32>(0.330, 0.165, 0.095, 0.65); }
+        case 10u: { return vec4<f32>(0.050, 0.048, 0.054, 0.65); }
+        case 11u: { return vec4<f32>(0.095, 0.112, 0.138, 0.90); }
+        case 12u: { return vec4<f32>(0.016, 0.016, 0.019, 1.0); }
+        case 13u: { return vec4<f32>(0.190, 0.150, 0.115, 1.0); }
+        case 14u: { return vec4<f32>(0.180, 0.330, 0.480, 1.0); }
+        default: { return vec4<f32>(0.0); }
+    }
+}
+
+// A biome's colour with that of a kind.
+fn tinted(biome: vec3<f32>, kind: u32) -> vec3<f32> {
+    let own = palette(kind);
+    return mix(biome, own.rgb, own.a);
+}
+
+// Whether a steep face of untouched land shows the rock below it.
+fn is_thin(kind: u32) -> bool {
+    return kind != SNOW && kind != BASALT && kind < SLATE;
+}
+
+// The kind that a vertex says, and how much of it is rock, since it is steep there.
+fn kind_of(byte: f32, normal_y: f32) -> vec2<f32> {
+    let number = u32(byte * 255.0 + 0.5);
+    let kind = number & 0x3fu;
+    let steep = smoothstep(0.26, 0.46, 1.0 - normal_y);
+    let is_skin = (number & SKIN) != 0u && is_thin(kind);
+    return vec2<f32>(f32(min(kind, KINDS)), select(0.0, steep, is_skin));
+}
+
+// Of each kind, from the first on, how much a vertex has.
+fn kind_weights(kind: vec2<f32>) -> mat4x4<f32> {
+    var weights = mat4x4<f32>();
+    for (var row = 0u; row < 4u; row++) {
+        let numbers = vec4<f32>(1.0, 2.0, 3.0, 4.0) + 4.0 * f32(row);
+        let own = select(vec4<f32>(0.0), vec4<f32>(1.0 - kind.y), numbers == vec4<f32>(kind.x));
+        weights[row] = own + select(vec4<f32>(0.0), vec4<f32>(kind.y), numbers == vec4<f32>(f32(ROCK)));
+    }
+    return weights;
+}
+
+// What a pixel of ground is like.
+struct Surface {
+    albedo: vec3<f32>,
+    slope: vec3<f32>,   // of its height, metres per metre along the grain's axes
+    gloss: f32,         // of the key light's highlight, 0 to 1
+    glow: vec3<f32>,    // light of its own
+}
+
+fn detail_of(kind: u32, spot: Spot) -> Detail {
+    switch kind {
+        case 1u: { return grass(spot); }
+        case 3u: { return sand(spot); }
+        case 4u: { return gravel(spot); }
+        case 5u: { return rock(spot); }
+        case 6u: { return ash(spot); }
+        case 7u: { return snow(spot); }
+        case 8u: { return moss(spot); }
+        case 9u: { return clay(spot); }
+        case 10u: { return basalt(spot); }
+        case 11u: { return slate(spot); }
+        case 12u: { return coal(spot); }
+        case 13u: { return copper(spot); }
+        case 14u: { return crystal(spot); }
+        default: { return soil(spot); }
+    }
+}
+
+// The two kinds of which a pixel has most.
+struct Most {
+    kinds: vec2<u32>,
+    weights: vec2<f32>,
+}
+
+fn most_of(weights: mat4x4<f32>) -> Most {
+    var most = Most(vec2<u32>(SOIL), vec2<f32>(0.0));
+    var rows = weights;
+    for (var n = 0u; n < 14u; n++) {
+        let weight = rows[n >> 2u][n & 3u];
+        if weight > most.weights.x {
+            most = Most(vec2<u32>(n + 1u, most.kinds.x), vec2<f32>(weight, most.weights.x));
+        } else if weight > most.weights.y {
+            most.kinds.y = n + 1u;
+            most.weights.y = weight;
+        }
+    }
+    return most;
+}
+
+// How far heights reach into each other where kinds blend.
+const BLEND_DEPTH: f32 = 0.10;
+
+// A pixel of ground: `biome` is the vertices' colour, `wide_m` what the pixel spans.
+fn surface_at(weights: mat4x4<f32>, biome: vec3<f32>, p: vec3<f32>, wide_m: f32) -> Surface {
+    let spot = Spot(p, grain_up(p), wide_m);
+    let most = most_of(weights);
+    let one = detail_of(most.kinds.x, spot);
+    let albedo = tinted(biome, most.kinds.x) * max(one.tone, vec3<f32>(0.0));
+    let first = Surface(albedo, one.slope, one.gloss, one.glow);
+    if most.weights.y < 0.02 {
+        return first;
+    }
+    let two = detail_of(most.kinds.y, spot);
+    let scores = most.weights * (vec2<f32>(0.4) + vec2<f32>(one.height, two.height));
+    let shares = max(scores - (max(scores.x, scores.y) - BLEND_DEPTH), vec2<f32>(0.0));
+    let share = shares.y / (shares.x + shares.y);
+    let other = tinted(biome, most.kinds.y) * max(two.tone, vec3<f32>(0.0));
+    return Surface(
+        mix(albedo, other, share),
+        mix(one.slope, two.slope, share),
+        mix(one.gloss, two.gloss, share),
+        mix(one.glow, two.glow, share),
+    );
+}
