@@ -106,8 +106,8 @@ def main():
             at = (near[0] - 6.5, near[1] + 1.0, near[2])
             spawned = "spawn car " + " ".join(f"{x:.3f}" for x in at) + f" {first}\n"
             run(program, begin + stand(6.5, -2.2) + spawned + "wait 2\naim 90 -10\nwait 0.2\ntap KeyC\nwait 1\n"
-                + "down KeyW\nwait 1\n" + shots(4, car, "wait 0.22\n"), place)
-            strip(place, car, 4)
+                + "down KeyW\nwait 1.2\n" + shots(6, car, "wait 0.3\n"), place)
+            strip(place, car, 6)
             bullet = f"{space}-bullet"
             run(program, begin + stand(2.2) + "aim 0 -3\nclick LEFT\n" + shots(4, bullet, "wait 0.034\n"), place)
             strip(place, bullet, 4)
