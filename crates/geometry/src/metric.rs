@@ -87,7 +87,7 @@ pub trait Metric {
     }
 
     /// The inverse of [`Metric::in_frame`].
-    fn from_frame(&self, _at: ChartPoint, velocity: DVec3) -> DVec3 {
+    fn in_chart(&self, _at: ChartPoint, velocity: DVec3) -> DVec3 {
         velocity
     }
 

@@ -16,7 +16,7 @@ pub fn carried(
     velocity: DVec3,
 ) -> DVec3 {
     let way = crossing.turn_vector(space.in_frame(from, velocity));
-    space.from_frame(crossing.point, way)
+    space.in_chart(crossing.point, way)
 }
 
 /// How many times as long a body's velocity (m/s of the chart) becomes where it is carried, if its way in the body's own axes

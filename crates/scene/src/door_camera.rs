@@ -3,7 +3,7 @@
 //! A camera is placed as if there were no doors, in the chart of whom it follows. If whom it follows would be seen through a leaf
 //! from there, the arm goes into that leaf: what is beyond it lies on the other side, and so does the ground that it meets.
 
-use antipode_geometry::doorway::HEIGHT_M;
+use antipode_geometry::doorway::{HALF_WIDTH_M, HEIGHT_M};
 use antipode_geometry::{ChartPoint, Doorway, Eye};
 use antipode_physics::PhysicsWorld;
 use glam::DVec3;
@@ -16,6 +16,12 @@ use crate::world::World;
 
 /// Whom a camera follows is seen so far below the lintel at least, metres.
 const BELOW_LINTEL_M: f64 = 0.12;
+
+/// A camera in the frame of a door would see nothing else: so near to a leaf, and so far aside of its middle, metres, it is lowered
+/// from heights at which the lintel is, and what is on top of it.
+const AT_LEAF_M: f64 = 0.6;
+const ASIDE_M: f64 = HALF_WIDTH_M + 0.35;
+const OVER_LINTEL_M: f64 = 0.6;
 
 /// Whom a camera follows.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +42,7 @@ pub(crate) fn lead_through(
     pose: &mut CameraPose,
 ) {
     let Some((doors, by)) = world.door_between(followed.middle, free.point) else {
+        keep_from_frames(world, pose);
         return;
     };
     let space = &*world.strategy;
@@ -70,6 +77,34 @@ pub(crate) fn lead_through(
         ..free
     };
     pose.through = Some(by.leaf);
+}
+
+/// Lowers a camera that has just come through a door, or stands at one, out of its lintel.
+fn keep_from_frames(world: &World, pose: &mut CameraPose) {
+    let Some(doors) = &world.doors else {
+        return;
+    };
+    let eye = &mut pose.eye;
+    for leaf in &doors.leaves {
+        let there = over(&*world.strategy, leaf.foot, eye.point);
+        if there.chart == leaf.foot.chart {
+            let lower_m = below_lintel_m(leaf.local(there.pos));
+            eye.point.pos.y -= lower_m;
+            eye.lift_m -= lower_m;
+        }
+    }
+}
+
+/// By how much a camera at a place of a leaf's axes is to be lowered, metres: to as high as it comes through, the less the farther
+/// it is from the leaf.
+fn below_lintel_m(at: DVec3) -> f64 {
+    let share = at.x.abs() / AT_LEAF_M;
+    let lintel_m = HEIGHT_M + OVER_LINTEL_M;
+    if share >= 1.0 || at.z.abs() > ASIDE_M || at.y > lintel_m {
+        return 0.0;
+    }
+    let through_m = HEIGHT_M - BELOW_LINTEL_M;
+    (at.y - (through_m + share.powi(2) * (lintel_m - through_m))).max(0.0)
 }
 
 /// How high over a leaf's foot an eye may be that is to see a place below the lintel, metres. Both are in the leaf's axes, on
@@ -113,6 +148,21 @@ impl Led<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_camera_that_comes_out_of_a_door_is_in_no_part_of_its_frame() {
+        // The frame reaches 0.13 m before the leaf, and from 2.2 m to 2.43 m.
+        for step in 0..=70 {
+            let at = DVec3::new(0.01 * f64::from(step), 2.45, 0.3);
+            let y = at.y - below_lintel_m(at);
+            assert!(at.x > 0.15 || y < HEIGHT_M - 0.05, "{at} {y}");
+            assert!(at.x > 0.0 || (y - (HEIGHT_M - BELOW_LINTEL_M)).abs() < 1e-9);
+            assert!(at.x < AT_LEAF_M || y == at.y);
+        }
+        assert_eq!(below_lintel_m(DVec3::new(0.0, 3.5, 0.0)), 0.0);
+        assert_eq!(below_lintel_m(DVec3::new(0.0, 2.4, 2.0)), 0.0);
+        assert_eq!(below_lintel_m(DVec3::new(0.0, 1.7, 0.0)), 0.0);
+    }
 
     #[test]
     fn the_highest_eye_sees_what_it_is_to_see_right_below_the_lintel() {

@@ -264,7 +264,7 @@ impl Metric for Spherical {
         scaled(out, [along, across], velocity)
     }
 
-    fn from_frame(&self, at: ChartPoint, velocity: DVec3) -> DVec3 {
+    fn in_chart(&self, at: ChartPoint, velocity: DVec3) -> DVec3 {
         let (out, [along, across]) = self.level_lengths(at);
         scaled(out, [along.recip(), across.recip()], velocity)
     }

@@ -53,9 +53,17 @@ struct Taken {
 pub(super) struct Needed {
     /// Boxes of the chart.
     pub own: Vec<(DVec3, DVec3)>,
-    /// Junctions that have their host in it, each with boxes about the host for what comes from the other side, and whether
-    /// somebody stands in it.
-    pub junctions: [Option<(Junction, Vec<(DVec3, DVec3)>, bool)>; JUNCTIONS],
+    /// Junctions that have their host in it.
+    pub junctions: [Option<Gathered>; JUNCTIONS],
+}
+
+/// What is needed of the ground at a junction.
+pub(super) struct Gathered {
+    pub junction: Junction,
+    /// Boxes about the host, for who comes from the other side.
+    pub guests: Vec<(DVec3, DVec3)>,
+    /// Whether somebody stands in it.
+    pub is_stood_in: bool,
 }
 
 /// The ground of both sides of a door, as it was put in.
@@ -268,8 +276,8 @@ impl Arena {
             self.ground.insert(name, Taken { lie, block, handle });
         }
         for (at, junction) in needed.junctions.iter().enumerate() {
-            let stood_in = junction.as_ref().filter(|(.., is_stood_in)| *is_stood_in);
-            self.take_sill(world, at, stood_in.map(|(junction, ..)| junction));
+            let stood_in = junction.as_ref().filter(|it| it.is_stood_in);
+            self.take_sill(world, at, stood_in.map(|it| &it.junction));
         }
     }
 
@@ -398,11 +406,14 @@ fn wanted<'a>(
             wanted.insert(name, ((ground.origin, 0.0), &ground.block));
         }
     }
-    for (at, junction) in needed.junctions.iter().enumerate() {
-        let Some((junction, boxes, _)) = junction else {
+    for (at, gathered) in needed.junctions.iter().enumerate() {
+        let Some(Gathered {
+            junction, guests, ..
+        }) = gathered
+        else {
             continue;
         };
-        for (min, max) in boxes {
+        for (min, max) in guests {
             let middle = junction.taken_back(0.5 * (*min + *max));
             // However the box is turned there.
             let half = DVec3::splat(0.5 * (*max - *min).length());

@@ -24,7 +24,7 @@ use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::RigidBodyHandle;
 
 use crate::PhysicsWorld;
-use arena::{Arena, Needed};
+use arena::{Arena, Gathered, Needed};
 use doors::Junction;
 pub use doors::VehicleDoors;
 use hold::Hold;
@@ -350,7 +350,11 @@ fn needed(
         let guests: Vec<_> = boxes(Role::Guest(at)).collect();
         let is_needed = is_stood_in || !guests.is_empty();
         let junction = junctions[at].filter(|_| is_needed);
-        junction.map(|junction| (junction, guests, is_stood_in))
+        junction.map(|junction| Gathered {
+            junction,
+            guests,
+            is_stood_in,
+        })
     };
     Needed {
         own: boxes(Role::Free).chain(natives).collect(),

@@ -229,7 +229,7 @@ fn on_a_plain() -> Frame {
     frame.content_mut().sky.key_direction = sun.into();
     frame.content_mut().sky.sun_direction = frame.content.sky.key_direction;
     let foot = ChartPoint::a(DVec3::new(16.0, AT_M, 16.0));
-    frame.with_content(|it| it.figures = vec![Figure::standing(ModelId::Car, foot, 0.3)])
+    frame.with_content(|it| it.figures = vec![Figure::standing(ModelId::CarBody, foot, 0.3)])
 }
 
 /// What only could be put there is seen through, and is another colour where it cannot be.

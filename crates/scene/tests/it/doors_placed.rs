@@ -84,8 +84,13 @@ fn on_a_slope_and_before_a_wall_it_is_red_and_a_click_says_why() {
         secondary: true,
         ..still()
     };
-    // A heap, whose sides are steep.
-    steps(&mut scene, 450, &build);
+    // A heap a metre wide, whose sides are steep.
+    let narrow = Actions {
+        brush_step: -10,
+        ..still()
+    };
+    steps(&mut scene, 1, &narrow);
+    steps(&mut scene, 150, &build);
     take_in_hand(&mut scene);
     scene.take_hints();
     let mut why = std::collections::BTreeSet::new();
