@@ -89,6 +89,7 @@ fn show(context: &egui::Context, bench: &mut Bench) {
     let model = WorkshopModel {
         texts,
         room: "My room",
+        older: None,
         objects: &bench.objects,
         chosen: "wall (box)",
         fields: &bench.fields,
@@ -98,7 +99,6 @@ fn show(context: &egui::Context, bench: &mut Bench) {
             is_grave: false,
         }],
         history: &[HistoryRow {
-            older: None,
             text: "Add “wall”".to_owned(),
         }],
         done: 1,

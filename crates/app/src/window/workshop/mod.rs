@@ -2,6 +2,7 @@
 //! and the panes; the room and its history are the document's.
 
 mod bent;
+mod bringing;
 mod changes;
 mod chosen;
 mod fields;
@@ -27,6 +28,7 @@ use super::background::Task;
 use super::visit::Visit;
 use crate::room_picture::{RoomView, Tile};
 use crate::rooms::RoomNote;
+use bringing::Bringing;
 use findings::Findings;
 pub(in crate::window) use findings::note;
 use hand::{Dragging, Meant};
@@ -60,6 +62,7 @@ pub struct Workshop {
     keeping: Keeping,
     findings: Findings,
     older: OlderList,
+    bringing: Bringing,
     told: Told,
     /// Whether a menu or a list is down.
     is_dropped: bool,
@@ -102,6 +105,7 @@ impl Workshop {
             keeping: Keeping::of(scene),
             findings: Findings::begin(notes),
             older: OlderList::default(),
+            bringing: Bringing::default(),
             told: Told::default(),
             is_dropped: false,
         }
@@ -194,7 +198,9 @@ impl Visit {
     /// Whether it is built in, and nothing moves until somebody does something.
     pub fn is_built_and_still(&self) -> bool {
         let workshop = self.workshop.as_ref();
-        workshop.is_some_and(|it| it.keeping.rests() && it.findings.rest() && it.older.rests())
+        workshop.is_some_and(|it| {
+            it.keeping.rests() && it.findings.rest() && it.older.rests() && it.bringing.rests()
+        })
     }
 
     /// What a picture of it is of while it is built in.
