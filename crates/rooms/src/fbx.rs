@@ -79,8 +79,8 @@ fn library(
     read: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
 ) -> Option<Vec<u8>> {
     let lines = bytes.split(|it| *it == b'\n');
-    let said = lines.filter_map(|it| it.trim_ascii().strip_prefix(b"mtllib "));
-    let address = std::str::from_utf8(said.last()?.trim_ascii()).ok()?;
+    let mut said = lines.filter_map(|it| it.trim_ascii().strip_prefix(b"mtllib "));
+    let address = std::str::from_utf8(said.next_back()?.trim_ascii()).ok()?;
     read(&files::resolve(name, &address.replace('\\', "/")).ok()?).ok()
 }
 

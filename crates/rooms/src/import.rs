@@ -28,58 +28,63 @@ pub enum Imported {
 /// # Errors
 /// A sentence: what is wrong with the file, and what can be done.
 pub fn import(dir: &Path, from: &Path) -> Result<Imported, String> {
-    let said = from.file_name().unwrap_or_default().to_string_lossy();
-    let said = crate::check::shown(&said).to_string();
-    let refuse =
-        |reason: String| format!("{said} was not taken: {}.", reason.trim_end_matches('.'));
+    taken(dir, from).map_err(|reason| {
+        let said = from.file_name().unwrap_or_default().to_string_lossy();
+        let reason = reason.trim_end_matches('.');
+        format!("{} was not taken: {reason}.", crate::check::shown(&said))
+    })
+}
+
+fn taken(dir: &Path, from: &Path) -> Result<Imported, String> {
     let ending = from.extension().unwrap_or_default().to_string_lossy();
     let ending = ending.to_ascii_lowercase();
     let stem = plain(&from.file_stem().unwrap_or_default().to_string_lossy());
     let is_picture = matches!(ending.as_str(), "png" | "jpg" | "jpeg");
+    let is_model = matches!(ending.as_str(), "glb" | "gltf" | "fbx" | "obj");
     let name = |number: u32| {
         let stem = match number {
             1 => stem.clone(),
             number => format!("{stem} {number}"),
         };
-        match is_picture {
-            true => format!("{TEXTURES}/{stem}.{ending}"),
-            false => format!("{MODELS}/{stem}/{stem}.{ending}"),
+        if is_picture {
+            format!("{TEXTURES}/{stem}.{ending}")
+        } else {
+            format!("{MODELS}/{stem}/{stem}.{ending}")
         }
     };
-    let is_model = matches!(ending.as_str(), "glb" | "gltf" | "fbx" | "obj");
-    let Some(most) = most_bytes(&name(1)).filter(|_| is_picture || is_model) else {
-        return Err(refuse(
-            "models are glb, gltf, fbx or obj, and pictures png or jpg; save it as one of these"
-                .to_owned(),
-        ));
-    };
-    let bytes = read(from, most).map_err(refuse)?;
-    let mut all = vec![(name(1), bytes)];
+    let most = most_bytes(&name(1)).filter(|_| is_picture || is_model);
+    let most = most.ok_or(
+        "models are glb, gltf, fbx or obj, and pictures png or jpg; save it as one of these",
+    )?;
+    let mut all = vec![(name(1), read(from, most)?)];
     if is_picture {
-        picture(&all[0].1, MOST_PIXELS).map_err(refuse)?;
+        picture(&all[0].1, MOST_PIXELS)?;
     } else {
-        parts(&mut all, from).map_err(refuse)?;
+        parts(&mut all, from)?;
     }
     let free = (1..1000).find(|number| is_free(dir, &all, &name(1), &name(*number)));
-    let Some(number) = free else {
-        return Err(refuse(
-            "the room has too many files of that name".to_owned(),
-        ));
-    };
-    let (old, new) = (name(1), name(number));
-    for (file, bytes) in &all {
-        let file = moved(file, &old, &new);
+    let number = free.ok_or("the room has too many files of that name")?;
+    copy(dir, &all, &name(1), &name(number))?;
+    let name = name(number);
+    Ok(if is_picture {
+        Imported::Texture(name)
+    } else {
+        Imported::Model(name)
+    })
+}
+
+/// Writes files that are not there yet.
+fn copy(dir: &Path, all: &[(String, Vec<u8>)], old: &str, new: &str) -> Result<(), String> {
+    for (file, bytes) in all {
+        let file = moved(file, old, new);
         let path = file
             .split('/')
             .fold(dir.to_path_buf(), |path, it| path.join(it));
         if !path.exists() {
-            antipode_storage::new_file(&path, bytes).map_err(|it| refuse(it.to_string()))?;
+            antipode_storage::new_file(&path, bytes).map_err(|it| it.to_string())?;
         }
     }
-    Ok(match is_picture {
-        true => Imported::Texture(new),
-        false => Imported::Model(new),
-    })
+    Ok(())
 }
 
 /// Reads the model that is first in the list, and adds what it has beside it.

@@ -87,7 +87,7 @@ impl Workshop {
             }
             Imported::Texture(file) => {
                 let names = bench.scene.document().selection().to_vec();
-                let texture = Field::new("texture", &format!("{file},{PICTURE_M}"));
+                let texture = Field::new("texture", format!("{file},{PICTURE_M}"));
                 Edit::change_all(&names, &texture)
             }
         };
