@@ -1,6 +1,6 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
-use std::path::PathBuf;
+mod kept;
 
 use antipode_rays::{Options, Outlines, View};
 use antipode_room_scene::{Moment, RoomScene, RoomViewing, Steer};
@@ -9,12 +9,12 @@ use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, roo
 use antipode_scene::Actions;
 use antipode_scene::frame::Quality;
 use antipode_settings::Settings;
-use antipode_workshop::{
-    Document, Plan, Said, Version, WorkshopError, is_in_use, read_version, versions,
-};
+use antipode_workshop::{Document, Version, WorkshopError, is_in_use};
 use glam::DVec3;
 
 use crate::common::Common;
+use kept::in_use;
+pub use kept::{RoomNote, older_plan};
 
 /// Mirrors and panes in a row that *exact* pictures follow.
 const MOST_BOUNCES: u32 = 4;
@@ -45,21 +45,6 @@ pub struct OpenRoom {
     pub outlines: Outlines,
     /// What there is to tell of how it was found.
     pub notes: Vec<RoomNote>,
-}
-
-/// What there is to tell of a room that was opened to be built in.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum RoomNote {
-    /// It has edits that its file does not have.
-    Ahead,
-    /// Its file was changed by something else.
-    Changed,
-    /// Its journal was damaged, and lies there now.
-    Aside(PathBuf),
-    /// Another window builds in it.
-    InUse,
-    /// Its journal cannot be written, for that reason.
-    NoJournal(String),
 }
 
 /// What a step of a room takes of what is held and turned.
@@ -170,47 +155,6 @@ impl OpenRoom {
             outlines: Outlines::default(),
             notes: Vec::new(),
         }
-    }
-
-    /// Why it is not to be changed here, if it is not.
-    pub fn read_only(&self) -> Option<&RoomNote> {
-        let is_it = |it: &&RoomNote| matches!(it, RoomNote::InUse | RoomNote::NoJournal(_));
-        self.notes.iter().find(is_it)
-    }
-
-    /// The folder of a room of the player's own.
-    pub fn folder(&self, dir: &RoomsDir) -> Option<PathBuf> {
-        let own = self.kept.as_ref().filter(|kept| !kept.shipped)?;
-        Some(dir.path().join(&own.slug))
-    }
-
-    /// Its older versions, the newest first; none of a room that is not the player's own. Waits for the disk.
-    pub fn versions(&self, dir: &RoomsDir) -> Vec<Version> {
-        self.folder(dir).map_or_else(Vec::new, |it| versions(&it))
-    }
-
-    /// Goes back to the older version of that number, 1 for the newest, which is a step that can be taken back. Waits for the disk.
-    ///
-    /// # Errors
-    /// If there is none of that number, or why it cannot be read.
-    pub fn open_older(&mut self, dir: &RoomsDir, number: usize) -> Result<(), RoomError> {
-        if self.read_only().is_some() {
-            return Err(in_use(self.kept.as_ref()));
-        }
-        let all = self.versions(dir);
-        let found = number.checked_sub(1).and_then(|it| all.get(it));
-        let (Some(version), Some(folder)) = (found, self.folder(dir)) else {
-            return Err(RoomError::Command(match all.len() {
-                0 => "There are no older versions of this room; they are kept while one builds in a room of one's own."
-                    .to_owned(),
-                count => format!("There is no older version {number} of this room; there are 1 to {count}, 1 the newest."),
-            }));
-        };
-        let room = read_version(&folder, *version)?;
-        let files = assets(&folder, &room)?;
-        self.scene.document_mut().end_drag();
-        let plan = older_plan(self.scene.document(), room, *version)?;
-        self.scene.make(plan, |_: &Room| Ok(files))
     }
 
     /// Pictures of it are made as the player has chosen for worlds.
@@ -402,23 +346,6 @@ impl OpenRoom {
     pub fn save(&mut self, dir: &RoomsDir, name: Option<&str>) -> Result<(), RoomError> {
         keep(dir, self, name)
     }
-}
-
-fn in_use(kept: Option<&RoomSummary>) -> RoomError {
-    let name = kept.map_or(NAMELESS, |it| &it.name);
-    RoomError::Command(format!(
-        "\"{name}\" is being built in by another window of the game, or its folder cannot be written, so it is not changed here. Close it there first, or keep this one under another name."
-    ))
-}
-
-/// Takes an older version in place of the room, as a step.
-pub fn older_plan(
-    document: &Document,
-    room: Room,
-    version: Version,
-) -> Result<Plan, WorkshopError> {
-    let when = crate::dates::stamp(version.when_s);
-    document.plan_room(room, Said::new("version").with("when", when))
 }
 
 fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), RoomError> {

@@ -45,6 +45,8 @@ pub struct NoSuchPlace(pub DVec3);
 pub struct RoomScene {
     pub(crate) document: Document,
     pub(crate) assets: Assets,
+    /// All files that were read since the room was opened.
+    read: Assets,
     pub(crate) space: Space,
     /// The object of each aberration of the space.
     pub(crate) boxes: Vec<usize>,
@@ -98,6 +100,7 @@ impl RoomScene {
     pub fn of(document: Document, assets: Assets) -> Self {
         let mut scene = Self {
             document,
+            read: assets.clone(),
             assets,
             space: Space::default(),
             boxes: Vec::new(),
@@ -155,6 +158,11 @@ impl RoomScene {
         &self.assets
     }
 
+    /// Files that were read for what is about to be made of the room, so that it need not be waited for.
+    pub fn learn(&mut self, assets: &Assets) {
+        self.read.add(assets);
+    }
+
     /// Counts changes of what the room looks like.
     pub fn revision(&self) -> u64 {
         self.revision
@@ -185,8 +193,13 @@ impl RoomScene {
         read: impl FnOnce(&Room) -> Result<Assets, RoomError>,
     ) -> Result<(), RoomError> {
         if plan.names_other_files(&self.document) {
-            let assets = read(plan.room())?;
+            // What was read before, as when a step is taken back, is not read again.
+            let assets = match self.read.of(plan.room()) {
+                Some(assets) => assets,
+                None => read(plan.room())?,
+            };
             self.document.commit(plan)?;
+            self.read.add(&assets);
             self.assets = assets;
         } else {
             self.document.commit(plan)?;

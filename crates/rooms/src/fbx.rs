@@ -1,4 +1,4 @@
-//! Models in fbx, as they rest, by `ufbx`: a reader in C that is fuzzed by its authors, bounds its memory as it is told, and
+//! Models in fbx and obj, as they rest, by `ufbx`: a reader in C that is fuzzed by its authors, bounds its memory as it is told, and
 //! opens no file by itself.
 //!
 //! What a material has besides a colour, a picture and light of its own is left out. A picture lies in the file, or beside the
@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use antipode_models::{GAME_FROM_FILE, Material, Texture};
 use glam::{DAffine3, DVec2, DVec3, Vec3, Vec4};
-use ufbx::{AllocatorOpts, CoordinateAxes, FileFormat, LoadOpts};
+use ufbx::{AllocatorOpts, BlobOpt, CoordinateAxes, FileFormat, LoadOpts};
 
 use crate::bounds::{MOST_MODEL_TRIANGLES, MOST_PIXELS};
 use crate::mesh::Shape;
@@ -32,7 +32,13 @@ type Read<'a> = &'a mut dyn FnMut(&str) -> Result<Vec<u8>, String>;
 /// # Errors
 /// What is wrong with it, to follow its name.
 pub(crate) fn load(name: &str, bytes: &[u8], read: Read<'_>) -> Result<RoomModel, String> {
-    let scene = ufbx::load_memory(bytes, options())
+    let is_obj = name.to_ascii_lowercase().ends_with(".obj");
+    let materials = if is_obj {
+        library(name, bytes, read)
+    } else {
+        None
+    };
+    let scene = ufbx::load_memory(bytes, options(is_obj, materials.as_deref()))
         .map_err(|error| format!("it cannot be used ({})", &*error.description))?;
     let shown = || {
         let nodes = scene.nodes.as_ref().iter();
@@ -66,7 +72,20 @@ pub(crate) fn load(name: &str, bytes: &[u8], read: Read<'_>) -> Result<RoomModel
     })
 }
 
-fn options<'a>() -> LoadOpts<'a> {
+/// The materials of an obj, which lie beside it; it goes without them where they do not.
+fn library(
+    name: &str,
+    bytes: &[u8],
+    read: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+) -> Option<Vec<u8>> {
+    let lines = bytes.split(|it| *it == b'\n');
+    let mut said = lines.filter_map(|it| it.trim_ascii().strip_prefix(b"mtllib "));
+    let address = std::str::from_utf8(said.next_back()?.trim_ascii()).ok()?;
+    read(&files::resolve(name, &address.replace('\\', "/")).ok()?).ok()
+}
+
+/// Lengths of an obj are metres, as nothing else is said there.
+fn options(is_obj: bool, materials: Option<&[u8]>) -> LoadOpts<'_> {
     let memory = || AllocatorOpts {
         memory_limit: MOST_MEMORY_BYTES,
         ..AllocatorOpts::default()
@@ -78,7 +97,14 @@ fn options<'a>() -> LoadOpts<'a> {
         generate_missing_normals: true,
         target_axes: CoordinateAxes::right_handed_y_up(),
         target_unit_meters: 1.0,
-        file_format: FileFormat::Fbx,
+        file_format: if is_obj {
+            FileFormat::Obj
+        } else {
+            FileFormat::Fbx
+        },
+        obj_unit_meters: 1.0,
+        obj_axes: CoordinateAxes::right_handed_y_up(),
+        obj_mtl_data: materials.map_or(BlobOpt::Unset, BlobOpt::Ref),
         no_format_from_extension: true,
         ..LoadOpts::default()
     }

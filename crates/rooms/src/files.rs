@@ -17,7 +17,10 @@ const MOST_PARTS: usize = 4;
 const MOST_PART_BYTES: usize = 64;
 const MOST_NAME_BYTES: usize = 160;
 const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
-const SHAPES: [&str; 3] = ["glb", "gltf", "fbx"];
+const SHAPES: [&str; 4] = ["glb", "gltf", "fbx", "obj"];
+
+/// What models have beside them: bytes of glTF, materials of obj.
+const PARTS: [&str; 2] = ["bin", "mtl"];
 
 /// How long the file of that name may be; nothing if no room has such a file.
 pub fn most_bytes(name: &str) -> Option<u64> {
@@ -29,7 +32,9 @@ pub fn most_bytes(name: &str) -> Option<u64> {
     let ending = ending(name);
     let is_picture = PICTURES.contains(&ending.as_str());
     match folder {
-        MODELS if SHAPES.contains(&ending.as_str()) || ending == "bin" => Some(MOST_MODEL_BYTES),
+        MODELS if SHAPES.contains(&ending.as_str()) || PARTS.contains(&ending.as_str()) => {
+            Some(MOST_MODEL_BYTES)
+        }
         MODELS | TEXTURES if is_picture => Some(MOST_TEXTURE_BYTES),
         _ => None,
     }
@@ -165,6 +170,8 @@ mod tests {
             "models/a/b.gltf",
             "models/a.FBX",
             "models/a.bin",
+            "models/a.obj",
+            "models/a.mtl",
             "textures/Ziegel 2.PNG",
         ] {
             assert!(most_bytes(name).is_some(), "{name}");

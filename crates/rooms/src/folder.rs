@@ -30,6 +30,31 @@ pub struct Assets {
     pub textures: BTreeMap<String, Arc<RgbaImage>>,
 }
 
+impl Assets {
+    /// Those of them that a room names; none if it names others, too.
+    pub fn of(&self, room: &Room) -> Option<Self> {
+        let mut all = Self::default();
+        for object in &room.objects {
+            if let What::Model { file, .. } = &object.what {
+                let model = self.models.get(file)?.clone();
+                all.models.insert(file.clone(), model);
+            }
+            if let Some(it) = &object.surface.texture {
+                let texture = self.textures.get(&it.file)?.clone();
+                all.textures.insert(it.file.clone(), texture);
+            }
+        }
+        Some(all)
+    }
+
+    /// Adds others.
+    pub fn add(&mut self, others: &Self) {
+        let (models, textures) = (others.models.clone(), others.textures.clone());
+        self.models.extend(models);
+        self.textures.extend(textures);
+    }
+}
+
 /// A room that is sound, with all that it needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loaded {

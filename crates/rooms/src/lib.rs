@@ -17,6 +17,7 @@ mod fbx;
 pub mod files;
 pub mod folder;
 mod gltf_parts;
+pub mod import;
 mod kinds;
 mod library;
 mod lines;

@@ -1,4 +1,4 @@
-//! Models of a room, glTF or fbx, as they rest.
+//! Models of a room, glTF, fbx or obj, as they rest.
 
 use std::sync::Arc;
 
@@ -43,7 +43,7 @@ pub(crate) fn load(
         name.rsplit_once('.')
             .is_some_and(|(_, ending)| ending.eq_ignore_ascii_case(wanted))
     };
-    if ends_in("fbx") {
+    if ends_in("fbx") || ends_in("obj") {
         return fbx::load(name, bytes, read);
     }
     let whole;

@@ -46,6 +46,7 @@ impl Open {
                 self.stage.resize(size.width, size.height);
             }
             WindowEvent::ScaleFactorChanged { .. } | WindowEvent::Moved(_) => self.fit(),
+            WindowEvent::DroppedFile(path) => self.game.dropped(path),
             WindowEvent::Occluded(occluded) => self.occluded = *occluded,
             WindowEvent::Focused(gained) => self.focus(*gained),
             WindowEvent::KeyboardInput {

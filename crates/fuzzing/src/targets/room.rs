@@ -64,6 +64,7 @@ const WORDS: &[&str] = &[
     "ways: Forward",
     "outline: true",
     "Model(file: \"models/a.fbx\")",
+    "Model(file: \"models/a.obj\")",
     "turn: (45, 0, 0)",
     "surface: (glow: 1)",
     "texture: (file: \"textures/../a.png\")",

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | 0 | bit 0: blocks get their checksums again; bits 1 to 3: changes to the archive; all bits: a raw archive follows |
 //! | then 6 each | a change, as those of archives of worlds |
-//! | the rest | the text of its room, and after a byte 0 its model, which is there as glTF and as fbx |
+//! | the rest | the text of its room, and after a byte 0 its model, which is there as glTF, as fbx and as obj |
 
 use antipode_rooms::{RoomsDir, folder};
 use fastrand::Rng;
@@ -27,6 +27,8 @@ const RAW: u8 = 0xff;
 const MAGIC: &[u8; 8] = b"ANTIROOM";
 const TEXT: &str =
     "(version: 1, name: \"A\", objects: [(name: \"a\", what: Model(file: \"models/a.gltf\"))])";
+/// A triangle with a material beside it.
+const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
 const FBX: &str = include_str!("../../../rooms/tests/it/square.fbx");
 const MODEL: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"a.bin"}]}"#;
 const WORDS: &[&str] = &[
@@ -54,6 +56,8 @@ const WORDS: &[&str] = &[
     "\"byteOffset\":",
     "KHR_draco_mesh_compression",
     "models/a.fbx",
+    "models/a.obj",
+    "mtllib a.mtl",
     "*4 {",
     "a: 0,1,-3",
     "C: \"OO\",10,20",
@@ -119,6 +123,8 @@ fn archive(input: &[u8]) -> Vec<u8> {
         ("room.ron", text),
         ("models/a.gltf", model),
         ("models/a.fbx", model),
+        ("models/a.obj", model),
+        ("models/a.mtl", b"newmtl a\nKd 1 0 0\n"),
         ("models/a.bin", &corners),
     ]);
     bytes[..MAGIC.len()].copy_from_slice(MAGIC);
@@ -136,11 +142,14 @@ fn seeds() -> Vec<(String, Vec<u8>)> {
     let text = TEXT.replace("gltf", "fbx");
     let model = FBX.replace("C: \"OP\",40,30, \"DiffuseColor\"", "");
     let fbx = [&[SEAL], text.as_bytes(), &[0], model.as_bytes()].concat();
+    let text = TEXT.replace("gltf", "obj");
+    let obj = [&[SEAL], text.as_bytes(), &[0], OBJ.as_bytes()].concat();
     let plain = [&[SEAL], b"(version: 1, name: \"B\")".as_slice()].concat();
     let raw = [&[RAW], archive(&sound).as_slice()].concat();
     [
         ("model", sound),
         ("fbx", fbx),
+        ("obj", obj),
         ("plain", plain),
         ("raw", raw),
         ("bare", vec![RAW]),

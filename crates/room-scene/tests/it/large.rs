@@ -137,14 +137,14 @@ fn print_how_long_each_edit_keeps_the_thread() {
             let plan = scene.document().plan(&edit).unwrap();
             let planned = begin.elapsed();
             scene.make(plan, none).unwrap();
-            let made = begin.elapsed() - planned;
+            let made = begin.elapsed().saturating_sub(planned);
             let begin = Instant::now();
             let drawn = scene.clone();
             let copied = begin.elapsed();
             drop(drawn);
             let plan = scene.document().plan_undo(1).unwrap();
             scene.make(plan, none).unwrap();
-            let undone = begin.elapsed() - copied;
+            let undone = begin.elapsed().saturating_sub(copied);
             for (best, now) in best.iter_mut().zip([planned, made, copied, undone]) {
                 *best = (*best).min(now);
             }

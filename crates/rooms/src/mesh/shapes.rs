@@ -28,12 +28,11 @@ impl Shapes {
             Entry::Occupied(it) => return Some(it.get().clone()),
             Entry::Vacant(place) => place,
         };
-        let made = match self.known.remove(&key) {
-            Some(shape) => shape,
-            None => {
-                self.made += 1;
-                Arc::new(shape(what, roundness)?)
-            }
+        let made = if let Some(shape) = self.known.remove(&key) {
+            shape
+        } else {
+            self.made += 1;
+            Arc::new(shape(what, roundness)?)
         };
         Some(place.insert(made).clone())
     }

@@ -9,6 +9,7 @@
 
 mod fbx;
 mod folder;
+mod import;
 mod library;
 mod mesh;
 mod portals;

@@ -94,6 +94,7 @@ fn show(context: &egui::Context, bench: &mut Bench) {
     let model = WorkshopModel {
         texts,
         room: "My room",
+        older: None,
         objects: &bench.objects,
         chosen: "wall (box)",
         fields: &bench.fields,
@@ -105,7 +106,6 @@ fn show(context: &egui::Context, bench: &mut Bench) {
         history: &[HistoryRow {
             text: "Add “wall”".to_owned(),
         }],
-        older: None,
         done: 1,
         bar: bench.bar,
         lines: &[],

@@ -93,6 +93,7 @@ impl Game {
 
     /// Lets time pass: what has changed is kept.
     pub(in crate::window) fn tick_workshop(&mut self, passed: Duration) {
+        self.bring_in();
         let Phase::InRoom(visit) = &mut self.play.phase else {
             return;
         };
@@ -226,7 +227,7 @@ impl Game {
 
 impl Visit {
     /// The folder of a room of the player's own; empty for one that is kept nowhere.
-    fn own_slug(&self) -> String {
+    pub(super) fn own_slug(&self) -> String {
         let kept = self.room.kept.as_ref().filter(|kept| !kept.shipped);
         kept.map_or_else(String::new, |kept| kept.slug.clone())
     }

@@ -2,6 +2,7 @@
 //! and the panes; the room and its history are the document's.
 
 mod bent;
+mod bringing;
 mod changes;
 mod chosen;
 mod examples;
@@ -31,6 +32,7 @@ use super::background::Task;
 use super::visit::Visit;
 use crate::room_picture::{RoomView, Tile};
 use crate::rooms::RoomNote;
+use bringing::Bringing;
 use findings::Findings;
 pub(in crate::window) use findings::note;
 use hand::{Dragging, Meant};
@@ -67,6 +69,7 @@ pub struct Workshop {
     keeping: Keeping,
     findings: Findings,
     older: OlderList,
+    bringing: Bringing,
     told: Told,
     pictures: examples::Pictures,
     /// Whether a menu or a list is down.
@@ -111,6 +114,7 @@ impl Workshop {
             keeping: Keeping::of(scene),
             findings: Findings::begin(notes),
             older: OlderList::default(),
+            bringing: Bringing::default(),
             told: Told::default(),
             pictures: examples::Pictures::default(),
             is_dropped: false,
@@ -219,7 +223,9 @@ impl Visit {
     /// Whether it is built in, and nothing moves until somebody does something.
     pub fn is_built_and_still(&self) -> bool {
         let workshop = self.workshop.as_ref();
-        workshop.is_some_and(|it| it.keeping.rests() && it.findings.rest() && it.older.rests())
+        workshop.is_some_and(|it| {
+            it.keeping.rests() && it.findings.rest() && it.older.rests() && it.bringing.rests()
+        })
     }
 
     /// What a picture of it is of while it is built in; of the whole window, of that width over height, where a menu lies over it.

@@ -38,7 +38,7 @@ pub struct Bench<'a> {
 
 impl Bench<'_> {
     /// Makes an edit as one step.
-    fn make(&mut self, edit: &Edit) -> Result<(), WorkshopError> {
+    pub fn make(&mut self, edit: &Edit) -> Result<(), WorkshopError> {
         self.scene.document_mut().end_drag();
         let plan = self.scene.document().plan(edit)?;
         self.commit(plan)?;
