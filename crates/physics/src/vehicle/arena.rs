@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use antipode_geometry::{ChartId, ChunkCoord};
+use antipode_geometry::ChartId;
 use glam::{DQuat, DVec3};
 use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
 use rapier3d::dynamics::{
@@ -22,6 +22,7 @@ use rapier3d::pipeline::{PhysicsPipeline, QueryFilter};
 
 use super::doors::Junction;
 use super::hull::Hull;
+use super::needed::{BlockName, Lie, Needed};
 use super::role::{Earth, JUNCTIONS, Role};
 use super::sill::Sill;
 use super::{VehicleMotion, VehicleTuning};
@@ -35,35 +36,11 @@ const ORIGIN_STEP_M: f64 = 32.0;
 /// A wheel's ray leans by this share: the tree of boxes misses what a ray that is square to an axis meets.
 const RAY_LEANS: f32 = 1e-4;
 
-/// Which block of the ground: of which side of a door, its chunk, and its number there.
-type BlockName = (Earth, ChunkCoord, usize);
-
-/// Where a block lies: its corner, metres of the chart, and its turn about +y, radians.
-type Lie = (DVec3, f64);
-
 /// A block that was taken in.
 struct Taken {
     lie: Lie,
     block: Block,
     handle: ColliderHandle,
-}
-
-/// The ground that a step needs in a chart.
-#[derive(Default)]
-pub(super) struct Needed {
-    /// Boxes of the chart.
-    pub own: Vec<(DVec3, DVec3)>,
-    /// Junctions that have their host in it.
-    pub junctions: [Option<Gathered>; JUNCTIONS],
-}
-
-/// What is needed of the ground at a junction.
-pub(super) struct Gathered {
-    pub junction: Junction,
-    /// Boxes about the host, for who comes from the other side.
-    pub guests: Vec<(DVec3, DVec3)>,
-    /// Whether somebody stands in it.
-    pub is_stood_in: bool,
 }
 
 /// The ground of both sides of a door, as it was put in.
@@ -251,7 +228,7 @@ impl Arena {
 
     /// Takes in the ground that is needed, and lets go of the rest.
     pub fn take_ground(&mut self, world: &PhysicsWorld, needed: &Needed) {
-        let wanted = wanted(world, self.chart, needed);
+        let wanted = needed.blocks(world, self.chart);
         let gone: Vec<BlockName> = self
             .ground
             .iter()
@@ -391,41 +368,6 @@ impl Arena {
             body.set_linvel(velocity, true);
         }
     }
-}
-
-/// The blocks that are needed in a chart, and how they lie there.
-fn wanted<'a>(
-    world: &'a PhysicsWorld,
-    chart: ChartId,
-    needed: &Needed,
-) -> BTreeMap<BlockName, (Lie, &'a Block)> {
-    let mut wanted = BTreeMap::new();
-    for (min, max) in &needed.own {
-        for ground in world.chart(chart).grounds_in(*min, *max) {
-            let name = (Earth::Own, ground.coord, ground.number());
-            wanted.insert(name, ((ground.origin, 0.0), &ground.block));
-        }
-    }
-    for (at, gathered) in needed.junctions.iter().enumerate() {
-        let Some(Gathered {
-            junction, guests, ..
-        }) = gathered
-        else {
-            continue;
-        };
-        for (min, max) in guests {
-            let middle = junction.taken_back(0.5 * (*min + *max));
-            // However the box is turned there.
-            let half = DVec3::splat(0.5 * (*max - *min).length());
-            let ground = world.chart(junction.far.foot.chart);
-            for ground in ground.grounds_in(middle - half, middle + half) {
-                let name = (Earth::Far(at), ground.coord, ground.number());
-                let lie = (junction.brought(ground.origin), junction.turn_rad());
-                wanted.insert(name, (lie, &ground.block));
-            }
-        }
-    }
-    wanted
 }
 
 /// A controller with four wheels.

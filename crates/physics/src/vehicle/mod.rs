@@ -9,6 +9,7 @@ mod doors;
 mod drive;
 mod hold;
 mod hull;
+mod needed;
 mod place;
 mod role;
 mod sill;
@@ -24,18 +25,16 @@ use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::RigidBodyHandle;
 
 use crate::PhysicsWorld;
-use arena::{Arena, Gathered, Needed};
+use arena::Arena;
 use doors::Junction;
 pub use doors::VehicleDoors;
 use hold::Hold;
 use hull::Hull;
+use needed::Needed;
 use role::{JUNCTIONS, Role};
 pub use state::{VehicleInput, VehicleMotion, VehicleWheel};
 pub use tuning::VehicleTuning;
 
-/// Ground within this of a vehicle's middle is taken in, in metres, and what it covers in the next steps besides.
-const GROUND_AROUND_M: f64 = 4.0;
-const STEPS_AHEAD: f64 = 3.0;
 /// Below these, in m/s and rad/s, a vehicle that nobody drives is at rest, and falls asleep after so many seconds.
 const RESTS_M_S: f64 = 0.06;
 const RESTS_RAD_S: f64 = 0.06;
@@ -235,7 +234,7 @@ impl VehiclePhysics {
                 continue;
             };
             arena.recentre(first.place);
-            arena.take_ground(world, &needed(&here, junctions, dt_s));
+            arena.take_ground(world, &Needed::of(&here, junctions, dt_s));
             arena.step(self.tuning.gravity_m_s2, dt_s);
         }
         for (vehicle, input) in moving {
@@ -334,43 +333,6 @@ fn wake_near(all: &mut [(&mut Vehicle, Option<VehicleInput>)]) {
             sleeper.wake();
         }
     }
-}
-
-/// The ground that those need who move in a chart.
-fn needed(
-    here: &[(Role, &VehicleMotion)],
-    junctions: &[Option<Junction>; JUNCTIONS],
-    dt_s: f64,
-) -> Needed {
-    let of = |role: Role| here.iter().filter(move |(own, _)| *own == role);
-    let boxes = |role: Role| of(role).map(|(_, it)| ground_box(it, dt_s));
-    let natives = (0..JUNCTIONS).flat_map(|at| boxes(Role::Native(at)));
-    let about = |at: usize| {
-        let is_stood_in = of(Role::Astride(at)).next().is_some();
-        let guests: Vec<_> = boxes(Role::Guest(at)).collect();
-        let is_needed = is_stood_in || !guests.is_empty();
-        let junction = junctions[at].filter(|_| is_needed);
-        junction.map(|junction| Gathered {
-            junction,
-            guests,
-            is_stood_in,
-        })
-    };
-    Needed {
-        own: boxes(Role::Free).chain(natives).collect(),
-        junctions: std::array::from_fn(about),
-    }
-}
-
-/// The box of the chart whose ground a vehicle may touch in the next steps.
-fn ground_box(motion: &VehicleMotion, dt_s: f64) -> (DVec3, DVec3) {
-    let way = motion.velocity * (STEPS_AHEAD * dt_s);
-    let around = DVec3::splat(GROUND_AROUND_M);
-    let middle = motion.middle();
-    (
-        middle.min(middle + way) - around,
-        middle.max(middle + way) + around,
-    )
 }
 
 /// Upward from the ground below each wheel that touched it when the controller last looked.

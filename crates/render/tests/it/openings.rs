@@ -4,11 +4,10 @@ use std::sync::Arc;
 
 use crate::common::{GEOMETRIES, Studio, difference, frame, land, space, standing};
 
-use antipode_frame::{ChunkChange, Cut, Figure, Frame, ModelId, Opening, Presence};
-use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Doorway, Geometry, Leaf};
+use antipode_frame::{Cut, Figure, Frame, ModelId, Opening, Presence};
+use antipode_geometry::{ChartId, ChartPoint, Doorway, Geometry, Leaf};
 use antipode_render::ShadowQuality;
-use antipode_terrain::{ChunkMesh, Vertex};
-use glam::{DVec3, IVec3, Vec3};
+use glam::DVec3;
 
 const SIZE: (u32, u32) = (160, 90);
 const ASPECT: f64 = 16.0 / 9.0;
@@ -160,76 +159,6 @@ fn both_parts_of_a_figure_that_is_cut_are_the_whole_and_each_is_less() {
         let off = difference(&both, &all).1;
         assert!(off < 0.05 * total, "{geometry}: {off} of {total}");
     }
-}
-
-/// What of a figure a leaf takes away throws no shadow on this side: both parts together shade what the whole does, and each less.
-#[test]
-fn a_figure_that_is_cut_throws_the_shadow_of_what_is_left_of_it() {
-    const LARGE: (u32, u32) = (320, 180);
-    let Some(mut studio) = Studio::shadowed(LARGE, ShadowQuality::Low) else {
-        return;
-    };
-    let Some(mut unshaded) = Studio::shadowed(LARGE, ShadowQuality::Off) else {
-        return;
-    };
-    let whole = on_a_plain();
-    let own = whole.content.figures[0];
-    let part = |side: f64| Figure {
-        cut: Some(Cut {
-            heading_rad: if side > 0.0 {
-                0.3
-            } else {
-                0.3 - std::f64::consts::PI
-            },
-            from_m: 0.0,
-        }),
-        ..own
-    };
-    let with = |figures: &[Figure], studio: &mut Studio| {
-        let frame = whole.clone();
-        studio.picture(&frame.with_content(|it| it.figures = figures.to_vec()))
-    };
-    let [bare, own_pixels] = [&[][..], &[own][..]].map(|it| with(it, &mut unshaded));
-    let none = with(&[], &mut studio);
-    let shaded = |figures: &[Figure], studio: &mut Studio| {
-        let picture = with(figures, studio);
-        let pixels = none.enumerate_pixels().filter(|(x, y, before)| {
-            let is_land = bare.get_pixel(*x, *y) == own_pixels.get_pixel(*x, *y);
-            let darker = i32::from(before[1]) - i32::from(picture.get_pixel(*x, *y)[1]);
-            is_land && darker > 8
-        });
-        pixels.count() as f64
-    };
-    let total = shaded(&[own], &mut studio);
-    assert!(total > 150.0, "{total}");
-    let [a, b] = [1.0, -1.0].map(|side| shaded(&[part(side)], &mut studio) / total);
-    assert!(a < 0.85 && b < 0.85, "{a} {b} of {total}");
-    assert!(a + b > 0.95 && a + b < 1.35, "{a} {b} of {total}");
-}
-
-/// A car on level ground, seen from above and aside.
-fn on_a_plain() -> Frame {
-    const AT_M: f64 = 8.0;
-    let space = space(Geometry::Euclidean);
-    let eye = ChartPoint::a(DVec3::new(8.0, AT_M + 7.0, 16.0));
-    let mut frame = frame(&space, eye, ASPECT);
-    let mut mesh = ChunkMesh::default();
-    for (x, z) in [(0.0, 0.0), (0.0, 32.0), (32.0, 32.0), (32.0, 0.0)] {
-        let at = Vec3::new(x, AT_M as f32, z);
-        mesh.vertices
-            .push(Vertex::new(at, Vec3::Y, [200, 200, 200]));
-    }
-    mesh.indices.extend([0, 1, 2, 0, 2, 3]);
-    let coord = ChunkCoord::new(ChartId::FIRST, IVec3::ZERO);
-    frame.change_land([ChunkChange::Put(coord, Arc::new(mesh))]);
-    frame.view.eye.yaw = 0.0;
-    frame.view.eye.pitch = -0.7;
-    frame.view.fog_distance_m = 1e4;
-    let sun = Vec3::new(0.5, 0.7, 0.2).normalize();
-    frame.content_mut().sky.key_direction = sun.into();
-    frame.content_mut().sky.sun_direction = frame.content.sky.key_direction;
-    let foot = ChartPoint::a(DVec3::new(16.0, AT_M, 16.0));
-    frame.with_content(|it| it.figures = vec![Figure::standing(ModelId::CarBody, foot, 0.3)])
 }
 
 /// What only could be put there is seen through, and is another colour where it cannot be.
