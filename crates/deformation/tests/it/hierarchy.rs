@@ -99,7 +99,7 @@ fn form(rng: &mut Rng) -> (Arc<Form>, Vec<[DVec3; 3]>) {
 #[test]
 fn forms_are_met_where_their_triangles_are_and_shown_near_a_place() {
     let mut rng = Rng::with_seed(12);
-    let (solids, triangles) = standing(&mut rng, 60);
+    let (solids, triangles) = standing(&mut rng, 400);
     let mut hits = 0;
     for _ in 0..5000 {
         let (x, mut v) = (rooms::point(&mut rng), rooms::direction(&mut rng));
