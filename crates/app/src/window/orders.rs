@@ -136,23 +136,8 @@ impl Game {
                     None => return Err(Failure::Usage(format!("no room is called \"{name}\""))),
                 }
             }
-            RoomOrder::Versions => {
-                let dir = self.play.worlds.rooms();
-                let versions = self.visited()?.versions(&dir);
-                if versions.is_empty() {
-                    self.reply(Answer, "console-no-versions", &[]);
-                }
-                for (number, it) in (1..).zip(versions) {
-                    self.write(Answer, &format!("{number}: {}", stamp(it.when_s)));
-                }
-            }
-            RoomOrder::Older(number) => {
-                let dir = self.play.worlds.rooms();
-                let room = self.visited()?;
-                room.open_older(&dir, *number)
-                    .map_err(|error| told_of_room(&error))?;
-                self.reply(Answer, "console-room-changed", &[]);
-            }
+            RoomOrder::Versions => self.tell_versions()?,
+            RoomOrder::Older(number) => self.open_older(*number)?,
             RoomOrder::List => {
                 let names = self.menus.rooms.names();
                 for name in names {
@@ -160,6 +145,26 @@ impl Game {
                 }
             }
         }
+        Ok(())
+    }
+
+    fn tell_versions(&mut self) -> Result<(), Failure> {
+        let dir = self.play.worlds.rooms();
+        let versions = self.visited()?.versions(&dir);
+        if versions.is_empty() {
+            self.reply(Answer, "console-no-versions", &[]);
+        }
+        for (number, it) in (1..).zip(versions) {
+            self.write(Answer, &format!("{number}: {}", stamp(it.when_s)));
+        }
+        Ok(())
+    }
+
+    fn open_older(&mut self, number: usize) -> Result<(), Failure> {
+        let dir = self.play.worlds.rooms();
+        let opened = self.visited()?.open_older(&dir, number);
+        opened.map_err(|error| told_of_room(&error))?;
+        self.reply(Answer, "console-room-changed", &[]);
         Ok(())
     }
 

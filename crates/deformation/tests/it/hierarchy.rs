@@ -99,7 +99,7 @@ fn form(rng: &mut Rng) -> (Arc<Form>, Vec<[DVec3; 3]>) {
 #[test]
 fn forms_are_met_where_their_triangles_are_and_shown_near_a_place() {
     let mut rng = Rng::with_seed(12);
-    let (solids, triangles) = standing(&mut rng, 60);
+    let (solids, triangles) = standing(&mut rng, 400);
     let mut hits = 0;
     for _ in 0..5000 {
         let (x, mut v) = (rooms::point(&mut rng), rooms::direction(&mut rng));
@@ -111,7 +111,8 @@ fn forms_are_met_where_their_triangles_are_and_shown_near_a_place() {
             solids.first(x, v, longest),
             triangles.first_of_all(x, v, longest),
         );
-        let told = |hit: SceneHit| (hit.time, hit.object, hit.normal);
+        // Triangles of a form that lie in one plane are met at once, from either side.
+        let told = |hit: SceneHit| (hit.time, hit.object);
         assert_eq!(found.map(told), all.map(told));
         hits += usize::from(found.is_some());
     }
@@ -124,7 +125,14 @@ fn forms_are_met_where_their_triangles_are_and_shown_near_a_place() {
         for triangle in triangles.triangles() {
             let [a, b, c] = triangle.corners;
             let touches = a.min(b).min(c).cmple(high).all() && a.max(b).max(c).cmpge(low).all();
-            assert_eq!(touches, shown.contains(&triangle.corners));
+            // Boxes along other axes may part what boxes along these do not.
+            let places = (0..=10).flat_map(|n| (0..=10 - n).map(move |m| (n, m)));
+            let mut places = places
+                .map(|(n, m)| a + (b - a) * f64::from(n) / 10.0 + (c - a) * f64::from(m) / 10.0);
+            let reaches = places.any(|it| it.cmpge(low).all() && it.cmple(high).all());
+            let is_shown = shown.contains(&triangle.corners);
+            assert!(is_shown || !reaches, "{:?}", triangle.corners);
+            assert!(touches || !is_shown, "{:?}", triangle.corners);
         }
     }
     for up in [DVec3::Y, rooms::direction(&mut rng)] {

@@ -62,6 +62,8 @@ const WORDS: &[&str] = &[
     "box",
     "gravity=0,0,0",
     "size=1,1,1",
+    "older",
+    "versions",
     "at=0,1,-5",
     ".png",
     "on",
@@ -104,7 +106,7 @@ fn seeds() -> Vec<(String, Vec<u8>)> {
                  hold KeyW 2\ndown KeyA\nup KeyA\ntap Digit4\nclick LEFT\npress RIGHT\nrelease RIGHT\nhold LEFT 1.5\n\
                  look 3 -4\naim -90 0\nscroll -2\nwait 0.5\nsettle\nsettle 9\nprobe\nshot hole.png\n\
                  give lamp 3\nteleport 1 2 3 B\nspawn car 1 2 3 A\n\
-                 name-flag Home\nperf 2\nquit\n";
+                 name-flag Home\nperf 2\nroom versions\nroom older 2\nquit\n";
     let settings = SETTINGS
         .iter()
         .map(|(name, words)| format!("set {name} {}\n", words.first().unwrap_or(&"1")));

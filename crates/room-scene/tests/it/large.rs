@@ -54,13 +54,14 @@ fn large() -> Room {
     read(ROOM_FILE, text.as_bytes()).unwrap()
 }
 
+fn names(kind: &str, range: std::ops::Range<usize>) -> Vec<String> {
+    range.map(|it| format!("{kind} {it}")).collect()
+}
+
 /// Ordinary edits, each of one thing or of what a hand has chosen.
 fn edits() -> Vec<(&'static str, Edit)> {
     let change = |name: &str, fields: Vec<Field>| Edit::Change(name.to_owned(), fields);
     let at = |name: &str| change(name, vec![Field::three("at", DVec3::new(1.0, 90.0, 1.0))]);
-    let names = |kind: &str, range: std::ops::Range<usize>| -> Vec<String> {
-        range.map(|it| format!("{kind} {it}")).collect()
-    };
     let by = DVec3::new(0.0, 3.0, 0.0);
     vec![
         ("move a block", at("block 7")),

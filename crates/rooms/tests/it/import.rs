@@ -134,7 +134,7 @@ fn no_damaged_obj_or_picture_makes_the_game_panic() {
             0 => ("a.png", png.clone()),
             _ => ("a.obj", OBJ.repeat(3).into_bytes()),
         };
-        for _ in 0..1 + number % 9 {
+        for _ in 0..=(number % 9) {
             let at = rng.usize(..bytes.len());
             match rng.u8(..3) {
                 0 => bytes[at] = rng.u8(..),
