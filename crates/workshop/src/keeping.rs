@@ -46,6 +46,7 @@ pub enum Trouble {
 }
 
 impl Kept {
+    /// What keeps a document in that folder, whose file has that room.
     pub fn by(keeper: Keeper, dir: PathBuf, saved: Arc<Room>) -> Self {
         Self(Some(By {
             keeper,

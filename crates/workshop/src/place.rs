@@ -16,6 +16,7 @@ pub(crate) struct Groups<'r> {
 }
 
 impl<'r> Groups<'r> {
+    /// Those of a room.
     pub fn of(room: &'r Room) -> Self {
         let all = room.objects.iter().enumerate();
         let groups = all.filter(|(_, it)| it.what == What::Group);

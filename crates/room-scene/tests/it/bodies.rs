@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::empty;
 
 /// A room with a floor and what the commands add.
-fn with(commands: &[&str]) -> RoomScene {
+pub fn with(commands: &[&str]) -> RoomScene {
     let mut scene = empty();
     for command in commands {
         let words: Vec<_> = command.split(' ').collect();
@@ -17,13 +17,13 @@ fn with(commands: &[&str]) -> RoomScene {
     scene
 }
 
-fn wait(scene: &mut RoomScene, seconds: f64) {
+pub fn wait(scene: &mut RoomScene, seconds: f64) {
     for _ in 0..(seconds * 60.0).round() as u32 {
         scene.step(&Steer::default());
     }
 }
 
-fn state(scene: &RoomScene, name: &str) -> LooseState {
+pub fn state(scene: &RoomScene, name: &str) -> LooseState {
     let all = scene.loose_states();
     all.into_iter().find(|it| it.name == name).unwrap()
 }
@@ -147,7 +147,7 @@ fn energy_is_kept_through_the_faces_of_a_soft_box() {
 }
 
 /// A door at the floor's height that leads from z = -10 to x = 30, as large, turned by a right angle.
-const DOOR: [&str; 2] = [
+pub const DOOR: [&str; 2] = [
     "add portal name=p at=0,1.25,-10 turn=90,0,0 size=2,2.5 to=q",
     "add portal name=q at=30,1.25,0 turn=0,0,0 size=2,2.5 to=p",
 ];
@@ -214,19 +214,19 @@ fn a_blow_through_a_portal_gives_as_much_as_it_takes() {
 }
 
 /// Looks there and does that for a while.
-fn go(scene: &mut RoomScene, aim: (f64, f64), steer: &Steer, seconds: f64) {
+pub fn go(scene: &mut RoomScene, aim: (f64, f64), steer: &Steer, seconds: f64) {
     scene.aim(aim.0, aim.1);
     for _ in 0..(seconds * 60.0).round() as u32 {
         scene.step(steer);
     }
 }
 
-const GRASP: Steer = Steer {
+pub const GRASP: Steer = Steer {
     grasp: true,
     ..crate::AHEAD
 };
 
-fn once(scene: &mut RoomScene, steer: Steer) {
+pub fn once(scene: &mut RoomScene, steer: Steer) {
     scene.step(&Steer {
         forward: 0.0,
         ..steer
@@ -392,90 +392,4 @@ fn astride_the_door_of_a_tunnel_what_is_inside_is_met_by_its_felt_length() {
         let length = |it: &antipode_rays::Mover| it.pose.matrix3.z_axis.length();
         assert!((length(&solids[0]) - 1.0).abs() < 0.02 && (length(&solids[1]) - 0.2).abs() < 0.02);
     }
-}
-
-const THROW: Steer = Steer {
-    throw: true,
-    forward: 0.0,
-    ..crate::AHEAD
-};
-
-#[test]
-fn a_ball_that_is_thrown_pushes_what_it_hits_also_through_a_door() {
-    let mut scene = with(&[
-        DOOR[0],
-        DOOR[1],
-        "add box name=near at=3,0.75,-2.2 size=0.3,1.5,0.3 mass=4",
-        "add box name=far at=31.5,0.75,0 size=0.3,1.5,0.3 mass=4",
-    ]);
-    wait(&mut scene, 1.0);
-    for (feet, name) in [
-        (DVec3::new(3.0, 0.0, 0.0), "near"),
-        (DVec3::new(0.0, 0.0, -8.0), "far"),
-    ] {
-        scene.teleport(feet).unwrap();
-        scene.aim(-90.0, -8.0);
-        let before = state(&scene, name);
-        once(&mut scene, THROW);
-        wait(&mut scene, 2.5);
-        let after = state(&scene, name);
-        let tilted = (after.turn * DVec3::Y).y < 0.5;
-        assert!(tilted, "it lies on its side: {before:?} {after:?}");
-    }
-}
-
-#[test]
-fn who_walks_into_a_ball_that_was_thrown_kicks_it_and_may_lift_it() {
-    let mut scene = with(&[]);
-    scene.aim(-90.0, -60.0);
-    once(&mut scene, THROW);
-    wait(&mut scene, 8.0);
-    let lies = state(&scene, "ball");
-    assert!(lies.rests, "{lies:?}");
-    scene
-        .teleport(lies.point + DVec3::new(0.0, -0.12, 1.5))
-        .unwrap();
-    scene.aim(-90.0, -55.0);
-    let on_it = (0..60).find(|step| {
-        scene.aim(-90.0, -30.0 - 0.7 * f64::from(*step));
-        scene.pick().object.as_deref() == Some("ball")
-    });
-    assert!(on_it.is_some(), "it can be looked at");
-    once(&mut scene, GRASP);
-    wait(&mut scene, 1.0);
-    let held = state(&scene, "ball");
-    assert!(held.point.y > 0.6, "{held:?}");
-    once(&mut scene, GRASP);
-    wait(&mut scene, 4.0);
-    let before = state(&scene, "ball").point;
-    scene
-        .teleport(before + DVec3::new(0.0, -0.12, 1.0))
-        .unwrap();
-    go(&mut scene, (-90.0, 0.0), &crate::AHEAD, 0.6);
-    let after = state(&scene, "ball").point;
-    assert!(after.z < before.z - 1.0, "{before} {after}");
-}
-
-#[test]
-fn who_stands_on_the_end_of_a_plank_tips_it_and_a_crate_bears_them() {
-    let mut scene = with(&[
-        "add box name=block at=6,0.25,0 size=0.3,0.5,1",
-        "add box name=plank at=6,0.55,0 size=3,0.1,0.8 mass=20",
-        "add box name=crate at=0,0.3,-4 size=0.6,0.6,0.6 mass=12",
-    ]);
-    wait(&mut scene, 1.0);
-    let level = state(&scene, "plank");
-    assert!((level.turn * DVec3::X).y.abs() < 0.05, "{level:?}");
-    scene.teleport(DVec3::new(7.1, 0.62, 0.0)).unwrap();
-    wait(&mut scene, 1.0);
-    let tipped = state(&scene, "plank");
-    assert!((tipped.turn * DVec3::X).y.abs() > 0.15, "{tipped:?}");
-    scene.teleport(DVec3::new(0.0, 0.62, -4.0)).unwrap();
-    wait(&mut scene, 5.0);
-    let bears = state(&scene, "crate");
-    assert!(
-        bears.point.distance(DVec3::new(0.0, 0.3, -4.0)) < 0.02,
-        "{bears:?}"
-    );
-    assert!((scene.feet().y - 0.6).abs() < 0.03, "{}", scene.feet());
 }

@@ -12,6 +12,7 @@ mod difference;
 mod edits;
 mod eyes;
 mod figure;
+mod handled;
 mod hands;
 mod large;
 mod parallel;

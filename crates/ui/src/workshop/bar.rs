@@ -102,52 +102,12 @@ fn menus(
     wishes: &mut Vec<WorkshopWish>,
     examples: &mut bool,
 ) {
-    let (texts, bar) = (model.texts, model.bar);
+    let texts = model.texts;
     ui.menu_button(texts.say("workshop-menu-edit"), |ui| {
-        let chosen = bar.has_chosen;
-        for (id, enabled, wish) in [
-            ("copy", chosen, WorkshopWish::Copy),
-            ("cut", chosen, WorkshopWish::Cut),
-            ("paste", bar.has_copied, WorkshopWish::Paste),
-            ("duplicate", chosen, WorkshopWish::Duplicate),
-            ("array", chosen, WorkshopWish::Array),
-            ("group", chosen, WorkshopWish::Group),
-            ("ungroup", chosen, WorkshopWish::Ungroup),
-            ("delete", chosen, WorkshopWish::Delete),
-            ("choose-all", true, WorkshopWish::ChooseAll(true)),
-        ] {
-            if line(ui, model, id, (false, enabled)).clicked() {
-                wishes.push(wish);
-                ui.close();
-            }
-        }
+        edit_menu(ui, model, wishes)
     });
     ui.menu_button(texts.say("workshop-menu-view"), |ui| {
-        let mut pushed = Vec::new();
-        if line(ui, model, "focus", (false, bar.has_chosen)).clicked() {
-            pushed.push(WorkshopWish::Focus);
-        }
-        for side in ViewSide::ALL {
-            if line(ui, model, side.id(), (false, true)).clicked() {
-                pushed.push(WorkshopWish::Face(side));
-            }
-        }
-        if line(ui, model, "parallel", (bar.parallel, true)).clicked() {
-            pushed.push(WorkshopWish::Parallel(!bar.parallel));
-        }
-        if line(ui, model, "walls", (bar.hides_walls, true)).clicked() {
-            pushed.push(WorkshopWish::HideWalls(!bar.hides_walls));
-        }
-        if line(ui, model, "flies", (bar.flies, true)).clicked() {
-            pushed.push(WorkshopWish::Flies(!bar.flies));
-        }
-        if line(ui, model, "raster", (bar.raster, true)).clicked() {
-            pushed.push(WorkshopWish::Raster(!bar.raster));
-        }
-        if !pushed.is_empty() {
-            wishes.append(&mut pushed);
-            ui.close();
-        }
+        view_menu(ui, model, wishes)
     });
     ui.menu_button(texts.say("workshop-menu-help"), |ui| {
         if line(ui, model, "lesson", (false, true)).clicked() {
@@ -159,6 +119,56 @@ fn menus(
             ui.close();
         }
     });
+}
+
+fn edit_menu(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
+    let bar = model.bar;
+    let chosen = bar.has_chosen;
+    for (id, enabled, wish) in [
+        ("copy", chosen, WorkshopWish::Copy),
+        ("cut", chosen, WorkshopWish::Cut),
+        ("paste", bar.has_copied, WorkshopWish::Paste),
+        ("duplicate", chosen, WorkshopWish::Duplicate),
+        ("array", chosen, WorkshopWish::Array),
+        ("group", chosen, WorkshopWish::Group),
+        ("ungroup", chosen, WorkshopWish::Ungroup),
+        ("delete", chosen, WorkshopWish::Delete),
+        ("choose-all", true, WorkshopWish::ChooseAll(true)),
+    ] {
+        if line(ui, model, id, (false, enabled)).clicked() {
+            wishes.push(wish);
+            ui.close();
+        }
+    }
+}
+
+fn view_menu(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
+    let bar = model.bar;
+    let mut pushed = Vec::new();
+    if line(ui, model, "focus", (false, bar.has_chosen)).clicked() {
+        pushed.push(WorkshopWish::Focus);
+    }
+    for side in ViewSide::ALL {
+        if line(ui, model, side.id(), (false, true)).clicked() {
+            pushed.push(WorkshopWish::Face(side));
+        }
+    }
+    if line(ui, model, "parallel", (bar.parallel, true)).clicked() {
+        pushed.push(WorkshopWish::Parallel(!bar.parallel));
+    }
+    if line(ui, model, "walls", (bar.hides_walls, true)).clicked() {
+        pushed.push(WorkshopWish::HideWalls(!bar.hides_walls));
+    }
+    if line(ui, model, "flies", (bar.flies, true)).clicked() {
+        pushed.push(WorkshopWish::Flies(!bar.flies));
+    }
+    if line(ui, model, "raster", (bar.raster, true)).clicked() {
+        pushed.push(WorkshopWish::Raster(!bar.raster));
+    }
+    if !pushed.is_empty() {
+        wishes.append(&mut pushed);
+        ui.close();
+    }
 }
 
 /// A line of a menu, with its key beside it.

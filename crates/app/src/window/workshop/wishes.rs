@@ -105,12 +105,7 @@ impl Workshop {
         if let Some(edit) = self.edit_of(bench.scene, &names, &wish) {
             bench.make(&edit)?;
             if matches!(wish, WorkshopWish::Put(_)) {
-                bench.scene.document_mut().select_made();
-                self.forget_chain();
-                // It may have had to stand elsewhere.
-                if !self.sees_chosen(bench.scene) {
-                    self.focus(bench.scene);
-                }
+                self.choose_made(bench.scene);
             }
             return Ok(());
         }
@@ -147,6 +142,15 @@ impl Workshop {
         Ok(())
     }
 
+    /// What was put last is chosen, and looked at where it is out of sight: it may have had to stand elsewhere.
+    fn choose_made(&mut self, scene: &mut RoomScene) {
+        scene.document_mut().select_made();
+        self.forget_chain();
+        if !self.sees_chosen(scene) {
+            self.focus(scene);
+        }
+    }
+
     /// The edit that is asked for, if it is one.
     fn edit_of(&self, scene: &RoomScene, names: &[String], wish: &WorkshopWish) -> Option<Edit> {
         let room = scene.room();
@@ -157,15 +161,7 @@ impl Workshop {
             WorkshopWish::Rename(from, to) => Edit::rename(from, to),
             WorkshopWish::Carry(name, group) => Edit::Carry {
                 group: group.clone(),
-                members: if names.contains(name) {
-                    names
-                        .iter()
-                        .filter(|it| Some(*it) != group.as_ref())
-                        .cloned()
-                        .collect()
-                } else {
-                    vec![name.clone()]
-                },
+                members: carried(names, name, group.as_deref()),
             },
             WorkshopWish::Reset(key) => set::reset(room, &chosen::indices(scene), key)?,
             WorkshopWish::Put(id) => {
@@ -349,4 +345,13 @@ fn go_in_history(bench: &mut Bench<'_>, wish: &WorkshopWish) -> Result<(), Works
         bench.scene.document_mut().select_made();
     }
     Ok(())
+}
+
+/// What is carried to a group with an object: all that is chosen, if that is, but the group itself.
+fn carried(chosen: &[String], name: &String, group: Option<&str>) -> Vec<String> {
+    if !chosen.contains(name) {
+        return vec![name.clone()];
+    }
+    let others = chosen.iter().filter(|it| Some(it.as_str()) != group);
+    others.cloned().collect()
 }
