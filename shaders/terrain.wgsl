@@ -73,7 +73,7 @@ fn beyond_chart(p: vec3<f32>) -> f32 {
 
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
-    let kind = kind_of(in.colour.a, authored.y);
+    let ground = kind_of(in.colour.a, authored.y);
     let world = in.world.xyz + in_common_axes(position_of(in.units));
     let grain = grain_point(world, p);
     // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
@@ -93,13 +93,13 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let biome = to_linear(in.colour.rgb) + 0.014;
     if BY_PIXEL {
         out.albedo = biome;
-        let weights = kind_weights(kind);
+        let weights = kind_weights(ground);
         out.kinds_a = weights[0];
         out.kinds_b = weights[1];
         out.kinds_c = weights[2];
         out.kinds_d = weights[3];
     } else {
-        let own = mix(tinted(biome, u32(kind.x)), tinted(biome, ROCK), kind.y);
+        let own = mix(tinted(biome, u32(ground.x)), tinted(biome, ROCK), ground.y);
         out.albedo = own * (1.0 + 0.34 * patches + 0.38 * tufts);
     }
     out.grain = grain;

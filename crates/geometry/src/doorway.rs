@@ -327,7 +327,8 @@ mod tests {
                 (-0.2, 2.1, 0.0, true),
                 (-0.2, 1.0, 1.1, false),
                 (0.2, 2.4, 0.0, false),
-                (0.2, -0.6, 0.0, false),
+                (0.2, -1.0, 0.0, true),
+                (0.2, -1.2, 0.0, false),
             ] {
                 let from = near.place(DVec3::new(side, y, z));
                 let to = near.place(DVec3::new(-0.5 * side, y, z));

@@ -235,6 +235,8 @@ pub mod tests {
             "common",
             "lights",
             "shadow",
+            "surfaces",
+            "surface_kinds",
             TERRAIN.name,
             FIGURE.name,
             MARKER.name,

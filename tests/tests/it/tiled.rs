@@ -117,7 +117,7 @@ impl Studio {
             scale: 1.0,
             output_format: wgpu::TextureFormat::Rgba8Unorm,
             shadows,
-            preset: antipode_render::Preset::Card,
+            preset: antipode_render::Preset::Software,
         };
         let mut renderer = Renderer::new(&gpu, options).unwrap();
         renderer.resize(SIZE.0, SIZE.1);

@@ -23,7 +23,7 @@ const OPTIONS: Options = Options {
     scale: 1.0,
     output_format: TextureFormat::Rgba8Unorm,
     shadows: ShadowQuality::Off,
-    preset: Preset::Card,
+    preset: Preset::Software,
 };
 /// Longest wait for a thread; a deadline for a hung one, not a measure of speed.
 const PATIENCE: Duration = Duration::from_mins(1);

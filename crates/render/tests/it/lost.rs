@@ -15,7 +15,7 @@ const OPTIONS: Options = Options {
     scale: 1.0,
     output_format: PLAIN,
     shadows: antipode_render::ShadowQuality::Off,
-    preset: antipode_render::Preset::Card,
+    preset: antipode_render::Preset::Software,
 };
 
 fn view() -> Frame {

@@ -37,7 +37,7 @@ impl Easel {
             scale: 1.0,
             output_format: wgpu::TextureFormat::Rgba8Unorm,
             shadows: ShadowQuality::Off,
-            preset: antipode_render::Preset::Card,
+            preset: antipode_render::Preset::Software,
         };
         let land = antipode_render::TERRAIN;
         let text = striped_land(land.own).leak();

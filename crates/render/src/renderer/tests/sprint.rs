@@ -42,7 +42,7 @@ impl Easel {
             scale: 1.0,
             output_format: TextureFormat::Rgba8Unorm,
             shadows: ShadowQuality::Off,
-            preset: Preset::Card,
+            preset: Preset::Software,
         };
         let mut renderer = Renderer::with_shaders(&gpu, options, striped()).unwrap();
         renderer.resize(SIZE.0, SIZE.1);

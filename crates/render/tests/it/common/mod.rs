@@ -64,7 +64,7 @@ impl Studio {
                 scale,
                 output_format: format,
                 shadows: ShadowQuality::Off,
-                preset: Preset::Card,
+                preset: Preset::Software,
             },
         )
     }
@@ -83,7 +83,7 @@ impl Studio {
                 scale: 1.0,
                 output_format: PLAIN,
                 shadows,
-                preset: Preset::Card,
+                preset: Preset::Software,
             },
         )
     }
@@ -103,7 +103,7 @@ impl Studio {
             scale: 1.0,
             output_format: PLAIN,
             shadows,
-            preset: Preset::Card,
+            preset: Preset::Software,
         };
         Self::made_with(size, options, shaders)
     }
