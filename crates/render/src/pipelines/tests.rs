@@ -30,7 +30,7 @@ fn a_map_that_lacks_a_function_is_refused_in_words_and_not_drawn_flat() {
         Shaders::default(),
         &layout,
         Key::whole(&HALF),
-        (1, ShadowQuality::Off),
+        (1, ShadowQuality::Off, false),
     );
     let words = made.err().unwrap();
     assert!(
