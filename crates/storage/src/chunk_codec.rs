@@ -138,7 +138,10 @@ mod tests {
     fn kinds_come_back_cost_nothing_where_there_are_none_and_little_where_there_are() {
         let samples = brushed(&[[15.3, 16.8, 14.1], [20.0, 16.0, 17.0]], 5.0, -8.0);
         let alone = pack_chunk(&samples).unwrap();
-        assert_eq!(pack_ground(&samples, &[0; CHUNK_SAMPLES]).unwrap(), alone);
+        assert_eq!(
+            pack_ground(&samples, &vec![0; CHUNK_SAMPLES]).unwrap(),
+            alone
+        );
         let kinds: Vec<u8> = samples
             .iter()
             .map(|&edit| if edit < -500 { 9 } else { 0 })

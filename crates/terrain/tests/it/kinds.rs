@@ -256,7 +256,7 @@ fn kinds_of_later_games_are_shown_plain_and_keep_their_bytes() {
     let mut bytes = vec![0; 32 * 32 * 32];
     bytes[77] = 200;
     bytes[78] = Kind::Moss.byte();
-    let edits = ChunkEdits::from_units(&[0; 32 * 32 * 32]).unwrap();
+    let edits = ChunkEdits::from_units(&vec![0; 32 * 32 * 32]).unwrap();
     assert!(!edits.has_unknown_kinds());
     let edits = edits.with_kind_bytes(&bytes).unwrap();
     assert!(edits.has_unknown_kinds());

@@ -1,7 +1,6 @@
 //! Meshes: closed, wound toward the air, and whole at the rim.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
 use crate::common::{Random, chunk, flat, sphere};
 use antipode_geometry::ChartId;
