@@ -89,8 +89,8 @@ impl Row for Item {
         assets.need("model", "models", &self.model)?;
         assets.need("icon", "models", &self.icon)?;
         need("most_in_slot", self.most_in_slot > 0, "is to be 1 or more")?;
-        let is_low = (0.0..=1.0).contains(&height_m);
-        need("lies.height_m", is_low, "is to be 0 to 1 m over the ground")?;
+        let is_low = (0.0..=2.0).contains(&height_m);
+        need("lies.height_m", is_low, "is to be 0 to 2 m over the ground")?;
         let digs = self.digs_per_s.is_none_or(|rate| rate > 0.0);
         need("digs_per_s", digs, "is to be more than 0")?;
         self.stands.as_ref().map_or(Ok(()), Stands::check)
