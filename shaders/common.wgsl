@@ -103,8 +103,8 @@ struct Scene {
 
 // Whether this view is cut at all: pictures that are not are drawn by pipelines without what that takes.
 override CUTS: bool = false;
-// Whether land shows the surfaces of its kinds and is lit by pixel; else it has their colours alone, and in closed worlds light from
-// the corners of its triangles.
+// Whether land shows the surfaces of its kinds and is lit by pixel; else it has the biome's colours alone, and in closed
+// worlds light from the corners of its triangles.
 override BY_PIXEL: bool = false;
 
 // Whether a view point is cut off. To be asked after everything that looks at the next pixel.

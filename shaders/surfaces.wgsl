@@ -1,6 +1,6 @@
 // Surfaces of the kinds of ground: what a pixel's colour, slope and gloss are, by kind, near and farther off.
-// Follows surface_kinds.wgsl, which has what each is like; one entry, `surface_at`, and for vertices `kind_of`, `kind_weights`
-// and `tinted`.
+// Follows surface_kinds.wgsl, which has what each is like; one entry, `surface_at`, and for vertices `kind_of` and
+// `kind_weights`.
 //
 // All is made of noise and of cells in the grain's own place (`grain_point`), so that nothing is stored, nothing tiles before
 // the 256 m after which places wrap, and nothing swims. Every pattern fades before a pixel spans half of its length, so that

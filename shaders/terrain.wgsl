@@ -99,8 +99,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
         out.kinds_c = weights[2];
         out.kinds_d = weights[3];
     } else {
-        let own = mix(tinted(biome, u32(ground.x)), tinted(biome, ROCK), ground.y);
-        out.albedo = own * (1.0 + 0.34 * patches + 0.38 * tufts);
+        out.albedo = biome * (1.0 + 0.34 * patches + 0.38 * tufts);
     }
     out.grain = grain;
     out.veil = haze_before(view) * fog;

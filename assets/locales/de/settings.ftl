@@ -26,7 +26,7 @@ setting-field-of-view = Sichtfeld
 setting-field-of-view-about = Der Winkel zwischen oberem und unterem Bildrand. Ein weiter zeigt mehr und macht alles kleiner.
 
 setting-preset = Bilder für
-setting-preset-about = Mit einer Grafikkarte hat das Land in der Nähe Gras, Rippeln, Kiesel und Schichten und wird Punkt für Punkt beleuchtet. Für den Prozessor hat es nur deren Farben, was schneller ist. Automatisch: je nachdem, was zeichnet.
+setting-preset-about = Mit einer Grafikkarte hat das Land in der Nähe Gras, Rippeln, Kiesel und Schichten und wird Punkt für Punkt beleuchtet. Für den Prozessor hat es nur die Farben seines Bioms, was schneller ist. Automatisch: je nachdem, was zeichnet.
 setting-preset-auto = Automatisch
 setting-preset-card = Grafikkarte
 setting-preset-software = Prozessor

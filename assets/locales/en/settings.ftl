@@ -26,7 +26,7 @@ setting-field-of-view = Field of view
 setting-field-of-view-about = The angle between the upper and the lower edge of the picture. Wide angles show more and make everything smaller.
 
 setting-preset = Made for
-setting-preset-about = With a graphics card land has grass, ripples, pebbles and layers near by, and is lit pixel by pixel. For a processor it has their colours alone, which is faster. Automatic goes by what draws.
+setting-preset-about = With a graphics card land has grass, ripples, pebbles and layers near by, and is lit pixel by pixel. For a processor it has the colours of its biome alone, which is faster. Automatic goes by what draws.
 setting-preset-auto = Automatic
 setting-preset-card = A graphics card
 setting-preset-software = A processor

@@ -26,7 +26,7 @@ setting-field-of-view = Campo de visión
 setting-field-of-view-about = El ángulo entre el borde superior y el inferior de la imagen. Uno ancho muestra más y lo hace todo más pequeño.
 
 setting-preset = Imagen para
-setting-preset-about = Con tarjeta gráfica el terreno tiene de cerca hierba, ondas, guijarros y capas, y se ilumina punto por punto. Para el procesador tiene solo sus colores, que es más rápido. Automática: según lo que dibuje.
+setting-preset-about = Con tarjeta gráfica el terreno tiene de cerca hierba, ondas, guijarros y capas, y se ilumina punto por punto. Para el procesador tiene solo los colores de su bioma, que es más rápido. Automática: según lo que dibuje.
 setting-preset-auto = Automática
 setting-preset-card = Tarjeta gráfica
 setting-preset-software = Procesador

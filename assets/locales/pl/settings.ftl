@@ -26,7 +26,7 @@ setting-field-of-view = Pole widzenia
 setting-field-of-view-about = Kąt między górną a dolną krawędzią obrazu. Szeroki pokazuje więcej, ale wszystko jest mniejsze.
 
 setting-preset = Obraz dla
-setting-preset-about = Na karcie graficznej teren ma z bliska trawę, zmarszczki, kamyki i warstwy i jest oświetlany punkt po punkcie. Dla procesora ma tylko ich kolory, co jest szybsze. Automatycznie: zależnie od tego, co rysuje.
+setting-preset-about = Na karcie graficznej teren ma z bliska trawę, zmarszczki, kamyki i warstwy i jest oświetlany punkt po punkcie. Dla procesora ma tylko kolory swojego biomu, co jest szybsze. Automatycznie: zależnie od tego, co rysuje.
 setting-preset-auto = Automatycznie
 setting-preset-card = Karty graficznej
 setting-preset-software = Procesora

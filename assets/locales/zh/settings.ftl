@@ -26,7 +26,7 @@ setting-field-of-view = 视野
 setting-field-of-view-about = 画面上缘与下缘之间的角度。角度越大看到的越多，一切也越小。
 
 setting-preset = 画面针对
-setting-preset-about = 使用显卡时，地面在近处显示草、波纹、卵石和岩层，并逐像素照明。为处理器绘制时只有各种地面的颜色，速度更快。自动：取决于由什么绘制。
+setting-preset-about = 使用显卡时，地面在近处显示草、波纹、卵石和岩层，并逐像素照明。为处理器绘制时只有生物群系的颜色，速度更快。自动：取决于由什么绘制。
 setting-preset-auto = 自动
 setting-preset-card = 显卡
 setting-preset-software = 处理器
