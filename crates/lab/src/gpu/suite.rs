@@ -24,7 +24,7 @@ pub const MOST_STEPS: f64 = 3.0;
 /// What the expected pictures were taken with.
 const OPTIONS: [&str; 4] = ["--size", "256x144", "--view-distance", "2"];
 /// Settings whose automatic values depend on what draws, as they are in software.
-const SETTINGS: &str = "(schema: 1, settings: {\"msaa\": \"off\", \"shadows\": \"low\", \"rear-mirror\": \"off\", \"surfaces\": \"plain\"})\n";
+const SETTINGS: &str = "(schema: 1, settings: {\"msaa\": \"off\", \"shadows\": \"low\", \"rear-mirror\": \"off\", \"preset\": \"software\"})\n";
 /// How often is looked whether the game is done.
 const LOOK: Duration = Duration::from_millis(20);
 
