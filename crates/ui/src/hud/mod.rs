@@ -94,7 +94,7 @@ pub struct HudModel {
     pub speed_km_h: Option<f64>,
     /// Whether the picture has a rear mirror: [`mirror_place`].
     pub mirror: bool,
-    /// What is against what would be done at the middle of the screen, in a few words.
+    /// What is against what would be done where the crosshair points, in a few words.
     pub against: Option<String>,
     /// Whether to mark the middle of the screen.
     pub show_crosshair: bool,
@@ -187,9 +187,6 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     instruments
 }
 
-/// So far over the middle of the screen stands what is said of it, in points.
-const CROSSHAIR_UP: f32 = 18.0;
-
 /// Wounds, where damage comes from, and the crosshair.
 fn about_the_aim(painter: &Painter, whole: Rect, model: &HudModel) {
     wounds::show(painter, whole, &model.wounds);
@@ -201,11 +198,6 @@ fn about_the_aim(painter: &Painter, whole: Rect, model: &HudModel) {
     }
     if model.show_crosshair {
         crosshair(painter, whole.center());
-    }
-    if let Some(against) = &model.against {
-        let at = whole.center() - vec2(0.0, CROSSHAIR_UP);
-        let anchor = Align2::CENTER_BOTTOM;
-        plate(painter, whole, at, anchor, against, small(), TEXT);
     }
     if model.struck {
         damage::struck(painter, whole.center());
@@ -272,10 +264,14 @@ fn position(painter: &Painter, screen: Rect, texts: &Texts, model: &HudModel) ->
     )
 }
 
-/// In the middle below `top`: what is loading, and what there is to know.
+/// In the middle below `top`: what is against what would be done, or what is loading, and what there is to know.
 fn notices(painter: &Painter, screen: Rect, top: f32, texts: &Texts, model: &HudModel) {
     let mut at = pos2(screen.center().x, top);
-    if let Some(part) = model.loading {
+    if let Some(against) = &model.against {
+        let anchor = Align2::CENTER_TOP;
+        let rect = plate(painter, screen, at, anchor, against, small(), TEXT);
+        at.y = rect.max.y + GRID;
+    } else if let Some(part) = model.loading {
         let part = part.clamp(0.0, 1.0);
         let words = texts.say_with("display-loading", &[("percent", percent(part))]);
         let rect = plate(

@@ -131,7 +131,11 @@ fn the_display_neither_overlaps_nor_leaves_the_screen_in_any_language() {
             cheated: false,
             ..measured_hud()
         };
-        for model in [full_hud(), measured_hud(), fair] {
+        let refused = HudModel {
+            against: Some("too close to the other door".to_owned()),
+            ..full_hud()
+        };
+        for model in [full_hud(), measured_hud(), fair, refused] {
             if model.figures.is_some() && size.y < 300.0 {
                 continue;
             }

@@ -45,7 +45,7 @@ pub fn full_hud() -> HudModel {
         brush_radius_m: Some(5.0),
         speed_km_h: None,
         mirror: true,
-        against: Some("too close to the other door".to_owned()),
+        against: None,
         show_crosshair: true,
         loading: Some(0.43),
         time_label: "12:40".to_owned(),
