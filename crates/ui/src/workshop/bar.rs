@@ -104,10 +104,10 @@ fn menus(
 ) {
     let texts = model.texts;
     ui.menu_button(texts.say("workshop-menu-edit"), |ui| {
-        edit_menu(ui, model, wishes)
+        edit_menu(ui, model, wishes);
     });
     ui.menu_button(texts.say("workshop-menu-view"), |ui| {
-        view_menu(ui, model, wishes)
+        view_menu(ui, model, wishes);
     });
     ui.menu_button(texts.say("workshop-menu-help"), |ui| {
         if line(ui, model, "lesson", (false, true)).clicked() {
