@@ -1,5 +1,6 @@
 // Surfaces of the kinds of ground: what a pixel's colour, slope and gloss are, by kind, near and farther off.
-// Follows surface_kinds.wgsl, which has what each is like; one entry, `surface_at`, and for vertices `kind_of` and
+// Follows surface_kinds.wgsl, which has what each is like, and `tint_of`, the table of the kinds' colours that
+// crates/terrain/src/tint.rs has and meshes hold already; one entry, `surface_at`, and for vertices `kind_of` and
 // `kind_weights`.
 //
 // All is made of noise and of cells in the grain's own place (`grain_point`), so that nothing is stored, nothing tiles before
@@ -25,33 +26,6 @@ const CRYSTAL: u32 = 14u;
 const KINDS: u32 = 16u;
 // Added to the number of a kind that is the skin of untouched land.
 const SKIN: u32 = 0x40u;
-
-// The palette: a kind's colour in linear light, and the share of it; the rest is the biome's.
-fn palette(kind: u32) -> vec4<f32> {
-    switch kind {
-        case 1u: { return vec4<f32>(0.105, 0.190, 0.042, 0.35); }
-        case 2u: { return vec4<f32>(0.105, 0.066, 0.042, 0.55); }
-        case 3u: { return vec4<f32>(0.560, 0.400, 0.220, 0.45); }
-        case 4u: { return vec4<f32>(0.235, 0.215, 0.200, 0.50); }
-        case 5u: { return vec4<f32>(0.215, 0.195, 0.180, 0.35); }
-        case 6u: { return vec4<f32>(0.085, 0.080, 0.085, 0.60); }
-        case 7u: { return vec4<f32>(0.780, 0.830, 0.900, 0.93); }
-        case 8u: { return vec4<f32>(0.070, 0.150, 0.026, 0.65); }
-        case 9u: { return vec4<f32>(0.330, 0.165, 0.095, 0.65); }
-        case 10u: { return vec4<f32>(0.050, 0.048, 0.054, 0.65); }
-        case 11u: { return vec4<f32>(0.095, 0.112, 0.138, 0.90); }
-        case 12u: { return vec4<f32>(0.016, 0.016, 0.019, 1.0); }
-        case 13u: { return vec4<f32>(0.190, 0.150, 0.115, 1.0); }
-        case 14u: { return vec4<f32>(0.180, 0.330, 0.480, 1.0); }
-        default: { return vec4<f32>(0.0); }
-    }
-}
-
-// A biome's colour with that of a kind.
-fn tinted(biome: vec3<f32>, kind: u32) -> vec3<f32> {
-    let own = palette(kind);
-    return mix(biome, own.rgb, own.a);
-}
 
 // Whether a steep face of untouched land shows the rock below it.
 fn is_thin(kind: u32) -> bool {
@@ -129,23 +103,41 @@ fn most_of(weights: mat4x4<f32>) -> Most {
 // How far heights reach into each other where kinds blend.
 const BLEND_DEPTH: f32 = 0.10;
 
-// A pixel of ground: `biome` is the vertices' colour, `wide_m` what the pixel spans.
-fn surface_at(weights: mat4x4<f32>, biome: vec3<f32>, p: vec3<f32>, wide_m: f32) -> Surface {
+// A tint over the biome's colour.
+fn tinted(biome: vec3<f32>, tint: vec4<f32>) -> vec3<f32> {
+    return mix(biome, tint.rgb, tint.a);
+}
+
+// The colours of two kinds at a pixel, of which the vertices' colour is the mean by these weights: b being the biome's colour
+// and t the tints, g = w1 (b (1 - a1) + a1 t1) + w2 (b (1 - a2) + a2 t2), and so b = (g - w1 a1 t1 - w2 a2 t2) / (1 - w1 a1 - w2 a2).
+fn parted(ground: vec3<f32>, kinds: vec2<u32>, weights: vec2<f32>) -> array<vec3<f32>, 2> {
+    let one = tint_of(kinds.x);
+    let two = tint_of(kinds.y);
+    let shares = weights * vec2<f32>(one.a, two.a);
+    let rest = (ground - shares.x * one.rgb - shares.y * two.rgb) / max(1.0 - shares.x - shares.y, 0.05);
+    let biome = clamp(rest, vec3<f32>(0.0), vec3<f32>(1.0));
+    let apart = tinted(biome, two) - tinted(biome, one);
+    return array<vec3<f32>, 2>(
+        max(ground - weights.y * apart, vec3<f32>(0.0)),
+        max(ground + weights.x * apart, vec3<f32>(0.0)),
+    );
+}
+
+// A pixel of ground: `ground` is the vertices' colour, `wide_m` what the pixel spans.
+fn surface_at(weights: mat4x4<f32>, ground: vec3<f32>, p: vec3<f32>, wide_m: f32) -> Surface {
     let spot = Spot(p, grain_up(p), wide_m);
     let most = most_of(weights);
     let one = detail_of(most.kinds.x, spot);
-    let albedo = tinted(biome, most.kinds.x) * max(one.tone, vec3<f32>(0.0));
-    let first = Surface(albedo, one.slope, one.gloss, one.glow);
     if most.weights.y < 0.02 {
-        return first;
+        return Surface(ground * max(one.tone, vec3<f32>(0.0)), one.slope, one.gloss, one.glow);
     }
     let two = detail_of(most.kinds.y, spot);
     let scores = most.weights * (vec2<f32>(0.4) + vec2<f32>(one.height, two.height));
-    let shares = max(scores - (max(scores.x, scores.y) - BLEND_DEPTH), vec2<f32>(0.0));
-    let share = shares.y / (shares.x + shares.y);
-    let other = tinted(biome, most.kinds.y) * max(two.tone, vec3<f32>(0.0));
+    let heights = max(scores - (max(scores.x, scores.y) - BLEND_DEPTH), vec2<f32>(0.0));
+    let share = heights.y / (heights.x + heights.y);
+    let colours = parted(ground, most.kinds, most.weights / (most.weights.x + most.weights.y));
     return Surface(
-        mix(albedo, other, share),
+        mix(colours[0] * max(one.tone, vec3<f32>(0.0)), colours[1] * max(two.tone, vec3<f32>(0.0)), share),
         mix(one.slope, two.slope, share),
         mix(one.gloss, two.gloss, share),
         mix(one.glow, two.glow, share),

@@ -90,16 +90,16 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let normal = in_common_axes(chart_normal);
     let place = in_common_axes(p);
     // No ground is blacker than basalt, so that overhangs keep their shape.
-    let biome = to_linear(in.colour.rgb) + 0.014;
+    let own = to_linear(in.colour.rgb) + 0.014;
     if BY_PIXEL {
-        out.albedo = biome;
+        out.albedo = own;
         let weights = kind_weights(ground);
         out.kinds_a = weights[0];
         out.kinds_b = weights[1];
         out.kinds_c = weights[2];
         out.kinds_d = weights[3];
     } else {
-        out.albedo = biome * (1.0 + 0.34 * patches + 0.38 * tufts);
+        out.albedo = own * (1.0 + 0.34 * patches + 0.38 * tufts);
     }
     out.grain = grain;
     out.veil = haze_before(view) * fog;

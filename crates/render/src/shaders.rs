@@ -1,6 +1,7 @@
 //! The shaders' sources, embedded, and how they are put together.
 
 use antipode_geometry::{MapShader, WGSL as GEOMETRY};
+use antipode_terrain::Kind;
 
 const COMMON: &str = include_str!("../../../shaders/common.wgsl");
 const LIGHTS: &str = include_str!("../../../shaders/lights.wgsl");
@@ -69,18 +70,31 @@ impl Shader {
         match map {
             Some(map) => {
                 let light = map.daylight.text;
-                let [kinds, surfaces] = match self.name {
-                    "terrain" => SURFACES,
-                    _ => [""; 2],
-                };
-                let parts = [
-                    GEOMETRY, map.text, COMMON, LIGHTS, SHADOW, light, kinds, surfaces, self.own,
-                ];
+                let mut parts = vec![GEOMETRY, map.text, COMMON, LIGHTS, SHADOW, light];
+                let tints = tints();
+                if self.name == TERRAIN.name {
+                    parts.extend(SURFACES);
+                    parts.push(&tints);
+                }
+                parts.push(self.own);
                 parts.join("\n")
             }
             None => self.own.to_owned(),
         }
     }
+}
+
+/// The function by which the land's shader knows the tint of a kind of ground.
+fn tints() -> String {
+    let row = |kind: Kind| {
+        let [r, g, b, share] = kind.tint();
+        let number = kind.byte();
+        format!("case {number}u: {{ return vec4<f32>({r:?}, {g:?}, {b:?}, {share:?}); }}\n")
+    };
+    let rows: String = Kind::ALL.into_iter().map(row).collect();
+    format!(
+        "fn tint_of(kind: u32) -> vec4<f32> {{\nswitch kind {{\n{rows}default: {{ return vec4<f32>(0.0); }}\n}}\n}}"
+    )
 }
 
 /// What the shaders are compiled from: the embedded texts, but for one that may be another's.

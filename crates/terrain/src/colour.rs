@@ -1,7 +1,8 @@
 //! Colours of the ground.
 //!
 //! Heights give the biome's low, middle and high ground, with borders that wander; steep
-//! faces show rock with strata. Colours are mixed in linear light and stored as sRGB.
+//! faces show rock with strata. Over that lies the tint of the kind of ground. Colours are mixed in linear light and
+//! stored as sRGB.
 
 use std::cell::RefCell;
 
@@ -10,7 +11,9 @@ use glam::{Vec3, Vec4};
 
 use crate::biome::Palette;
 use crate::field::Field;
+use crate::light::{LightTables, linear};
 use crate::memo::{Places, Waves};
+use crate::tint::tint_of;
 
 /// Half width of the border between two kinds of ground, metres of height.
 const BLEND_M: f32 = 2.5;
@@ -30,23 +33,11 @@ const STRATA_RAD_PER_M: f32 = 2.4;
 /// How far wandering bends the strata, radians.
 const STRATA_BEND_RAD: f32 = 2.0;
 
-/// Linear light is told apart in this many steps: so fine that each of the 256 bytes has a step
-/// of its own even in the dark, where they lie 1.2 steps apart.
-const LIGHT_STEPS: usize = 4096;
-
-/// Room for every index of 13 bits.
-const ENTRIES: usize = 2 * LIGHT_STEPS;
-
-/// Bytes of sRGB by steps of linear light.
-#[derive(Debug)]
-pub(crate) struct Encoder {
-    bytes: Box<[u8; ENTRIES]>,
-}
-
 /// Paints the ground of one field.
 #[derive(Debug)]
 pub(crate) struct Painter<'a> {
     field: &'a Field,
+    light: &'static LightTables,
     low: Vec4,
     middle: Vec4,
     high: Vec4,
@@ -93,6 +84,7 @@ impl<'a> Painter<'a> {
         let scale = 2.0 * biome.max_amplitude_m() / (highest - lowest);
         Self {
             field,
+            light: LightTables::get(),
             low: linear(bottom),
             middle: linear(middle),
             high: linear(top),
@@ -106,10 +98,11 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// The colour of ground at a point with a unit normal: sRGB and 255.
+    /// The colour of ground at a point with a unit normal, of a kind as the fourth byte of vertices says it: sRGB, and that
+    /// byte.
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3) -> [u8; 4] {
+    pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3, kind: u8) -> [u8; 4] {
         let at = self.shares(point, normal);
         let ground = self
             .low
@@ -122,9 +115,10 @@ impl<'a> Painter<'a> {
         } else {
             ground
         };
-        self.field
-            .encoder()
-            .bytes(colour * (1.0 + MOTTLE_SHARE * at.mottle))
+        let biome = colour * (1.0 + MOTTLE_SHARE * at.mottle);
+        let tint = tint_of(kind, normal.y);
+        let [r, g, b, _] = self.light.bytes(biome * (1.0 - tint.w) + tint);
+        [r, g, b, kind]
     }
 
     /// How much of each kind of ground shows at a point with a unit normal.
@@ -155,7 +149,7 @@ impl<'a> Painter<'a> {
 
 /// 0 up to `from`, 1 from `1 / slope` after it on, smooth between.
 #[inline]
-fn rises(from: f32, slope: f32, x: f32) -> f32 {
+pub(crate) fn rises(from: f32, slope: f32, x: f32) -> f32 {
     let t = ((x - from) * slope).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
@@ -172,48 +166,6 @@ fn sine(radians: f32) -> f32 {
     wave * (0.776 + 0.224 * wave.abs())
 }
 
-/// sRGB to linear light (IEC 61966-2-1).
-fn linear([r, g, b]: [u8; 3]) -> Vec4 {
-    let of = |c: u8| {
-        let c = f32::from(c) / 255.0;
-        if c <= 0.040_45 {
-            c / 12.92
-        } else {
-            ((c + 0.055) / 1.055).powf(2.4)
-        }
-    };
-    Vec4::new(of(r), of(g), of(b), 1.0)
-}
-
-impl Encoder {
-    pub(crate) fn new() -> Self {
-        let byte = |step: usize| {
-            let c = step as f32 / LIGHT_STEPS as f32;
-            let srgb = if c <= 0.003_130_8 {
-                c * 12.92
-            } else {
-                1.055 * c.powf(1.0 / 2.4) - 0.055
-            };
-            // The cast saturates, for the entries past full light.
-            (srgb * 255.0).round() as u8
-        };
-        Self {
-            bytes: Box::new(std::array::from_fn(byte)),
-        }
-    }
-
-    /// Linear light to sRGB, and 255.
-    #[inline]
-    fn bytes(&self, linear: Vec4) -> [u8; 4] {
-        /// Adding this rounds to a whole number and leaves it in the low bits.
-        const ROUNDS: f32 = 8_388_608.0;
-        let most = LIGHT_STEPS as f32;
-        let steps = (linear * most).clamp(Vec4::ZERO, Vec4::splat(most)) + ROUNDS;
-        let byte = |step: f32| self.bytes[step.to_bits() as usize % ENTRIES];
-        [byte(steps.x), byte(steps.y), byte(steps.z), u8::MAX]
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use antipode_geometry::{ChartId, Geometry, strategy};
@@ -223,17 +175,6 @@ mod tests {
     use super::*;
     use crate::fractal::AXIS_FREQUENCY;
     use crate::lattice::table_seed;
-
-    #[test]
-    fn every_byte_survives_linear_light() {
-        let encoder = Encoder::new();
-        for c in 0..=255 {
-            let colour = [c, 0, 255 - c];
-            assert_eq!(encoder.bytes(linear(colour)), [c, 0, 255 - c, 255]);
-        }
-        let out = encoder.bytes(Vec4::new(-1.0, 1.1, 9.0, 1.0));
-        assert_eq!(out, [0, 255, 255, 255], "held to what bytes can say");
-    }
 
     #[test]
     fn the_quick_sine_is_a_sine() {
@@ -305,7 +246,7 @@ mod tests {
                     let chart = [ChartId::FIRST, ChartId::SECOND][n as usize % 2];
                     let point = ChartPoint::new(chart, pos);
                     let normal = Vec3::new(0.3, (t * 0.37).fract() as f32, 0.1).normalize();
-                    let found = painter.paint(point, normal);
+                    let found = painter.paint(point, normal, 0);
                     let exact = plainly(&field, seed, point, normal);
                     for (found, exact) in found.into_iter().zip(exact) {
                         let off = (f32::from(found) - exact).abs();
@@ -329,7 +270,7 @@ mod tests {
             let (low, high) = field.ground_range_m();
             let is_bed = |n: u32| {
                 let pos = DVec3::new(3.0, low + 0.05 * f64::from(n), -8.0);
-                let [_, green, ..] = painter.paint(ChartPoint::a(pos), Vec3::X);
+                let [_, green, ..] = painter.paint(ChartPoint::a(pos), Vec3::X, 0);
                 green > 120
             };
             let steps = ((high - low) / 0.05) as u32;

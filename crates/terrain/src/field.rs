@@ -14,7 +14,6 @@ use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord, Domain, NoiseFra
 use glam::DVec3;
 
 use crate::biome::Biome;
-use crate::colour::Encoder;
 use crate::fractal::{Column, Octave};
 use crate::lattice::Lattice;
 use crate::relief::{BLOCK, Ground, Relief, Rows};
@@ -40,7 +39,6 @@ pub struct Field {
     biome: &'static Biome,
     octaves: Vec<Octave>,
     relief: Relief,
-    encoder: Arc<Encoder>,
 }
 
 impl Field {
@@ -57,7 +55,6 @@ impl Field {
             octaves: biome.octaves(),
             relief: Relief::new(biome.max_amplitude_m(), bounds),
             biome,
-            encoder: Arc::new(Encoder::new()),
             strategy,
         }
     }
@@ -82,10 +79,6 @@ impl Field {
 
     pub(crate) fn relief(&self) -> &Relief {
         &self.relief
-    }
-
-    pub(crate) fn encoder(&self) -> &Encoder {
-        &self.encoder
     }
 
     pub(crate) fn domain(&self, chart: ChartId) -> Domain {

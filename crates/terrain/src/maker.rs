@@ -171,8 +171,7 @@ impl<'a> Maker<'a> {
             chart: self.coord.chart,
             pos: self.origin + local,
         };
-        let [r, g, b, _] = self.painter.paint(point, normal);
-        let colour = [r, g, b, kind];
+        let colour = self.painter.paint(point, normal, kind);
         Vertex::at(place, octahedral(normal), colour)
     }
 

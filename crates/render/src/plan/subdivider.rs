@@ -4,7 +4,7 @@
 //! two chunks too, and no crack opens. A triangle with one, two or three halved edges becomes two, three or
 //! four.
 
-use antipode_terrain::{ChunkMesh, Vertex, octahedral};
+use antipode_terrain::{ChunkMesh, LightTables, Vertex, octahedral};
 use glam::Vec3;
 
 use super::refine::RefineRules;
@@ -164,12 +164,13 @@ fn between(a: &Vertex, b: &Vertex) -> Vertex {
     )
 }
 
-/// The mean of two colours, with one's kind of ground: between two kinds there is none. Whichever chunk one looks from, it is
-/// that of the greater number.
+/// What a picture has half way between two colours, with one's kind of ground: between two kinds there is none. Whichever
+/// chunk one looks from, it is that of the greater number.
 fn halfway(a: [u8; 4], b: [u8; 4]) -> [u8; 4] {
+    let light = LightTables::get();
     std::array::from_fn(|i| {
         if i < 3 {
-            a[i].midpoint(b[i])
+            light.halfway(a[i], b[i])
         } else {
             a[i].max(b[i])
         }

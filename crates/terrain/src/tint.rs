@@ -1,0 +1,85 @@
+//! What kinds of ground look like from afar: a colour of their own, and how much of it lies over the biome's.
+//!
+//! Meshes hold the colour with the tint in it, so that what lies between two vertices is between their colours, wherever
+//! an edge is halved. The shaders know the same table, to part two kinds at a pixel.
+
+use glam::Vec4;
+
+use crate::colour::rises;
+use crate::kind::{Kind, SKIN};
+
+/// `1 - normal.y` where the skin of untouched land begins to show the rock below it, and one by how much more it shows
+/// nothing else: 42 and 57 degrees.
+const STEEP: f32 = 0.26;
+const PER_STEEPER: f32 = 5.0;
+
+/// By numbers of kinds, colours times their shares, and the shares.
+static TINTS: [Vec4; 16] = tints();
+
+impl Kind {
+    /// The kind's colour in linear light, 0 to 1, and the share of that, 0 to 1; the rest is the biome's.
+    pub const fn tint(self) -> [f32; 4] {
+        match self {
+            Self::Grass => [0.105, 0.190, 0.042, 0.35],
+            Self::Soil => [0.105, 0.066, 0.042, 0.55],
+            Self::Sand => [0.560, 0.400, 0.220, 0.45],
+            Self::Gravel => [0.235, 0.215, 0.200, 0.50],
+            Self::Rock => [0.215, 0.195, 0.180, 0.35],
+            Self::Ash => [0.085, 0.080, 0.085, 0.60],
+            Self::Snow => [0.780, 0.830, 0.900, 0.93],
+            Self::Moss => [0.070, 0.150, 0.026, 0.65],
+            Self::Clay => [0.330, 0.165, 0.095, 0.65],
+            Self::Basalt => [0.050, 0.048, 0.054, 0.65],
+            Self::Slate => [0.095, 0.112, 0.138, 0.90],
+            Self::Coal => [0.004, 0.004, 0.007, 1.0],
+            Self::Copper => [0.190, 0.150, 0.115, 1.0],
+            Self::Crystal => [0.180, 0.330, 0.480, 1.0],
+        }
+    }
+}
+
+const fn tints() -> [Vec4; 16] {
+    let mut tints = [Vec4::ZERO; 16];
+    let mut n = 0;
+    while n < Kind::ALL.len() {
+        let [r, g, b, share] = Kind::ALL[n].tint();
+        tints[n + 1] = Vec4::new(r * share, g * share, b * share, share);
+        n += 1;
+    }
+    tints
+}
+
+/// The tint of a kind as the fourth byte of vertices says it, on ground with a unit normal of this height: its colour times
+/// its share, and its share.
+#[inline]
+pub(crate) fn tint_of(byte: u8, normal_y: f32) -> Vec4 {
+    let of = |number: u8| TINTS[usize::from(number) % TINTS.len()];
+    let own = of(byte & !SKIN);
+    if byte & SKIN == 0 {
+        return own;
+    }
+    let steep = rises(STEEP, PER_STEEPER, 1.0 - normal_y);
+    own.lerp(of(steeps_to(byte & !SKIN)), steep)
+}
+
+/// The number of what a steep face of a kind shows.
+fn steeps_to(number: u8) -> u8 {
+    Kind::of_byte(number).map_or(number, |kind| kind.where_steep().byte())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn level_ground_has_its_kinds_tint_and_steep_skin_that_of_rock() {
+        for kind in Kind::ALL {
+            let own = tint_of(kind.byte(), 0.1);
+            assert_eq!(own, TINTS[usize::from(kind.byte())], "laid: {kind:?}");
+            assert_eq!(tint_of(kind.byte() | SKIN, 0.95), own, "level: {kind:?}");
+            let steep = tint_of(kind.byte() | SKIN, 0.5);
+            assert_eq!(steep, TINTS[usize::from(kind.where_steep().byte())]);
+        }
+        assert_eq!(tint_of(0, 1.0), Vec4::ZERO);
+    }
+}
