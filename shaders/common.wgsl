@@ -150,17 +150,18 @@ fn fog_at(distance_m: f32) -> f32 {
 const FACING: f32 = 0.2;
 
 // Warm key and cool ambient from above, bounce from below: nothing is black.
-// `share` of the key reaches the place; in a shadow less of it is bounced about, too.
-fn light_on(normal: vec3<f32>, share: f32) -> vec3<f32> {
+// `share` of the key reaches the place; in a shadow less of it is bounced about, too. So much of the `sky` is seen from there.
+fn light_on(normal: vec3<f32>, share: f32, sky: f32) -> vec3<f32> {
     let facing = dot(normal, scene.key_direction);
     // Land is flat between its vertices and its normals are not: triangles turn away one by one before they do. Light
     // that has all but gone by then shows no edges of theirs.
     let turned = smoothstep(0.0, FACING, facing);
     let key = max(facing, 0.0) * turned;
     let wrap = 0.06 * (1.0 - abs(facing)) + 0.05;
-    let sky = 0.5 + 0.5 * normal.y;
-    let bounced = wrap * (0.4 + 0.6 * share * turned);
-    return scene.key_colour * (0.78 * key * share + bounced) + mix(scene.ambient_ground, scene.ambient_sky, sky);
+    let upward = 0.5 + 0.5 * normal.y;
+    let bounced = wrap * (0.4 + 0.6 * share * turned) * sky;
+    return scene.key_colour * (0.78 * key * share + bounced)
+        + mix(scene.ambient_ground, scene.ambient_sky, upward) * sky;
 }
 
 // sRGB to linear light; cubic fit of the standard's curve, within 0.003.

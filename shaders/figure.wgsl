@@ -250,7 +250,7 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let sky = mix(scene.ambient_ground, scene.ambient_sky, 0.5 + 0.5 * normal.y);
     let unlit = is_unlit(in.view, normal, in.frame_normal);
     let share = key_share(shaded_at(in.place, in.view, normal, in.frame_normal), in.clip.xy, unlit, true);
-    var colour = in.albedo.rgb * daylight_on(in.view, normal, in.frame_normal, share);
+    var colour = in.albedo.rgb * daylight_on(in.view, normal, in.frame_normal, share, 1.0);
     if any(in.lights != vec3<u32>(0u)) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
     }

@@ -12,7 +12,7 @@
 //   grain_up(grain)                   which way is up where grain is read
 //   tilted(normal, model_normal, ..)  both normals of a surface that slopes so in the grain's axes
 //   haze_before(view)                 the haze before a view point
-//   daylight_on(view, normal, ..)     all light but that of lamps and beams
+//   daylight_on(view, normal, ..)     all light but that of lamps and beams, where so much of the sky is left
 //   wants_model_normal(lights)        whether a vertex needs its normal in view coordinates
 //   land_light(view, normal, ..)      what a vertex of land tells its fragments of the day's light
 //   daylit(light, albedo, share)      what those make of it

@@ -24,25 +24,29 @@ const COAL: u32 = 12u;
 const COPPER: u32 = 13u;
 const CRYSTAL: u32 = 14u;
 const KINDS: u32 = 16u;
-// Added to the number of a kind that is the skin of untouched land.
-const SKIN: u32 = 0x40u;
+// A vertex's byte has the number of its kind in five bits, and above them the skin of untouched land, or steps of the sky.
+const NUMBER_BITS: u32 = 0x1fu;
+const SKY_SHIFT: u32 = 5u;
+const OPEN_SKY: u32 = 6u;
+const SKIN: u32 = 7u;
 
 // Whether a steep face of untouched land shows the rock below it.
 fn is_thin(kind: u32) -> bool {
     return kind != SNOW && kind != BASALT && kind < SLATE;
 }
 
-// The kind that a vertex says, and how much of it is rock, since it is steep there.
-fn kind_of(byte: f32, normal_y: f32) -> vec2<f32> {
+// The kind that a vertex says, how much of it is rock, since it is steep there, and how much of the sky is left.
+fn kind_of(byte: f32, normal_y: f32) -> vec3<f32> {
     let number = u32(byte * 255.0 + 0.5);
-    let kind = number & 0x3fu;
+    let kind = number & NUMBER_BITS;
+    let sky = number >> SKY_SHIFT;
     let steep = smoothstep(0.26, 0.46, 1.0 - normal_y);
-    let is_skin = (number & SKIN) != 0u && is_thin(kind);
-    return vec2<f32>(f32(min(kind, KINDS)), select(0.0, steep, is_skin));
+    let is_skin = sky == SKIN && is_thin(kind);
+    return vec3<f32>(f32(min(kind, KINDS)), select(0.0, steep, is_skin), f32(min(sky, OPEN_SKY)) / f32(OPEN_SKY));
 }
 
 // Of each kind, from the first on, how much a vertex has.
-fn kind_weights(kind: vec2<f32>) -> mat4x4<f32> {
+fn kind_weights(kind: vec3<f32>) -> mat4x4<f32> {
     var weights = mat4x4<f32>();
     for (var row = 0u; row < 4u; row++) {
         let numbers = vec4<f32>(1.0, 2.0, 3.0, 4.0) + 4.0 * f32(row);
@@ -117,10 +121,9 @@ fn parted(ground: vec3<f32>, kinds: vec2<u32>, weights: vec2<f32>) -> array<vec3
     let rest = (ground - shares.x * one.rgb - shares.y * two.rgb) / max(1.0 - shares.x - shares.y, 0.05);
     let biome = clamp(rest, vec3<f32>(0.0), vec3<f32>(1.0));
     let apart = tinted(biome, two) - tinted(biome, one);
-    return array<vec3<f32>, 2>(
-        max(ground - weights.y * apart, vec3<f32>(0.0)),
-        max(ground + weights.x * apart, vec3<f32>(0.0)),
-    );
+    // The weights of a halved edge's middle are those of one kind, and its colour is not.
+    let least = 0.4 * ground;
+    return array<vec3<f32>, 2>(max(ground - weights.y * apart, least), max(ground + weights.x * apart, least));
 }
 
 // A pixel of ground: `ground` is the vertices' colour, `wide_m` what the pixel spans.

@@ -32,7 +32,7 @@ struct VertexOut {
     @location(7) view: vec4<f32>,
     @location(8) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(9) @interpolate(flat) lights: vec3<u32>,
-    @location(10) dark: vec3<f32>,      // of the shadow
+    @location(10) dark: vec3<f32>,      // of the shadow; where surfaces are drawn, x is what is left of the sky
     @location(11) kinds_a: vec4<f32>,   // of each kind of ground, how much, where surfaces are drawn; facing is the normal there
     @location(12) kinds_b: vec4<f32>,
     @location(13) kinds_c: vec4<f32>,
@@ -70,6 +70,9 @@ fn beyond_chart(p: vec3<f32>) -> f32 {
     let past = max(chart.domain_low - p.xz, p.xz - chart.domain_high);
     return max(max(past.x, past.y), geo_beyond_edge(scene.space, p));
 }
+
+// What is left of the light from all around where no sky is: so that one finds the way out of a hole.
+const DEEPEST_SKY: f32 = 0.10;
 
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
@@ -111,11 +114,13 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     if wants_model_normal(in.lights) {
         out.frame_normal = frame_vector(space, p, chart_normal);
     }
-    let light = land_light(view, normal, out.frame_normal, out.albedo);
+    let sky = mix(DEEPEST_SKY, 1.0, ground.z);
+    let light = land_light(view, normal, out.frame_normal, out.albedo, sky);
     out.facing = light.facing;
     out.dark = light.dark;
     if BY_PIXEL {
         out.facing = normal;
+        out.dark.x = sky;
     }
     if any(in.lights != vec3<u32>(0u)) {
         let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
@@ -244,7 +249,7 @@ fn surface_light(in: VertexOut, share: f32, steps: Steps) -> vec3<f32> {
     let weights = mat4x4<f32>(in.kinds_a, in.kinds_b, in.kinds_c, in.kinds_d);
     let surface = surface_at(weights, in.albedo, in.grain, wide_m);
     let tilt = tilted(normalize(in.facing), in.frame_normal, surface.slope, steps);
-    var lit = surface.albedo * daylight_on(in.view, tilt.normal, tilt.model_normal, share);
+    var lit = surface.albedo * daylight_on(in.view, tilt.normal, tilt.model_normal, share, in.dark.x);
     // Blinn's highlight of the key light.
     let half_way = normalize(scene.key_direction - direction_of(in.view.xyz));
     let shine = pow(max(dot(seen_normal(in.view, tilt.normal, tilt.model_normal), half_way), 0.0), 36.0);

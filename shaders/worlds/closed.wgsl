@@ -66,13 +66,13 @@ fn haze_before(view: vec4<f32>) -> vec3<f32> {
 
 // The cosine between the normal n and the way to a body s is <n, s> over the sine of the distance, n being square to the
 // point. `up` is the normal's share of the way up.
-fn orbs_on(view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32) -> vec3<f32> {
+fn orbs_on(view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32, sky: f32) -> vec3<f32> {
     let place = model_of(view);
     let near = vec2<f32>(dot(place, scene.sun_place), dot(place, scene.moon_place));
     let slant = vec2<f32>(dot(normal, scene.sun_place), dot(normal, scene.moon_place));
     let facing = slant * inverseSqrt(max(vec2<f32>(1.0) - near * near, vec2<f32>(1.0e-3)));
     let reaches = mix(vec2<f32>(share, 1.0), vec2<f32>(1.0, share), scene.shadows.by_moon);
-    let bounced = 0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05);
+    let bounced = (0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05)) * sky;
     let turned = smoothstep(vec2<f32>(0.0), vec2<f32>(FACING), facing);
     let about = reaches * turned;
     let key = 0.78 * max(facing, vec2<f32>(0.0)) * turned * reaches + bounced * (0.4 + 0.6 * about);
@@ -83,11 +83,11 @@ fn orbs_on(view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32) -> vec3<f32>
     let ambient = mix(scene.ambient_ground, scene.ambient_sky, 0.5 + 0.5 * up);
     return scene.key_colour * warmth * (day * key.x)
         + scene.moon_colour * (moonlight * key.y)
-        + ambient * mix(NIGHT_AMBIENT, vec3<f32>(1.0), day);
+        + ambient * mix(NIGHT_AMBIENT, vec3<f32>(1.0), day) * sky;
 }
 
-fn daylight_on(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, share: f32) -> vec3<f32> {
-    return orbs_on(view, model_normal, normal.y, share);
+fn daylight_on(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, share: f32, sky: f32) -> vec3<f32> {
+    return orbs_on(view, model_normal, normal.y, share, sky);
 }
 
 fn wants_model_normal(lights: vec3<u32>) -> bool {
@@ -96,11 +96,11 @@ fn wants_model_normal(lights: vec3<u32>) -> bool {
 
 // The land's colour by day or night, and in the shadow: sun and moon stand among the land, and their light is three times
 // the work of a fixed direction's, and changes little along an edge.
-fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albedo: vec3<f32>) -> LandLight {
-    var light = LandLight(albedo * orbs_on(view, model_normal, normal.y, 1.0), vec3<f32>(0.0));
+fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albedo: vec3<f32>, sky: f32) -> LandLight {
+    var light = LandLight(albedo * orbs_on(view, model_normal, normal.y, 1.0, sky), vec3<f32>(0.0));
     if SHADOWS != 0u {
         let unlit = is_unlit(view, normal, model_normal);
-        light.dark = albedo * orbs_on(view, model_normal, normal.y, select(0.0, 1.0, unlit));
+        light.dark = albedo * orbs_on(view, model_normal, normal.y, select(0.0, 1.0, unlit), sky);
     }
     return light;
 }

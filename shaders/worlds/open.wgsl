@@ -26,21 +26,21 @@ fn haze_before(view: vec4<f32>) -> vec3<f32> {
     return haze(direction_of(view.xyz));
 }
 
-fn daylight_on(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, share: f32) -> vec3<f32> {
-    return light_on(normal, share);
+fn daylight_on(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, share: f32, sky: f32) -> vec3<f32> {
+    return light_on(normal, share, sky);
 }
 
 fn wants_model_normal(lights: vec3<u32>) -> bool {
     return any(lights != vec3<u32>(0u));
 }
 
-// The normal: a fixed direction's light is worked out at each point.
-fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albedo: vec3<f32>) -> LandLight {
-    return LandLight(normal, vec3<f32>(0.0));
+// The normal, and what is left of the sky: a fixed direction's light is worked out at each point.
+fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albedo: vec3<f32>, sky: f32) -> LandLight {
+    return LandLight(normal, vec3<f32>(sky));
 }
 
 fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
-    return albedo * light_on(normalize(light.facing), share);
+    return albedo * light_on(normalize(light.facing), share, light.dark.x);
 }
 
 fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {

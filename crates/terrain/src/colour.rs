@@ -33,6 +33,12 @@ const STRATA_RAD_PER_M: f32 = 2.4;
 /// How far wandering bends the strata, radians.
 const STRATA_BEND_RAD: f32 = 2.0;
 
+/// What hollows keep of the light from all around, which is most of what an eye goes by at noon: they are darker by so much per
+/// 1/m of the Laplacian, at most by so much, and ridges lighter at most by so much.
+const HOLLOW_SHARE_M: f32 = 0.30;
+const HOLLOW_MOST: f32 = 0.42;
+const RIDGE_MOST: f32 = 0.14;
+
 /// Paints the ground of one field.
 #[derive(Debug)]
 pub(crate) struct Painter<'a> {
@@ -98,11 +104,11 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// The colour of ground at a point with a unit normal, of a kind as the fourth byte of vertices says it: sRGB, and that
-    /// byte.
+    /// The colour of ground at a point with a unit normal, of a kind as the fourth byte of vertices says it and so hollow, 1/m:
+    /// sRGB, and that byte.
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3, kind: u8) -> [u8; 4] {
+    pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3, kind: u8, hollow: f32) -> [u8; 4] {
         let at = self.shares(point, normal);
         let ground = self
             .low
@@ -117,7 +123,8 @@ impl<'a> Painter<'a> {
         };
         let biome = colour * (1.0 + MOTTLE_SHARE * at.mottle);
         let tint = tint_of(kind, normal.y);
-        let [r, g, b, _] = self.light.bytes(biome * (1.0 - tint.w) + tint);
+        let worn = 1.0 - (HOLLOW_SHARE_M * hollow).clamp(-RIDGE_MOST, HOLLOW_MOST);
+        let [r, g, b, _] = self.light.bytes((biome * (1.0 - tint.w) + tint) * worn);
         [r, g, b, kind]
     }
 
@@ -246,7 +253,7 @@ mod tests {
                     let chart = [ChartId::FIRST, ChartId::SECOND][n as usize % 2];
                     let point = ChartPoint::new(chart, pos);
                     let normal = Vec3::new(0.3, (t * 0.37).fract() as f32, 0.1).normalize();
-                    let found = painter.paint(point, normal, 0);
+                    let found = painter.paint(point, normal, 0, 0.0);
                     let exact = plainly(&field, seed, point, normal);
                     for (found, exact) in found.into_iter().zip(exact) {
                         let off = (f32::from(found) - exact).abs();
@@ -270,7 +277,7 @@ mod tests {
             let (low, high) = field.ground_range_m();
             let is_bed = |n: u32| {
                 let pos = DVec3::new(3.0, low + 0.05 * f64::from(n), -8.0);
-                let [_, green, ..] = painter.paint(ChartPoint::a(pos), Vec3::X, 0);
+                let [_, green, ..] = painter.paint(ChartPoint::a(pos), Vec3::X, 0, 0.0);
                 green > 120
             };
             let steps = ((high - low) / 0.05) as u32;

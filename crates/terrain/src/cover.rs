@@ -103,7 +103,7 @@ mod tests {
         for n in 0..400 {
             let pos = DVec3::new(f64::from(n) * 0.7, 6.0 + f64::from(n) * 0.02, 2.0);
             let point = ChartPoint::a(pos);
-            let [red, ..] = painter.paint(point, Vec3::Y, 0);
+            let [red, ..] = painter.paint(point, Vec3::Y, 0, 0.0);
             // Gravel is (166, 96, 66) and sand (220, 164, 102), each mottled by at most a tenth in light.
             match field.cover(point, Vec3::Y) {
                 Cover::Gravel => assert!(red < 205, "{pos} {red}"),

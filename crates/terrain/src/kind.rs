@@ -128,9 +128,40 @@ impl Kind {
     }
 }
 
-/// Added to a vertex's number of a kind where that is the skin of land that nobody laid: where it is steep it shows the
-/// rock below, as the slope of a pixel says and not that of a level.
-pub(crate) const SKIN: u8 = 0x40;
+/// The byte that a vertex has of its ground: the number of a kind in the five lowest bits, and above them how much of the
+/// sky is left so deep below untouched land, of [`OPEN_SKY`], or [`SKIN`].
+const NUMBER_BITS: u8 = 0x1f;
+const SKY_SHIFT: u32 = 5;
+/// Steps of the sky: all of it.
+pub(crate) const OPEN_SKY: u8 = 6;
+/// The skin of land that nobody laid, under all of the sky: where it is steep it shows the rock below, as the slope of a
+/// pixel says and not that of a level.
+pub(crate) const SKIN: u8 = 7 << SKY_SHIFT;
+/// Depths below untouched land where the sky begins to fail and where nothing of it is left, metres.
+const SKY_M: (f32, f32) = (1.0, 7.5);
+
+/// The number of a kind in a vertex's byte.
+pub(crate) const fn number_of(byte: u8) -> u8 {
+    byte & NUMBER_BITS
+}
+
+/// A vertex's byte, from the number of a kind, with [`SKIN`] or without, and the depth in metres.
+#[inline]
+pub(crate) fn under_sky(byte: u8, depth_m: f32) -> u8 {
+    if byte >= SKIN {
+        return byte;
+    }
+    let left = ((SKY_M.1 - depth_m) / (SKY_M.1 - SKY_M.0)).clamp(0.0, 1.0);
+    let steps = (left * f32::from(OPEN_SKY) + 0.5) as u8;
+    byte | steps << SKY_SHIFT
+}
+
+/// The byte of a vertex half way between two: there is nothing between two kinds, and from whichever side one looks it is the
+/// greater number; of the sky there is the mean.
+pub(crate) fn between_bytes(a: u8, b: u8) -> u8 {
+    let sky = |byte: u8| byte >> SKY_SHIFT;
+    number_of(a).max(number_of(b)) | sky(a).midpoint(sky(b)) << SKY_SHIFT
+}
 
 #[cfg(test)]
 mod tests {
@@ -146,6 +177,26 @@ mod tests {
             assert_eq!(Kind::of_byte(byte), None, "{byte}");
         }
         assert_eq!(Kind::of_name("lava"), None);
+    }
+
+    #[test]
+    fn the_sky_fails_with_depth_and_leaves_the_kind() {
+        let sky = |depth_m: f32| under_sky(Kind::Slate.byte(), depth_m) >> SKY_SHIFT;
+        let found: Vec<_> = (0..10_u8).map(|m| sky(f32::from(m))).collect();
+        assert_eq!(found, [6, 6, 5, 4, 3, 2, 1, 0, 0, 0]);
+        assert_eq!(number_of(under_sky(Kind::Slate.byte(), 4.0)), 11);
+        let skin = Kind::Grass.byte() | SKIN;
+        assert_eq!(under_sky(skin, 9.0), skin, "skin lies under the sky");
+    }
+
+    #[test]
+    fn half_way_from_light_into_the_dark_is_half_of_the_sky() {
+        let light = under_sky(Kind::Sand.byte(), 0.0);
+        let dark = under_sky(Kind::Slate.byte(), 9.0);
+        assert_eq!(between_bytes(light, dark), 3 << SKY_SHIFT | 11);
+        assert_eq!(between_bytes(dark, light), between_bytes(light, dark));
+        let skin = Kind::Grass.byte() | SKIN;
+        assert_eq!(between_bytes(skin, skin), skin);
     }
 
     #[test]

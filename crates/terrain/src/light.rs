@@ -15,14 +15,14 @@ static TABLES: LazyLock<LightTables> = LazyLock::new(LightTables::new);
 
 /// Bytes of sRGB by steps of linear light, and steps of light by bytes.
 #[derive(Debug)]
-pub struct LightTables {
+pub(crate) struct LightTables {
     bytes: Box<[u8; ENTRIES]>,
     steps: [u16; 256],
 }
 
 impl LightTables {
     /// The tables, made when they are first asked for.
-    pub fn get() -> &'static Self {
+    pub(crate) fn get() -> &'static Self {
         &TABLES
     }
 
@@ -57,7 +57,7 @@ impl LightTables {
 
     /// The byte half way between two in light, as a picture has it between two vertices, to a step of 1/4096.
     #[inline]
-    pub fn halfway(&self, a: u8, b: u8) -> u8 {
+    pub(crate) fn halfway(&self, a: u8, b: u8) -> u8 {
         let steps = self.steps[usize::from(a)] + self.steps[usize::from(b)];
         self.bytes[usize::from(steps / 2)]
     }
@@ -100,7 +100,10 @@ mod tests {
             let light = light_of(tables.halfway(a, b));
             let exact = f32::midpoint(light_of(a), light_of(b));
             // Half of a byte's own width in light, and a step.
-            assert!((light - exact).abs() < 0.005 * exact.sqrt() + 3e-4, "{a} {b}");
+            assert!(
+                (light - exact).abs() < 0.005 * exact.sqrt() + 3e-4,
+                "{a} {b}"
+            );
             assert_eq!(tables.halfway(a, b), tables.halfway(b, a));
         }
     }

@@ -3,14 +3,14 @@
 use std::cell::Cell;
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord};
-use glam::{DVec3, IVec3, Vec3};
+use glam::{DVec3, IVec3, Vec3, Vec4};
 
 use crate::colour::Painter;
 use crate::field::Field;
-use crate::kind::{Kind, SKIN};
+use crate::kind::{Kind, SKIN, number_of, under_sky};
 use crate::mesh::{PARTS_PER_M, Vertex, octahedral};
 use crate::samples::{Covered, Samples};
-use crate::strata::Strata;
+use crate::strata::{Strata, depth_m};
 
 /// Vertices keep this many parts away from the ends of their edge, so that ground through a
 /// sample gives small triangles, never empty ones that would have to be cut out of a closed
@@ -41,6 +41,8 @@ pub(crate) struct Maker<'a> {
     strata: Strata<'a>,
     /// Parts along an edge of a cell.
     length: u32,
+    /// Of squares of a step in one of a metre.
+    per_step2: f32,
     /// How far apart in the block a sample's neighbours along x, y and z are.
     strides: [usize; 3],
     /// By column the corner whose kind was asked for last, one more in the high byte, and that kind: the edges of a
@@ -61,6 +63,7 @@ impl<'a> Maker<'a> {
             painter: Painter::new(field),
             strata: Strata::new(field, coord),
             length: samples.level().step_m() * PARTS_PER_M,
+            per_step2: (samples.level().step_m() as f32).powi(-2),
             strides: [side * side, 1, side],
             kinds: vec![Cell::new(0); CORNERS * CORNERS].into_boxed_slice(),
         }
@@ -83,22 +86,23 @@ impl<'a> Maker<'a> {
         at[axis] += place;
         let share = place as f32 / self.length as f32;
         let slope = self.slope(low);
-        let normal = slope + (self.slope(high) - slope) * share;
+        let slope = slope + (self.slope(high) - slope) * share;
         let mut solid = corner;
         let mut air = corner;
         let is_upward = usize::from(values[low] >= 0.0);
         solid[axis] += is_upward;
         air[axis] += 1 - is_upward;
-        self.finished(at, normal, self.kind_byte(solid, air))
+        self.finished(at, slope.truncate(), self.kind_byte(solid, air), slope.w)
     }
 
-    /// What the fourth byte of a vertex says: the kind of a solid corner, with [`SKIN`] where it is that. The corner lies
-    /// up to a step below the surface, which is its skin wherever the air beside it was never ground.
+    /// What the fourth byte of a vertex says: the kind of a solid corner and the sky that is left in the air beside it. The
+    /// corner lies up to a step below the surface, which is its skin wherever that air was never ground.
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
     fn kind_byte(&self, solid: [usize; 3], air: [usize; 3]) -> u8 {
         if !self.samples.is_untouched() {
-            return self.kind_of(solid, self.covered(air).depth);
+            let depth = self.covered(air).depth;
+            return under_sky(self.kind_of(solid, depth), depth_m(depth));
         }
         let [i, j, k] = solid;
         let known = &self.kinds[i * CORNERS + k];
@@ -132,7 +136,7 @@ impl<'a> Maker<'a> {
     }
 
     /// The kind of the solid corner of a place's cell that is nearest to it, or else of the nearest: no deeper than any of
-    /// that cell's corners.
+    /// that cell's corners, whose least depth tells the sky too.
     pub(crate) fn kind_near(&self, place: [u32; 3]) -> u8 {
         let last = self.samples.level().cells() as u32 - 1;
         let low = place.map(|p| (p / self.length).min(last));
@@ -148,7 +152,8 @@ impl<'a> Maker<'a> {
             .map(|corner| self.covered(corner.map(|c| c as usize)).depth);
         let least = depths.min().unwrap_or(0);
         let nearest = corners.min_by_key(order).unwrap_or(low);
-        self.kind_of(nearest.map(|c| c as usize), least)
+        let kind = self.kind_of(nearest.map(|c| c as usize), least);
+        under_sky(kind, depth_m(least))
     }
 
     /// A vertex anywhere in the chunk, in parts, with the normal of the field between the samples.
@@ -159,30 +164,34 @@ impl<'a> Maker<'a> {
             self.samples.density(local + axis * half) - self.samples.density(local - axis * half)
         };
         let normal = Vec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z));
-        self.finished(place, normal, self.kind_near(place))
+        self.finished(place, normal, self.kind_near(place), 0.0)
     }
 
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    fn finished(&self, place: [u32; 3], normal: Vec3, kind: u8) -> Vertex {
+    fn finished(&self, place: [u32; 3], normal: Vec3, kind: u8, bend: f32) -> Vertex {
         let normal = normal.normalize_or(Vec3::Y);
         let local = DVec3::from(place.map(f64::from)) / f64::from(PARTS_PER_M);
         let point = ChartPoint {
             chart: self.coord.chart,
             pos: self.origin + local,
         };
-        let colour = self.painter.paint(point, normal, kind);
+        let hollow = bend * self.per_step2;
+        let colour = self.painter.paint(point, normal, kind, hollow);
         Vertex::at(place, octahedral(normal), colour)
     }
 
-    /// Twice the field's gradient at a sample, by central differences, per step.
+    /// Twice the field's gradient at a sample, by central differences, per step; and last how hollow the ground is there, the
+    /// Laplacian with its sign turned, per square of a step.
     #[inline]
-    fn slope(&self, at: usize) -> Vec3 {
+    fn slope(&self, at: usize) -> Vec4 {
         let values = self.samples.values();
-        let [x, y, z] = self
+        let beside = self
             .strides
-            .map(|stride| values[at + stride] - values[at - stride]);
-        Vec3::new(x, y, z)
+            .map(|stride| (values[at + stride], values[at - stride]));
+        let [x, y, z] = beside.map(|(above, below)| above - below);
+        let [a, b, c] = beside.map(|(above, below)| above + below);
+        Vec4::new(x, y, z, 6.0 * values[at] - (a + b + c))
     }
 }
 
@@ -192,7 +201,7 @@ impl Samples {
         let step = self.level().step_m() as i32;
         let corner = (local / step).to_array().map(|c| c.max(0) as usize);
         let byte = Maker::new(self, field, coord).kind_of(corner, u8::MAX);
-        Kind::of_byte(byte & !SKIN).unwrap_or(Kind::PLAIN)
+        Kind::of_byte(number_of(byte)).unwrap_or(Kind::PLAIN)
     }
 
     /// The kind of the ground at a place, metres from the chunk's origin, of a surface with this unit normal: that of the
@@ -203,9 +212,9 @@ impl Samples {
             .map(|part| part.max(0.0) as u32);
         let maker = Maker::new(self, field, coord);
         let byte = maker.kind_near(place);
-        let kind = Kind::of_byte(byte & !SKIN).unwrap_or(Kind::PLAIN);
+        let kind = Kind::of_byte(number_of(byte)).unwrap_or(Kind::PLAIN);
         let point = ChartPoint::new(coord.chart, coord.origin() + local);
-        if byte & SKIN != 0 && maker.painter.shares(point, normal).rock > 0.5 {
+        if byte >= SKIN && maker.painter.shares(point, normal).rock > 0.5 {
             kind.where_steep()
         } else {
             kind

@@ -5,7 +5,9 @@ use std::ops::Range;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
+use crate::kind::between_bytes;
 use crate::level::Level;
+use crate::light::LightTables;
 
 /// Units of a vertex's position in a metre.
 pub const UNITS_PER_M: u32 = 1024;
@@ -29,8 +31,9 @@ pub struct Vertex {
     pub parts: u16,
     /// Unit normal in the chart, toward the air, as [`octahedral`] gives it.
     pub octahedral: [i16; 2],
-    /// Colour, sRGB; the fourth is the number of the kind of ground at the solid end of the vertex's edge, with 64 more
-    /// where that is the skin of untouched land, which shows rock where it is steep. 255 stands for none.
+    /// Colour, sRGB. The fourth has in its five lowest bits the number of the kind of ground at the solid end of the vertex's
+    /// edge, 31 for none; above them 7 where that is the skin of untouched land, which shows rock where it is steep, or else
+    /// how much of the sky is left so deep below it, 0 to 6.
     pub colour: [u8; 4],
 }
 
@@ -54,6 +57,19 @@ impl Vertex {
             octahedral,
             colour,
         }
+    }
+
+    /// The vertex half way between two, as a picture has it there: the mean of their light and of the sky. Of two kinds it has
+    /// one, whichever way one looks. Places are rounded down to whole parts: chunks stand a whole even number of those apart.
+    pub fn between(a: &Self, b: &Self) -> Self {
+        let (from, to) = (a.place(), b.place());
+        let light = LightTables::get();
+        let [r, g, blue] = std::array::from_fn(|i| light.halfway(a.colour[i], b.colour[i]));
+        Self::at(
+            std::array::from_fn(|i| from[i].midpoint(to[i])),
+            octahedral(a.normal() + b.normal()),
+            [r, g, blue, between_bytes(a.colour[3], b.colour[3])],
+        )
     }
 
     /// Place from the chunk's origin in 1/32768 m, each 0..=2^20.

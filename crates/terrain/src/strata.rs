@@ -63,6 +63,12 @@ pub(crate) fn depth_of(value: f32) -> u8 {
     (-value * (DEPTH_STEPS / FIELD_BAND_M)) as u8
 }
 
+/// Such a depth in metres.
+#[inline]
+pub(crate) fn depth_m(depth: u8) -> f32 {
+    f32::from(depth) * (FIELD_BAND_M / DEPTH_STEPS)
+}
+
 /// The waves at a place: wandering, patches, and the two of the veins.
 type Node = Vec4;
 
@@ -123,7 +129,7 @@ impl<'a> Strata<'a> {
         let waves = self.waves(sample);
         let y = f64::from(self.coord.index.y) * f64::from(CHUNK_CELLS) + f64::from(sample.y);
         let height = ((y - self.offset_m) * self.scale) as f32;
-        let depth_m = f32::from(depth) * (FIELD_BAND_M / DEPTH_STEPS);
+        let depth_m = depth_m(depth);
         if depth_m < SKIN_M {
             self.skin(height, waves).byte() | SKIN
         } else {

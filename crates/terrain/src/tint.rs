@@ -6,7 +6,7 @@
 use glam::Vec4;
 
 use crate::colour::rises;
-use crate::kind::{Kind, SKIN};
+use crate::kind::{Kind, SKIN, number_of};
 
 /// `1 - normal.y` where the skin of untouched land begins to show the rock below it, and one by how much more it shows
 /// nothing else: 42 and 57 degrees.
@@ -14,21 +14,21 @@ const STEEP: f32 = 0.26;
 const PER_STEEPER: f32 = 5.0;
 
 /// By numbers of kinds, colours times their shares, and the shares.
-static TINTS: [Vec4; 16] = tints();
+static TINTS: [Vec4; 32] = tints();
 
 impl Kind {
     /// The kind's colour in linear light, 0 to 1, and the share of that, 0 to 1; the rest is the biome's.
     pub const fn tint(self) -> [f32; 4] {
         match self {
-            Self::Grass => [0.105, 0.190, 0.042, 0.35],
-            Self::Soil => [0.105, 0.066, 0.042, 0.55],
+            Self::Grass => [0.105, 0.190, 0.042, 0.28],
+            Self::Soil => [0.105, 0.066, 0.042, 0.26],
             Self::Sand => [0.560, 0.400, 0.220, 0.45],
             Self::Gravel => [0.235, 0.215, 0.200, 0.50],
             Self::Rock => [0.215, 0.195, 0.180, 0.35],
             Self::Ash => [0.085, 0.080, 0.085, 0.60],
             Self::Snow => [0.780, 0.830, 0.900, 0.93],
-            Self::Moss => [0.070, 0.150, 0.026, 0.65],
-            Self::Clay => [0.330, 0.165, 0.095, 0.65],
+            Self::Moss => [0.070, 0.150, 0.026, 0.50],
+            Self::Clay => [0.330, 0.165, 0.095, 0.50],
             Self::Basalt => [0.050, 0.048, 0.054, 0.65],
             Self::Slate => [0.095, 0.112, 0.138, 0.90],
             Self::Coal => [0.004, 0.004, 0.007, 1.0],
@@ -38,8 +38,8 @@ impl Kind {
     }
 }
 
-const fn tints() -> [Vec4; 16] {
-    let mut tints = [Vec4::ZERO; 16];
+const fn tints() -> [Vec4; 32] {
+    let mut tints = [Vec4::ZERO; 32];
     let mut n = 0;
     while n < Kind::ALL.len() {
         let [r, g, b, share] = Kind::ALL[n].tint();
@@ -54,12 +54,13 @@ const fn tints() -> [Vec4; 16] {
 #[inline]
 pub(crate) fn tint_of(byte: u8, normal_y: f32) -> Vec4 {
     let of = |number: u8| TINTS[usize::from(number) % TINTS.len()];
-    let own = of(byte & !SKIN);
-    if byte & SKIN == 0 {
+    let number = number_of(byte);
+    let own = of(number);
+    if byte < SKIN {
         return own;
     }
     let steep = rises(STEEP, PER_STEEPER, 1.0 - normal_y);
-    own.lerp(of(steeps_to(byte & !SKIN)), steep)
+    own.lerp(of(steeps_to(number)), steep)
 }
 
 /// The number of what a steep face of a kind shows.

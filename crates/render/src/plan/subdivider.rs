@@ -4,7 +4,7 @@
 //! two chunks too, and no crack opens. A triangle with one, two or three halved edges becomes two, three or
 //! four.
 
-use antipode_terrain::{ChunkMesh, LightTables, Vertex, octahedral};
+use antipode_terrain::{ChunkMesh, Vertex};
 use glam::Vec3;
 
 use super::refine::RefineRules;
@@ -144,37 +144,14 @@ impl Subdivider {
         let next = self.vertices.len() as u32;
         let index = self.middles.entry(a, b, next);
         if index == next {
-            let middle = between(&self.vertices[a as usize], &self.vertices[b as usize]);
+            let [from, to] = [a, b].map(|i| &self.vertices[i as usize]);
+            let middle = Vertex::between(from, to);
             self.positions.push(middle.position());
             self.vertices.push(middle);
             self.halved += 1;
         }
         Some(index)
     }
-}
-
-/// The vertex half way between two. Midpoints are rounded down to whole parts of position, from whichever chunk
-/// one looks: chunks stand a whole even number of parts apart.
-fn between(a: &Vertex, b: &Vertex) -> Vertex {
-    let (from, to) = (a.place(), b.place());
-    Vertex::at(
-        std::array::from_fn(|i| from[i].midpoint(to[i])),
-        octahedral(a.normal() + b.normal()),
-        halfway(a.colour, b.colour),
-    )
-}
-
-/// What a picture has half way between two colours, with one's kind of ground: between two kinds there is none. Whichever
-/// chunk one looks from, it is that of the greater number.
-fn halfway(a: [u8; 4], b: [u8; 4]) -> [u8; 4] {
-    let light = LightTables::get();
-    std::array::from_fn(|i| {
-        if i < 3 {
-            light.halfway(a[i], b[i])
-        } else {
-            a[i].max(b[i])
-        }
-    })
 }
 
 /// The middles of halved edges: a hash table with open addressing and linear probing, at most half full. The

@@ -11,7 +11,7 @@ use crate::common::{Random, World, chunk, flat, sphere};
 
 /// The kind byte of a vertex without what it says of the skin.
 fn kind_of(byte: u8) -> Kind {
-    Kind::of_byte(byte & 0x3f).unwrap()
+    Kind::of_byte(byte & 0x1f).unwrap()
 }
 
 fn build(pos: DVec3, kind: Option<Kind>) -> Stroke {
