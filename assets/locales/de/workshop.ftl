@@ -28,7 +28,7 @@ workshop-note-aside = Das Journal dieses Raums war beschädigt und liegt jetzt a
 workshop-in-use = In diesem Raum baut gerade ein anderes Fenster des Spiels. Hier kannst du ihn durchgehen; schließe ihn erst dort, um hier zu bauen.
 workshop-no-journal = In den Ordner dieses Raums kann nicht geschrieben werden ({ $reason }). Du kannst den Raum durchgehen; um zu bauen, mache den Ordner beschreibbar und betritt ihn neu.
 workshop-drop-elsewhere = Dateien kannst du in einen Raum ziehen, während du in ihm baust: Werkstatt im Hauptmenü, oder F5 in einem eigenen Raum.
-workshop-drop-choose = Wähle zuerst, worauf das Bild liegen soll, und ziehe es dann noch einmal her.
+workshop-drop-choose = Wähle zuerst, worauf das Bild liegen soll, und hole es dann noch einmal.
 workshop-older = Ältere Fassung öffnen
 workshop-older-about = Ein Klick setzt die Fassung an die Stelle des Raums. Das ist ein Schritt, der sich zurücknehmen lässt. Zeiten in UTC.
 workshop-older-none = Noch gibt es keine älteren Fassungen. Eine halbe Minute nach einer Änderung entsteht eine.
@@ -91,7 +91,7 @@ workshop-kind-stairs = Treppe
 workshop-kind-arch = Bogen
 workshop-kind-model = Modell
 workshop-kind-light = Lampe
-workshop-kind-aberration = Aberration
+workshop-kind-aberration = Innenraum
 workshop-kind-portal = Portal
 workshop-kind-sign = Schild
 workshop-kind-group = Gruppe
@@ -154,7 +154,7 @@ workshop-field-times-y = Dehnung entlang y
 workshop-field-times-z = Dehnung entlang z
 workshop-field-thesis = Zahl d der Abschlussarbeit
 workshop-field-sides = Seiten
-workshop-field-ways = Für wen
+workshop-field-ways = Wirkt auf
 workshop-field-outline = Kanten sichtbar
 workshop-field-to = Führt zu
 workshop-field-sentence = Was hier seltsam ist
@@ -179,13 +179,13 @@ workshop-choice-axis-x = x: nach vorn
 workshop-choice-axis-y = y: nach oben
 workshop-choice-axis-z = z: nach rechts
 workshop-choice-sides-walls = Wände (exakt)
-workshop-choice-sides-soft = Weich
+workshop-choice-sides-soft = Offen (ohne Wände)
 workshop-choice-sides-snell = Brechend
 workshop-choice-sides-legacy = Regel der Abschlussarbeit
 workshop-choice-sides-1 = Eine Seite
 workshop-choice-sides-2 = Beide Seiten
-workshop-choice-ways-both = Alle
-workshop-choice-ways-forward = Wer entlang der Achse geht
+workshop-choice-ways-both = Alle, die eintreten
+workshop-choice-ways-forward = Nur wer entlang der Achse geht
 
 # Was der Raum tut.
 workshop-told-felt = Außen ist es { $outside } m lang und innen { $inside } m: { $seconds } s zu Fuß statt { $before }.
@@ -195,7 +195,7 @@ workshop-told-walls = Es hat eigene Wände; nichts wird gebogen, und die Türen 
 workshop-told-soft = Richtungen bleiben durch jede Seite gleich: man geht zu dem, was man sieht.
 workshop-told-snell = Licht wird gebrochen wie in Glas und ab einem Winkel gespiegelt.
 workshop-told-legacy = Die Regel der Abschlussarbeit hat Fehler: was man sieht, hängt vom Blick ab, und man geht nicht dorthin.
-workshop-told-no-door = Wände lassen keine Tür, wo mehr als eine Achse gedehnt ist. Dehne nur eine, oder mache die Seiten weich.
+workshop-told-no-door = Wände lassen keine Tür, wo mehr als eine Achse gedehnt ist. Dehne nur eine, oder mache die Seiten offen.
 workshop-told-astigmatic = Astigmatisch: Seiten sind ungleich gedehnt, gerade Linien wirken durch sie gebogen.
 workshop-told-grazing = Streifende Blicke auf die Seiten werden gestaucht.
 workshop-told-itself = Es führt zu sich selbst: man sieht sich hineinschauen.
@@ -286,7 +286,7 @@ workshop-step-version = Die Fassung von { $when }
 
 # Was nicht stimmen mag.
 workshop-finding-not-parallel = „{ $name }“ liegt teilweise in „{ $other }“ und ist anders gedreht; es bleibt zu, bis die Achsen parallel sind oder eines ganz im anderen liegt.
-workshop-finding-too-deep = „{ $name }“ liegt in zu vielen ineinander liegenden Aberrationen, darunter „{ $other }“; höchstens acht sind erlaubt.
+workshop-finding-too-deep = „{ $name }“ liegt in zu vielen ineinander liegenden gedehnten Räumen, darunter „{ $other }“; höchstens acht sind erlaubt.
 workshop-finding-walls-across = Eine Wand von „{ $name }“ steht quer in „{ $other }“, dort kommt niemand durch; rücke eins davon weg.
 workshop-finding-same-place = „{ $name }“ ist am selben Ort wie „{ $other }“; rücke es weg oder entferne es.
 workshop-finding-tangled = „{ $name }“ liegt in so vielen anderen, dass die Tiefe unklar ist; rücke einige auseinander.
@@ -363,3 +363,39 @@ workshop-told-one-way = Es ist geschlossen: „{ $name }“ führt nicht zurück
 workshop-told-other-sides = Es ist geschlossen: „{ $name }“ hat eine andere Zahl von Seiten.
 workshop-told-not-similar = Es ist geschlossen: „{ $name }“ hat eine andere Form. Gib beiden dasselbe Verhältnis von Breite zu Höhe.
 workshop-told-ill-placed = Es ist geschlossen: es oder „{ $name }“ steht, wo keines stehen darf. Die Meldungen sagen, warum.
+
+# Files from the disk.
+workshop-do-from-file = Modell oder Bild aus einer Datei
+workshop-chooser-title = Ein Modell oder ein Bild
+workshop-chooser-about = Ein Modell (glb, gltf, fbx, obj) steht dann vor dir; ein Bild (png, jpg) liegt auf dem, was gewählt ist.
+workshop-chooser-path = Pfad
+workshop-chooser-up = Ordner darüber
+workshop-chooser-home = Mein Ordner
+workshop-chooser-close = Abbrechen
+workshop-chooser-reading = Der Ordner wird gelesen.
+workshop-chooser-empty = Hier ist kein Ordner, kein Modell und kein Bild.
+workshop-chooser-folder = Ordner
+workshop-chooser-size = { $kilobytes } kB
+workshop-chooser-unread = { $path } kann nicht gelesen werden ({ $reason }). Gib einen anderen Pfad ein, oder geh vom Ordner unten weiter.
+workshop-chooser-unfit = { $path } ist kein Modell (glb, gltf, fbx, obj) und kein Bild (png, jpg). Speichere es als eines davon, oder wähle eine andere Datei.
+workshop-chooser-many = Gezeigt werden die ersten { $shown } von { $count }; gib den Pfad eines anderen ein.
+
+# What fields do, where the pointer rests.
+workshop-hover-sides = Was an den Seiten ist, durch die niemand gehen soll: Wände, nichts, oder etwas wie Glas.
+workshop-hover-ways = Wer vom anderen Ende kommt, findet den Raum auf Wunsch so lang, wie er aussieht.
+workshop-hover-outline = Die Kanten des Kastens sind auch im Spiel zu sehen, nicht nur hier.
+workshop-hover-lengths = Eine Achse macht einen Tunnel länger oder kürzer; alle Achsen machen einen Raum innen größer oder kleiner.
+workshop-hover-thesis = Dieselbe Dehnung, wie die Abschlussarbeit sie schreibt, aus der die Räume kommen: 0 ist keine.
+
+# The second lesson, and a portal alone.
+workshop-do-lesson-doors = Lektion: Tunnel und Portale
+workshop-part-portal = Portal
+workshop-about-portal = Es führt zu sich selbst, bis eine Linie von ihm zu einem anderen gezogen wird.
+workshop-lesson-tunnel = Klicke unter den Bauteilen auf „Tunnel“: dann steht er vor dir.
+workshop-lesson-longer = Ziehe, während „{ $name }“ gewählt ist, den Regler „Dehnung“ nach rechts: innen wird er länger, außen bleibt er, wie er ist.
+workshop-lesson-portal = Klicke unter den Bauteilen auf „Portal“: eines, das zu sich selbst führt.
+workshop-lesson-portal-again = Klicke noch einmal auf „Portal“: das zweite steht neben dem ersten.
+workshop-lesson-link = Ziehe vom Knopf über „{ $name }“ in die Mitte von „{ $other }“: dann führen sie zueinander.
+workshop-lesson-pass = Drücke Spielen (F5) und geh durch den Tunnel, dann in das eine Portal hinein und aus dem anderen heraus.
+workshop-lesson-walk-doors = Geh durch den Tunnel, dann in ein Portal. F5 führt zurück in die Werkstatt.
+workshop-lesson-done-doors = Du hast einen Tunnel gebaut, der innen länger ist, und zwei Portale, die zueinander führen. Die Hilfe in der Werkstatt (F5) zeigt, was noch möglich ist.

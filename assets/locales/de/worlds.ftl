@@ -49,6 +49,8 @@ worlds-import-hint = Die Datei einer exportierten Welt. Man kann sie auch auf da
 worlds-found = Exportierte Welten in { $dir }:
 worlds-found-none = In { $dir } sind keine exportierten Welten.
 worlds-import-named = { $name } ({ $size })
+worlds-folder-named = { $name } (Ordner)
+worlds-folder-above = Ordner darüber
 
 # Work on the saves, and what it came to.
 worlds-work-delete = Eine Welt wird gelöscht

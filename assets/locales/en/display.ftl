@@ -81,7 +81,7 @@ room-smaller-up = In height you are { $times } times smaller here than outside
 room-larger-up = In height you are { $times } times larger here than outside
 room-smaller-began = You are { $times } times smaller than at the start
 room-larger-began = You are { $times } times larger than at the start
-room-keys = { $look }: another way to look · { $camera }: from behind · { $gun }: shoot · { $lamp }: put a lamp down or take it up · { $lift }: lift what is loose or set it down · { $ball }: throw a ball · { $anew }: begin anew · { $again }: this again · { $edges }: edges of the boxes
+room-keys = { $look }: the exact view or the older one · { $camera }: from behind · { $gun }: shoot · { $lamp }: put a lamp down or take it up · { $lift }: lift what is loose or set it down · { $ball }: throw a ball · { $anew }: begin anew · { $again }: this again · { $edges }: edges of the boxes
 room-keys-own = { $build }: build here
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = Left by the rule of the thesis, the first try at such rooms; right exactly

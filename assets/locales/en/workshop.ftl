@@ -28,7 +28,7 @@ workshop-note-aside = The journal of this room was damaged and is put aside as {
 workshop-in-use = This room is being built in by another window of the game. Here you can walk through it; close it there first to build here.
 workshop-no-journal = The folder of this room cannot be written ({ $reason }). You can walk through it; to build here, make its folder writable and enter it again.
 workshop-drop-elsewhere = Files can be dropped into a room while you build in it: Workshop in the main menu, or F5 in a room of your own.
-workshop-drop-choose = Choose what the picture is to lie on, then drop it again.
+workshop-drop-choose = Choose first what the picture is to lie on, then bring it again.
 workshop-older = Open an older one
 workshop-older-about = A click puts that version in place of the room. That is a step, and can be taken back. Times are UTC.
 workshop-older-none = There are no older versions yet. One is kept half a minute after an edit.
@@ -91,7 +91,7 @@ workshop-kind-stairs = stairs
 workshop-kind-arch = arch
 workshop-kind-model = model
 workshop-kind-light = lamp
-workshop-kind-aberration = aberration
+workshop-kind-aberration = space
 workshop-kind-portal = portal
 workshop-kind-sign = sign
 workshop-kind-group = group
@@ -154,7 +154,7 @@ workshop-field-times-y = Stretch along y
 workshop-field-times-z = Stretch along z
 workshop-field-thesis = The thesis's number d
 workshop-field-sides = Sides
-workshop-field-ways = For whom
+workshop-field-ways = Works for
 workshop-field-outline = Edges are seen
 workshop-field-to = Leads to
 workshop-field-sentence = What is strange here
@@ -179,13 +179,13 @@ workshop-choice-axis-x = x: to its front
 workshop-choice-axis-y = y: up
 workshop-choice-axis-z = z: to its right
 workshop-choice-sides-walls = Walls (exact)
-workshop-choice-sides-soft = Soft
+workshop-choice-sides-soft = Open (no walls)
 workshop-choice-sides-snell = Refracting
 workshop-choice-sides-legacy = The thesis's rule
 workshop-choice-sides-1 = One side
 workshop-choice-sides-2 = Both sides
-workshop-choice-ways-both = Everybody
-workshop-choice-ways-forward = Who goes along the axis
+workshop-choice-ways-both = Everybody who enters
+workshop-choice-ways-forward = Only who goes along the axis
 
 # What space does.
 workshop-told-felt = It is { $outside } m long outside and feels { $inside } m long inside: { $seconds } s at a walk, in place of { $before }.
@@ -195,7 +195,7 @@ workshop-told-walls = It has walls of its own; nothing is bent, and its doors ar
 workshop-told-soft = Directions stay the same through every face: one walks to what one sees.
 workshop-told-snell = Light is refracted as in glass, and beyond an angle reflected.
 workshop-told-legacy = The thesis's rule has faults: what is seen depends on where one looks, and one does not walk to it.
-workshop-told-no-door = Walls leave no door where more than one axis is stretched. Stretch one axis, or make the sides soft.
+workshop-told-no-door = Walls leave no door where more than one axis is stretched. Stretch one axis, or make the sides open.
 workshop-told-astigmatic = Astigmatic: its sides are stretched unequally, so straight lines look bent through them.
 workshop-told-grazing = Views that graze its sides are compressed.
 workshop-told-itself = It leads to itself: it shows who looks in.
@@ -286,7 +286,7 @@ workshop-step-version = The version of { $when }
 
 # What may be wrong.
 workshop-finding-not-parallel = “{ $name }” lies partly in “{ $other }” and is turned another way; it is closed until their axes are parallel, or one lies wholly in the other.
-workshop-finding-too-deep = “{ $name }” lies in too many aberrations in one another, “{ $other }” among them; eight is the most.
+workshop-finding-too-deep = “{ $name }” lies in too many stretched spaces in one another, “{ $other }” among them; eight is the most.
 workshop-finding-walls-across = A wall of “{ $name }” stands across “{ $other }”, so one cannot walk through there; move one of them away.
 workshop-finding-same-place = “{ $name }” is in the same place as “{ $other }”; move it, or take it away.
 workshop-finding-tangled = “{ $name }” lies in so many others that it cannot be told how deep; move some apart.
@@ -363,3 +363,39 @@ workshop-told-one-way = It is closed: “{ $name }” does not lead back.
 workshop-told-other-sides = It is closed: “{ $name }” has another number of sides.
 workshop-told-not-similar = It is closed: “{ $name }” has another shape. Give both the same proportion of width to height.
 workshop-told-ill-placed = It is closed: it or “{ $name }” stands where none may stand. The messages say why.
+
+# Files from the disk.
+workshop-do-from-file = Model or picture from a file
+workshop-chooser-title = A model or a picture
+workshop-chooser-about = A model (glb, gltf, fbx, obj) stands before you then; a picture (png, jpg) lies on what is selected.
+workshop-chooser-path = Path
+workshop-chooser-up = Folder above
+workshop-chooser-home = My folder
+workshop-chooser-close = Cancel
+workshop-chooser-reading = The folder is being read.
+workshop-chooser-empty = There is no folder, model or picture here.
+workshop-chooser-folder = folder
+workshop-chooser-size = { $kilobytes } kB
+workshop-chooser-unread = { $path } cannot be read ({ $reason }). Type another path, or go on from the folder below.
+workshop-chooser-unfit = { $path } is no model (glb, gltf, fbx, obj) and no picture (png, jpg). Save it as one of these, or choose another file.
+workshop-chooser-many = The first { $shown } of { $count } are shown; type the path of another.
+
+# What fields do, where the pointer rests.
+workshop-hover-sides = What is at the faces through which nobody is meant to walk: walls, nothing, or something like glass.
+workshop-hover-ways = Who comes from the other end may find the space as long as it looks.
+workshop-hover-outline = The edges of the box are drawn in the game, too, not only here.
+workshop-hover-lengths = One axis makes a tunnel longer or shorter; all axes make a room larger or smaller inside.
+workshop-hover-thesis = The same stretch as the thesis writes it that rooms come from: 0 is no stretch.
+
+# The second lesson, and a portal alone.
+workshop-do-lesson-doors = Lesson: tunnel and portals
+workshop-part-portal = Portal
+workshop-about-portal = It leads to itself until a line is dragged from it to another.
+workshop-lesson-tunnel = Click “Tunnel” among the parts: it stands before you then.
+workshop-lesson-longer = With “{ $name }” selected pull the slider “Stretch” to the right: it gets longer inside and stays as it is outside.
+workshop-lesson-portal = Click “Portal” among the parts: one that leads to itself.
+workshop-lesson-portal-again = Click “Portal” once more: the second stands beside the first.
+workshop-lesson-link = Drag from the knob above “{ $name }” to the middle of “{ $other }”: they lead to each other then.
+workshop-lesson-pass = Press Play (F5) and walk through the tunnel, then into one portal and out of the other.
+workshop-lesson-walk-doors = Walk through the tunnel, then into a portal. F5 leads back to the workshop.
+workshop-lesson-done-doors = You have built a tunnel that is longer inside, and two portals that lead to each other. Help in the workshop (F5) shows what else is possible.

@@ -49,6 +49,8 @@ worlds-import-hint = The file of an exported world. You can also drop it on the 
 worlds-found = Exported worlds in { $dir }:
 worlds-found-none = There are no exported worlds in { $dir }.
 worlds-import-named = { $name } ({ $size })
+worlds-folder-named = { $name } (folder)
+worlds-folder-above = Folder above
 
 # Work on the saves, and what it came to.
 worlds-work-delete = Deleting a world

@@ -28,7 +28,7 @@ workshop-note-aside = El diario de esta sala estaba dañado y se apartó como { 
 workshop-in-use = Otra ventana del juego está construyendo en esta sala. Aquí puedes recorrerla; ciérrala allí primero para construir aquí.
 workshop-no-journal = No se puede escribir en la carpeta de esta sala ({ $reason }). Puedes recorrerla; para construir, permite escribir en su carpeta y entra de nuevo.
 workshop-drop-elsewhere = Puedes soltar archivos en una sala mientras construyes en ella: Taller en el menú principal, o F5 en una sala tuya.
-workshop-drop-choose = Elige sobre qué debe ir la imagen y suéltala otra vez.
+workshop-drop-choose = Elige primero sobre qué debe ir la imagen y tráela otra vez.
 workshop-older = Abrir una versión anterior
 workshop-older-about = Un clic pone esa versión en lugar de la sala. Es un paso y se puede deshacer. Las horas son UTC.
 workshop-older-none = Aún no hay versiones anteriores. Medio minuto después de un cambio se guarda una.
@@ -91,7 +91,7 @@ workshop-kind-stairs = escalera
 workshop-kind-arch = arco
 workshop-kind-model = modelo
 workshop-kind-light = lámpara
-workshop-kind-aberration = aberración
+workshop-kind-aberration = espacio
 workshop-kind-portal = portal
 workshop-kind-sign = letrero
 workshop-kind-group = grupo
@@ -154,7 +154,7 @@ workshop-field-times-y = Estiramiento en y
 workshop-field-times-z = Estiramiento en z
 workshop-field-thesis = Número d de la tesis
 workshop-field-sides = Lados
-workshop-field-ways = Para quién
+workshop-field-ways = Actúa sobre
 workshop-field-outline = Se ven los bordes
 workshop-field-to = Lleva a
 workshop-field-sentence = Qué hay de extraño
@@ -179,13 +179,13 @@ workshop-choice-axis-x = x: hacia delante
 workshop-choice-axis-y = y: hacia arriba
 workshop-choice-axis-z = z: a la derecha
 workshop-choice-sides-walls = Paredes (exacto)
-workshop-choice-sides-soft = Suave
+workshop-choice-sides-soft = Abiertos (sin paredes)
 workshop-choice-sides-snell = Refractante
 workshop-choice-sides-legacy = Regla de la tesis
 workshop-choice-sides-1 = Un lado
 workshop-choice-sides-2 = Ambos lados
-workshop-choice-ways-both = Todos
-workshop-choice-ways-forward = Quien va según el eje
+workshop-choice-ways-both = Todos los que entran
+workshop-choice-ways-forward = Solo quien va según el eje
 
 # Lo que hace el espacio.
 workshop-told-felt = Por fuera mide { $outside } m y por dentro { $inside } m: { $seconds } s a pie en vez de { $before }.
@@ -195,7 +195,7 @@ workshop-told-walls = Tiene paredes propias; nada se curva y sus puertas son igu
 workshop-told-soft = Las direcciones no cambian al cruzar una cara: se llega a lo que se ve.
 workshop-told-snell = La luz se refracta como en el vidrio y, pasado un ángulo, se refleja.
 workshop-told-legacy = La regla de la tesis tiene fallos: lo que se ve depende de hacia dónde se mira, y no se llega a ello.
-workshop-told-no-door = Las paredes no dejan puerta si se estira más de un eje. Estira uno solo o haz los lados suaves.
+workshop-told-no-door = Las paredes no dejan puerta si se estira más de un eje. Estira uno solo o haz los lados abiertos.
 workshop-told-astigmatic = Astigmático: los lados se estiran de forma desigual y las rectas se ven curvas.
 workshop-told-grazing = Las vistas rasantes por los lados se comprimen.
 workshop-told-itself = Lleva a sí mismo: muestra a quien mira.
@@ -286,7 +286,7 @@ workshop-step-version = La versión de { $when }
 
 # Lo que puede estar mal.
 workshop-finding-not-parallel = «{ $name }» está en parte dentro de «{ $other }» y girada de otro modo; está cerrada hasta que sus ejes sean paralelos o una esté del todo en la otra.
-workshop-finding-too-deep = «{ $name }» está en demasiadas aberraciones anidadas, entre ellas «{ $other }»; ocho es el máximo.
+workshop-finding-too-deep = «{ $name }» está en demasiados espacios estirados anidados, entre ellos «{ $other }»; ocho es el máximo.
 workshop-finding-walls-across = Una pared de «{ $name }» atraviesa «{ $other }» y cierra el paso; aparta una de las dos.
 workshop-finding-same-place = «{ $name }» está en el mismo lugar que «{ $other }»; muévela o quítala.
 workshop-finding-tangled = «{ $name }» está en tantas otras que no se sabe a qué profundidad; separa algunas.
@@ -363,3 +363,39 @@ workshop-told-one-way = Está cerrado: «{ $name }» no lleva de vuelta.
 workshop-told-other-sides = Está cerrado: «{ $name }» tiene otro número de lados.
 workshop-told-not-similar = Está cerrado: «{ $name }» tiene otra forma. Da a ambos la misma proporción de ancho y alto.
 workshop-told-ill-placed = Está cerrado: él o «{ $name }» está donde no puede estar. Los mensajes dicen por qué.
+
+# Files from the disk.
+workshop-do-from-file = Modelo o imagen de un archivo
+workshop-chooser-title = Un modelo o una imagen
+workshop-chooser-about = Un modelo (glb, gltf, fbx, obj) quedará delante de ti; una imagen (png, jpg), sobre lo seleccionado.
+workshop-chooser-path = Ruta
+workshop-chooser-up = Carpeta superior
+workshop-chooser-home = Mi carpeta
+workshop-chooser-close = Cancelar
+workshop-chooser-reading = Se está leyendo la carpeta.
+workshop-chooser-empty = Aquí no hay carpetas, modelos ni imágenes.
+workshop-chooser-folder = carpeta
+workshop-chooser-size = { $kilobytes } kB
+workshop-chooser-unread = { $path } no se puede leer ({ $reason }). Escribe otra ruta o sigue desde la carpeta de abajo.
+workshop-chooser-unfit = { $path } no es un modelo (glb, gltf, fbx, obj) ni una imagen (png, jpg). Guárdalo como uno de estos o elige otro archivo.
+workshop-chooser-many = Se muestran los primeros { $shown } de { $count }; escribe la ruta de otro.
+
+# What fields do, where the pointer rests.
+workshop-hover-sides = Qué hay en las caras por las que nadie debe pasar: paredes, nada o algo como vidrio.
+workshop-hover-ways = Quien llega por el otro extremo puede hallar el espacio tan largo como parece.
+workshop-hover-outline = Los bordes de la caja se ven también en el juego, no solo aquí.
+workshop-hover-lengths = Un eje hace un túnel más largo o más corto; todos los ejes hacen una sala mayor o menor por dentro.
+workshop-hover-thesis = El mismo estiramiento como lo escribe la tesis de la que vienen las salas: 0 es ninguno.
+
+# The second lesson, and a portal alone.
+workshop-do-lesson-doors = Lección: túnel y portales
+workshop-part-portal = Portal
+workshop-about-portal = Lleva a sí mismo hasta que se arrastra una línea de él a otro.
+workshop-lesson-tunnel = Haz clic en «Túnel» entre las piezas: quedará delante de ti.
+workshop-lesson-longer = Con «{ $name }» seleccionado lleva «Estiramiento» a la derecha: se alarga por dentro y por fuera queda igual.
+workshop-lesson-portal = Haz clic en «Portal» entre las piezas: uno que lleva a sí mismo.
+workshop-lesson-portal-again = Haz clic otra vez en «Portal»: el segundo queda junto al primero.
+workshop-lesson-link = Arrastra desde el botón sobre «{ $name }» hasta el centro de «{ $other }»: llevarán el uno al otro.
+workshop-lesson-pass = Pulsa Jugar (F5), recorre el túnel y entra por un portal para salir por el otro.
+workshop-lesson-walk-doors = Recorre el túnel y entra en un portal. F5 lleva de vuelta al taller.
+workshop-lesson-done-doors = Has construido un túnel más largo por dentro y dos portales que llevan el uno al otro. En el taller (F5), la ayuda muestra qué más es posible.

@@ -49,6 +49,8 @@ worlds-import-hint = El archivo de un mundo exportado. También se puede soltar 
 worlds-found = Mundos exportados en { $dir }:
 worlds-found-none = No hay mundos exportados en { $dir }.
 worlds-import-named = { $name } ({ $size })
+worlds-folder-named = { $name } (carpeta)
+worlds-folder-above = Carpeta superior
 
 # Work on the saves, and what it came to.
 worlds-work-delete = Eliminando un mundo

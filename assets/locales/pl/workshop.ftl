@@ -28,7 +28,7 @@ workshop-note-aside = Dziennik tego pokoju był uszkodzony i leży teraz jako { 
 workshop-in-use = W tym pokoju buduje inne okno gry. Tutaj możesz po nim chodzić; zamknij go najpierw tam, by budować tutaj.
 workshop-no-journal = Nie można zapisywać w folderze tego pokoju ({ $reason }). Możesz po nim chodzić; by budować, pozwól zapisywać w folderze i wejdź ponownie.
 workshop-drop-elsewhere = Pliki można upuszczać w pokoju, gdy w nim budujesz: Warsztat w menu głównym albo F5 we własnym pokoju.
-workshop-drop-choose = Wybierz, na czym ma leżeć obraz, i upuść go jeszcze raz.
+workshop-drop-choose = Wybierz najpierw, na czym ma leżeć obraz, i weź go jeszcze raz.
 workshop-older = Otwórz starszą wersję
 workshop-older-about = Kliknięcie wstawia tę wersję zamiast pokoju. To krok, który można cofnąć. Czas UTC.
 workshop-older-none = Nie ma jeszcze starszych wersji. Pół minuty po zmianie powstaje jedna.
@@ -93,7 +93,7 @@ workshop-kind-stairs = schody
 workshop-kind-arch = łuk
 workshop-kind-model = model
 workshop-kind-light = lampa
-workshop-kind-aberration = aberracja
+workshop-kind-aberration = przestrzeń
 workshop-kind-portal = portal
 workshop-kind-sign = znak
 workshop-kind-group = grupa
@@ -156,7 +156,7 @@ workshop-field-times-y = Rozciągnięcie wzdłuż y
 workshop-field-times-z = Rozciągnięcie wzdłuż z
 workshop-field-thesis = Liczba d z pracy
 workshop-field-sides = Boki
-workshop-field-ways = Dla kogo
+workshop-field-ways = Działa na
 workshop-field-outline = Widoczne krawędzie
 workshop-field-to = Prowadzi do
 workshop-field-sentence = Co tu jest dziwne
@@ -181,13 +181,13 @@ workshop-choice-axis-x = x: do przodu
 workshop-choice-axis-y = y: w górę
 workshop-choice-axis-z = z: w prawo
 workshop-choice-sides-walls = Ściany (dokładne)
-workshop-choice-sides-soft = Miękkie
+workshop-choice-sides-soft = Otwarte (bez ścian)
 workshop-choice-sides-snell = Załamujące
 workshop-choice-sides-legacy = Reguła z pracy
 workshop-choice-sides-1 = Jedna strona
 workshop-choice-sides-2 = Obie strony
-workshop-choice-ways-both = Wszyscy
-workshop-choice-ways-forward = Kto idzie wzdłuż osi
+workshop-choice-ways-both = Każdego, kto wejdzie
+workshop-choice-ways-forward = Tylko idących wzdłuż osi
 
 # Co robi przestrzeń.
 workshop-told-felt = Na zewnątrz ma { $outside } m, a w środku { $inside } m: { $seconds } s pieszo zamiast { $before }.
@@ -197,7 +197,7 @@ workshop-told-walls = Ma własne ściany; nic się nie wygina, a drzwi są w śr
 workshop-told-soft = Kierunki nie zmieniają się na ściankach: idzie się do tego, co się widzi.
 workshop-told-snell = Światło załamuje się jak w szkle, a od pewnego kąta odbija.
 workshop-told-legacy = Reguła z pracy ma błędy: widok zależy od kierunku patrzenia i nie dochodzi się do tego, co widać.
-workshop-told-no-door = Ściany nie zostawiają drzwi, gdy rozciąga się więcej osi. Rozciągnij jedną albo daj miękkie boki.
+workshop-told-no-door = Ściany nie zostawiają drzwi, gdy rozciąga się więcej osi. Rozciągnij jedną albo daj otwarte boki.
 workshop-told-astigmatic = Astygmatyczne: boki rozciągnięte nierówno, więc proste linie wyglądają na krzywe.
 workshop-told-grazing = Widoki pod małym kątem do boków są ściśnięte.
 workshop-told-itself = Prowadzi do siebie: pokazuje, kto zagląda.
@@ -324,7 +324,7 @@ workshop-step-version = Wersja z { $when }
 
 # Co może być nie tak.
 workshop-finding-not-parallel = „{ $name }” leży częściowo w „{ $other }” i jest inaczej obrócone; jest zamknięte, dopóki osie nie będą równoległe albo jedno nie znajdzie się w całości w drugim.
-workshop-finding-too-deep = „{ $name }” leży w zbyt wielu zagnieżdżonych aberracjach, między nimi „{ $other }”; najwyżej osiem.
+workshop-finding-too-deep = „{ $name }” leży w zbyt wielu zagnieżdżonych rozciągniętych przestrzeniach, między nimi „{ $other }”; najwyżej osiem.
 workshop-finding-walls-across = Ściana „{ $name }” stoi w poprzek „{ $other }” i zamyka przejście; odsuń jedno z nich.
 workshop-finding-same-place = „{ $name }” jest w tym samym miejscu co „{ $other }”; przesuń to lub usuń.
 workshop-finding-tangled = „{ $name }” leży w tylu innych, że nie wiadomo jak głęboko; rozsuń niektóre.
@@ -403,3 +403,39 @@ workshop-told-one-way = Jest zamknięty: „{ $name }” nie prowadzi z powrotem
 workshop-told-other-sides = Jest zamknięty: „{ $name }” ma inną liczbę stron.
 workshop-told-not-similar = Jest zamknięty: „{ $name }” ma inny kształt. Daj obu ten sam stosunek szerokości do wysokości.
 workshop-told-ill-placed = Jest zamknięty: on lub „{ $name }” stoi tam, gdzie nie może. Komunikaty mówią dlaczego.
+
+# Files from the disk.
+workshop-do-from-file = Model lub obraz z pliku
+workshop-chooser-title = Model lub obraz
+workshop-chooser-about = Model (glb, gltf, fbx, obj) stanie przed tobą; obraz (png, jpg) położy się na tym, co zaznaczone.
+workshop-chooser-path = Ścieżka
+workshop-chooser-up = Folder wyżej
+workshop-chooser-home = Mój folder
+workshop-chooser-close = Anuluj
+workshop-chooser-reading = Folder jest czytany.
+workshop-chooser-empty = Nie ma tu folderu, modelu ani obrazu.
+workshop-chooser-folder = folder
+workshop-chooser-size = { $kilobytes } kB
+workshop-chooser-unread = { $path } nie da się odczytać ({ $reason }). Wpisz inną ścieżkę albo idź dalej od folderu poniżej.
+workshop-chooser-unfit = { $path } nie jest modelem (glb, gltf, fbx, obj) ani obrazem (png, jpg). Zapisz go jako jeden z nich albo wybierz inny plik.
+workshop-chooser-many = Widać pierwsze { $shown } z { $count }; wpisz ścieżkę innego.
+
+# What fields do, where the pointer rests.
+workshop-hover-sides = Co jest na bokach, przez które nikt nie ma przechodzić: ściany, nic albo coś jak szkło.
+workshop-hover-ways = Kto przyjdzie z drugiego końca, może zastać przestrzeń tak długą, na jaką wygląda.
+workshop-hover-outline = Krawędzie pudła widać także w grze, nie tylko tutaj.
+workshop-hover-lengths = Jedna oś wydłuża lub skraca tunel; wszystkie osie powiększają lub zmniejszają wnętrze.
+workshop-hover-thesis = To samo rozciągnięcie, jak pisze je praca, z której są pokoje: 0 to żadne.
+
+# The second lesson, and a portal alone.
+workshop-do-lesson-doors = Lekcja: tunel i portale
+workshop-part-portal = Portal
+workshop-about-portal = Prowadzi do siebie, dopóki nie przeciągniesz linii od niego do innego.
+workshop-lesson-tunnel = Kliknij w częściach „Tunel”: stanie przed tobą.
+workshop-lesson-longer = Gdy zaznaczone jest „{ $name }”, przesuń suwak „Rozciągnięcie” w prawo: w środku będzie dłużej, a na zewnątrz tak samo.
+workshop-lesson-portal = Kliknij w częściach „Portal”: taki, który prowadzi do siebie.
+workshop-lesson-portal-again = Kliknij „Portal” jeszcze raz: drugi stanie obok pierwszego.
+workshop-lesson-link = Przeciągnij z gałki nad „{ $name }” na środek „{ $other }”: będą prowadzić do siebie nawzajem.
+workshop-lesson-pass = Naciśnij Graj (F5), przejdź tunelem, a potem wejdź w jeden portal i wyjdź drugim.
+workshop-lesson-walk-doors = Przejdź tunelem, a potem wejdź w portal. F5 prowadzi z powrotem do warsztatu.
+workshop-lesson-done-doors = Zbudowałeś tunel dłuższy w środku i dwa portale, które prowadzą do siebie nawzajem. W warsztacie (F5) pomoc pokaże, co jeszcze jest możliwe.

@@ -50,6 +50,8 @@ worlds-import-hint = Plik wyeksportowanego świata. Można go też upuścić na 
 worlds-found = Wyeksportowane światy w { $dir }:
 worlds-found-none = W { $dir } nie ma wyeksportowanych światów.
 worlds-import-named = { $name } ({ $size })
+worlds-folder-named = { $name } (folder)
+worlds-folder-above = Folder wyżej
 
 # Work on the saves, and what it came to.
 worlds-work-delete = Usuwanie świata

@@ -74,7 +74,7 @@ room-smaller-up = 在高度上，你在这里比在外面小 { $times } 倍
 room-larger-up = 在高度上，你在这里比在外面大 { $times } 倍
 room-smaller-began = 你比开始时小 { $times } 倍
 room-larger-began = 你比开始时大 { $times } 倍
-room-keys = { $look }：换一种看法 · { $camera }：从背后看 · { $gun }：射击 · { $lamp }：放下或拾起灯 · { $lift }：举起或放下松动的东西 · { $ball }：扔球 · { $anew }：重新开始 · { $again }：再看一次 · { $edges }：盒子的边线
+room-keys = { $look }：精确的画面或旧的画面 · { $camera }：从背后看 · { $gun }：射击 · { $lamp }：放下或拾起灯 · { $lift }：举起或放下松动的东西 · { $ball }：扔球 · { $anew }：重新开始 · { $again }：再看一次 · { $edges }：盒子的边线
 room-keys-own = { $build }：在这里建造
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = 左边按论文的规则（这类房间的最初尝试），右边是精确的

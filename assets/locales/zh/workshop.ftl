@@ -28,7 +28,7 @@ workshop-note-aside = 这个房间的日志已损坏，被移到 { $file }。较
 workshop-in-use = 游戏的另一个窗口正在建造这个房间。在这里你可以走动；要在这里建造，请先在那边关闭它。
 workshop-no-journal = 这个房间的文件夹无法写入（{ $reason }）。你可以走动；要建造，请让文件夹可写，然后重新进入。
 workshop-drop-elsewhere = 建造房间时可以把文件拖进来：主菜单中的工坊，或在自己的房间里按 F5。
-workshop-drop-choose = 先选择要贴上图片的物体，再把图片拖进来。
+workshop-drop-choose = 先选择要贴上图片的物体，再把图片拿来。
 workshop-older = 打开旧版本
 workshop-older-about = 点击后用该版本替换房间。这是一步操作，可以撤销。时间为 UTC。
 workshop-older-none = 还没有旧版本。编辑半分钟后会保存一个。
@@ -88,7 +88,7 @@ workshop-kind-stairs = 楼梯
 workshop-kind-arch = 拱门
 workshop-kind-model = 模型
 workshop-kind-light = 灯
-workshop-kind-aberration = 畸变
+workshop-kind-aberration = 空间
 workshop-kind-portal = 传送门
 workshop-kind-sign = 牌子
 workshop-kind-group = 组
@@ -176,13 +176,13 @@ workshop-choice-axis-x = x：前方
 workshop-choice-axis-y = y：上方
 workshop-choice-axis-z = z：右方
 workshop-choice-sides-walls = 墙壁（精确）
-workshop-choice-sides-soft = 柔和
+workshop-choice-sides-soft = 敞开（没有墙）
 workshop-choice-sides-snell = 折射
 workshop-choice-sides-legacy = 论文的规则
 workshop-choice-sides-1 = 单面
 workshop-choice-sides-2 = 双面
-workshop-choice-ways-both = 所有人
-workshop-choice-ways-forward = 沿轴前进者
+workshop-choice-ways-both = 所有进入的人
+workshop-choice-ways-forward = 只有沿轴前进的人
 
 # 空间的作用。
 workshop-told-felt = 外部长 { $outside } 米，内部感觉长 { $inside } 米：步行 { $seconds } 秒，而不是 { $before } 秒。
@@ -192,7 +192,7 @@ workshop-told-walls = 自带墙壁；没有弯曲，门内外一样大。
 workshop-told-soft = 穿过每个面时方向不变：看到哪里就走到哪里。
 workshop-told-snell = 光像在玻璃中一样折射，超过某角度则反射。
 workshop-told-legacy = 论文的规则有缺陷：所见取决于看的方向，也走不到所见之处。
-workshop-told-no-door = 拉伸多于一条轴时墙上没有门。只拉伸一条轴，或把侧面改为柔和。
+workshop-told-no-door = 拉伸多于一条轴时墙上没有门。只拉伸一条轴，或把侧面改为敞开。
 workshop-told-astigmatic = 像散：侧面拉伸不均，直线透过它看起来是弯的。
 workshop-told-grazing = 掠过侧面的视线会被压缩。
 workshop-told-itself = 它通向自己：照见观看者。
@@ -229,7 +229,7 @@ workshop-step-version = { $when } 的版本
 
 # 可能的问题。
 workshop-finding-not-parallel = “{ $name }”部分位于“{ $other }”之中且转向不同；在两者的轴平行或一个完全位于另一个之内以前，它是关闭的。
-workshop-finding-too-deep = “{ $name }”嵌套的畸变过多（其中有“{ $other }”），最多八层。
+workshop-finding-too-deep = “{ $name }”嵌套的拉伸空间过多（其中有“{ $other }”），最多八层。
 workshop-finding-walls-across = “{ $name }”的一面墙横在“{ $other }”里，那里无法通过；请把其中一个移开。
 workshop-finding-same-place = “{ $name }”与“{ $other }”在同一位置；请移动或删除它。
 workshop-finding-tangled = “{ $name }”与太多其他物体重叠，无法判断深度；请移开一些。
@@ -256,7 +256,7 @@ workshop-finding-unreached = 从起点步行到不了“{ $name }”。
 # Help, and parts of several things.
 workshop-reset-short = 重置
 workshop-menu-help = 帮助
-workshop-do-lesson = 上一课
+workshop-do-lesson = 课程：内部更大的房子
 workshop-do-examples = 能做什么
 workshop-do-parallel = 无透视
 workshop-do-walls = 隐藏隧道的墙壁
@@ -305,3 +305,39 @@ workshop-told-one-way = 处于关闭状态：“{ $name }”不通回。
 workshop-told-other-sides = 处于关闭状态：“{ $name }”的面数不同。
 workshop-told-not-similar = 处于关闭状态：“{ $name }”形状不同。请让两者的宽高比相同。
 workshop-told-ill-placed = 处于关闭状态：它或“{ $name }”所在之处不能有传送门。消息会说明原因。
+
+# Files from the disk.
+workshop-do-from-file = 从文件中取模型或图片
+workshop-chooser-title = 模型或图片
+workshop-chooser-about = 模型（glb、gltf、fbx、obj）会出现在你面前；图片（png、jpg）会贴在所选的物体上。
+workshop-chooser-path = 路径
+workshop-chooser-up = 上一层文件夹
+workshop-chooser-home = 我的文件夹
+workshop-chooser-close = 取消
+workshop-chooser-reading = 正在读取文件夹。
+workshop-chooser-empty = 这里没有文件夹、模型或图片。
+workshop-chooser-folder = 文件夹
+workshop-chooser-size = { $kilobytes } kB
+workshop-chooser-unread = 无法读取 { $path }（{ $reason }）。请输入另一条路径，或从下面的文件夹继续。
+workshop-chooser-unfit = { $path } 不是模型（glb、gltf、fbx、obj），也不是图片（png、jpg）。请存为其中一种，或选择另一个文件。
+workshop-chooser-many = 显示 { $count } 个中的前 { $shown } 个；其他的请输入路径。
+
+# What fields do, where the pointer rests.
+workshop-hover-sides = 不该有人穿过的侧面上有什么：墙、什么也没有、或像玻璃的东西。
+workshop-hover-ways = 从另一端来的人，可以感到空间和看上去一样长。
+workshop-hover-outline = 盒子的边线在游戏中也看得到，不只在这里。
+workshop-hover-lengths = 一条轴让隧道变长或变短；所有轴让房间内部变大或变小。
+workshop-hover-thesis = 同样的拉伸，按房间所出自的论文的写法：0 是没有拉伸。
+
+# The second lesson, and a portal alone.
+workshop-do-lesson-doors = 课程：隧道和传送门
+workshop-part-portal = 传送门
+workshop-about-portal = 在把线拖到另一个传送门之前，它通向自己。
+workshop-lesson-tunnel = 在部件中点击“隧道”：它就会出现在你面前。
+workshop-lesson-longer = 选中“{ $name }”后，把“拉伸”向右拖：内部变长，外面不变。
+workshop-lesson-portal = 在部件中点击“传送门”：它通向自己。
+workshop-lesson-portal-again = 再点击一次“传送门”：第二个会在第一个旁边。
+workshop-lesson-link = 从“{ $name }”上方的圆点拖到“{ $other }”的中间：它们就通向对方。
+workshop-lesson-pass = 按“游玩”（F5），走过隧道，再从一个传送门进去，从另一个出来。
+workshop-lesson-walk-doors = 走过隧道，再走进传送门。按 F5 回到工坊。
+workshop-lesson-done-doors = 你建成了内部更长的隧道，还有通向对方的两个传送门。回到工坊（F5），帮助里有更多能做的。

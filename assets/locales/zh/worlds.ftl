@@ -48,6 +48,8 @@ worlds-import-hint = 导出的世界文件。也可以把它拖到窗口上。
 worlds-found = { $dir } 中导出的世界：
 worlds-found-none = { $dir } 中没有导出的世界。
 worlds-import-named = { $name }（{ $size }）
+worlds-folder-named = { $name }（文件夹）
+worlds-folder-above = 上一层文件夹
 
 # Work on the saves, and what it came to.
 worlds-work-delete = 正在删除世界

@@ -51,4 +51,4 @@ pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, photo_p
 pub use seed::{SeedError, parse_seed};
 pub use shell::Shell;
 pub use theme::apply_theme;
-pub use worlds::{ArchiveRow, WorldFiles, WorldsIntent};
+pub use worlds::{ArchiveRow, FolderRow, WorldFiles, WorldsIntent};

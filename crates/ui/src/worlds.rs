@@ -18,7 +18,7 @@ use list::Choice;
 use page::Page;
 
 pub(crate) use kind::Kind;
-pub use model::{ArchiveRow, WorldFiles, WorldsIntent};
+pub use model::{ArchiveRow, FolderRow, WorldFiles, WorldsIntent};
 
 /// What is up on the screens about worlds, beside which screen it is.
 #[derive(Default)]

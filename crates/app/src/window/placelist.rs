@@ -14,14 +14,14 @@ use std::collections::{HashMap, VecDeque};
 use std::path::{Path, PathBuf};
 
 use antipode_language::Texts;
-use antipode_storage::{ArchiveFile, NameError, SavesDir};
+use antipode_storage::{NameError, SavesDir};
 use antipode_ui::{ArchiveRow, ToastKind, WorldFiles, WorldRow, WorldsIntent, legible};
 
 use self::folder::FolderProblem;
 use self::news::News;
 use self::pictures::Pictures;
 pub use self::shelf::{Kept, ROOM_PICTURE, RoomShelf, Shelf, room_of};
-use self::work::{Details, Job, Locations, Outcome};
+use self::work::{Details, FoundFiles, Job, Locations, Outcome};
 use super::background::{Progress, Task};
 use crate::session::Worlds;
 
@@ -44,7 +44,7 @@ pub struct PlaceList<S: Shelf> {
     details: HashMap<String, Details>,
     /// Files that exports were to go to and have not, as the player wrote them, by directory.
     unwritten: HashMap<String, String>,
-    archives: Vec<ArchiveFile>,
+    found: FoundFiles,
     pictures: Pictures,
     folders: Vec<Task<Option<FolderProblem>>>,
     news: VecDeque<News>,
@@ -61,7 +61,7 @@ impl<S: Shelf> PlaceList<S> {
             again: false,
             details: HashMap::new(),
             unwritten: HashMap::new(),
-            archives: Vec::new(),
+            found: FoundFiles::default(),
             pictures: Pictures::default(),
             folders: Vec::new(),
             news: VecDeque::new(),
@@ -102,7 +102,11 @@ impl<S: Shelf> PlaceList<S> {
                 self.enqueue(then);
             }
             WorldsIntent::Import { file } => self.enqueue(Job::Import { file }),
-            WorldsIntent::FindArchives => self.enqueue(Job::FindArchives),
+            WorldsIntent::FindArchives => self.enqueue(Job::FindArchives { folder: None }),
+            WorldsIntent::FindIn { folder } => {
+                let folder = Some(PathBuf::from(folder));
+                self.enqueue(Job::FindArchives { folder });
+            }
             WorldsIntent::OpenFolder { slug } => {
                 let dir = self.locations.dir_of(&slug);
                 self.folders
@@ -196,8 +200,8 @@ impl<S: Shelf> PlaceList<S> {
         if let Some((slug, details)) = outcome.details {
             self.details.insert(slug, details);
         }
-        if let Some(archives) = outcome.archives {
-            self.archives = archives;
+        if let Some(found) = outcome.found {
+            self.found = found;
         }
         match outcome.list {
             Some(Ok(mut places)) => {
@@ -270,7 +274,7 @@ impl<S: Shelf> PlaceList<S> {
 
     /// What the menu shows of archives, and of the work under way.
     pub fn files(&self, texts: &Texts) -> WorldFiles {
-        let archives = self.archives.iter().map(|file| ArchiveRow {
+        let archives = self.found.archives.iter().map(|file| ArchiveRow {
             file: file.path.display().to_string(),
             name: file.path.file_name().map_or_else(String::new, |name| {
                 legible(&name.to_string_lossy()).into_owned()
@@ -278,8 +282,12 @@ impl<S: Shelf> PlaceList<S> {
             size: words::size(texts, file.size_bytes),
         });
         WorldFiles {
-            dir: self.locations.exports().display().to_string(),
+            dir: match &self.found.folder {
+                Some(folder) => folder.display().to_string(),
+                None => self.locations.exports().display().to_string(),
+            },
             archives: archives.collect(),
+            folders: self.found.folders(),
             work: self
                 .task
                 .as_ref()

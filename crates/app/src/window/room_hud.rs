@@ -40,8 +40,8 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
     if is_new {
         state.push(keys(texts, profiles, visit.file().is_some()));
     }
-    if visit.lesson.as_ref().is_some_and(Lesson::is_at_the_door) {
-        state.push(texts.say("workshop-lesson-walk"));
+    if let Some(key) = visit.lesson.as_ref().and_then(Lesson::walking_words) {
+        state.push(texts.say(key));
     }
     HudModel {
         fps,

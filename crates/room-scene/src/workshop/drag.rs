@@ -159,7 +159,9 @@ impl Drag {
     fn stepped(&self, along: DVec3, moved: DVec3, snap: &Snap) -> f64 {
         let from = self.held.origin.dot(along);
         let way = moved.dot(along);
-        if way.abs() < 1e-9 {
+        // What lies off the grid stays there until it is meant to be moved along this axis: else a drag to the side would take it
+        // along the other axis of the plane, too.
+        if way.abs() < (0.5 * snap.grid_m).max(1e-9) {
             return 0.0;
         }
         snap.length(from + way) - from

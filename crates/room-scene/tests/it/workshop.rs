@@ -217,6 +217,29 @@ fn steps_of_the_grid_and_of_turns_hold_places_and_angles() {
 }
 
 #[test]
+fn what_lies_off_the_grid_is_dragged_to_the_side_along_no_other_axis() {
+    let scene = empty();
+    let view = scene.viewpoint(&FreeCamera::of(&scene.eye()), 1.5);
+    let origin = DVec3::new(0.1, 0.6, -5.07);
+    let (through, at) = scene.way_to(&view, origin, &[]).unwrap();
+    let handles = Handles::of(&through, at, held(origin), Tool::Move).unwrap();
+    let is_plane = |it: &&antipode_room_scene::workshop::HandleLine| it.handle == Handle::Across(1);
+    let line = handles.lines.iter().find(is_plane).unwrap();
+    let from = line.points[0];
+    let drag = Drag::begin(&through, &handles, line.handle, from).unwrap();
+    let snap = Snap {
+        grid_m: 0.25,
+        turn_deg: 15.0,
+    };
+    // A hand is not level to the pixel.
+    let to = from + DVec2::new(0.3, 0.002);
+    let Some(Change::Move(way)) = drag.change(&through, to, &snap) else {
+        panic!("it is not moved")
+    };
+    assert!(way.x > 0.3 && way.y == 0.0 && way.z == 0.0, "{way}");
+}
+
+#[test]
 fn a_free_camera_goes_round_what_it_looks_at_and_through_portals() {
     let scene = room("two-portals");
     let mut camera = FreeCamera::of(&scene.eye());

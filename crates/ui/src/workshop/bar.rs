@@ -4,7 +4,7 @@ use antipode_language::Value;
 use egui::{Rect, Response, Ui, UiBuilder};
 
 use super::keys::shortcut_label;
-use super::lesson;
+use super::lesson::{self, LessonChoice};
 use super::model::{LessonTarget, ToolChoice, ViewSide, WorkshopModel, WorkshopWish};
 use crate::layout::inset;
 use crate::theme::{GRID, PANEL};
@@ -110,9 +110,14 @@ fn menus(
         view_menu(ui, model, wishes);
     });
     ui.menu_button(texts.say("workshop-menu-help"), |ui| {
-        if line(ui, model, "lesson", (false, true)).clicked() {
-            wishes.push(WorkshopWish::BeginLesson);
-            ui.close();
+        for (id, lesson) in [
+            ("lesson", LessonChoice::House),
+            ("lesson-doors", LessonChoice::Doors),
+        ] {
+            if line(ui, model, id, (false, true)).clicked() {
+                wishes.push(WorkshopWish::BeginLesson(lesson));
+                ui.close();
+            }
         }
         if line(ui, model, "examples", (false, true)).clicked() {
             *examples = true;
@@ -134,6 +139,7 @@ fn edit_menu(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWi
         ("ungroup", chosen, WorkshopWish::Ungroup),
         ("delete", chosen, WorkshopWish::Delete),
         ("choose-all", true, WorkshopWish::ChooseAll(true)),
+        ("from-file", true, WorkshopWish::ChooseFile),
     ] {
         if line(ui, model, id, (false, enabled)).clicked() {
             wishes.push(wish);

@@ -35,7 +35,10 @@ fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<
         return;
     }
     ui.horizontal(|ui| {
-        ui.label(RichText::new(&row.label).color(WEAK).small());
+        let label = ui.label(RichText::new(&row.label).color(WEAK).small());
+        if !row.about.is_empty() {
+            label.on_hover_text(&row.about);
+        }
         if !row.is_default {
             let values = [("name", row.label.as_str().into())];
             let label = model.texts.say_with("workshop-reset", &values);

@@ -3,8 +3,17 @@
 use egui::{Area, Id, Order, Rect, RichText, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use super::model::{LessonTarget, WorkshopModel, WorkshopWish};
-use crate::theme::{ACCENT, GRID, ROUNDING, TEXT, WEAK, panel};
-use crate::widgets::{button, focus_ring};
+use crate::theme::{ACCENT, GRID, ROUNDING, TEXT, panel};
+use crate::widgets::button;
+
+/// A lesson that can be taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LessonChoice {
+    /// A house that is larger inside.
+    House,
+    /// A tunnel, and two portals that lead to each other.
+    Doors,
+}
 
 /// Widest the card gets, points.
 const WIDEST: f32 = 420.0;
@@ -40,10 +49,7 @@ pub(super) fn show(ui: &Ui, view: Rect, model: &WorkshopModel<'_>, wishes: &mut 
                     if button(ui, &texts.say("workshop-lesson-skip")).clicked() {
                         wishes.push(WorkshopWish::SkipStep);
                     }
-                    let words = RichText::new(texts.say("workshop-lesson-end")).color(WEAK);
-                    let end = ui.add(egui::Button::new(words));
-                    focus_ring(ui, &end);
-                    if end.clicked() {
+                    if button(ui, &texts.say("workshop-lesson-end")).clicked() {
                         wishes.push(WorkshopWish::EndLesson);
                     }
                 });
@@ -68,6 +74,8 @@ pub(super) fn point_out(ui: &Ui, model: &WorkshopModel<'_>, it: &LessonTarget, r
 
 fn ring(ui: &Ui, rect: Rect) {
     let stroke = Stroke::new(RING, ACCENT);
-    let painter = ui.painter();
-    painter.rect_stroke(rect.expand(2.0), ROUNDING, stroke, StrokeKind::Middle);
+    // Panes cut off what lies above their first and below their last line.
+    let rect = rect.expand2(vec2(RING, 0.0));
+    ui.painter()
+        .rect_stroke(rect, ROUNDING, stroke, StrokeKind::Inside);
 }

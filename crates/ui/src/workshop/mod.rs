@@ -4,6 +4,7 @@
 //! picture of the room is seen: the game draws it where [`WorkshopPanes::view_rect`] says.
 
 mod bar;
+mod chooser;
 mod examples;
 mod field;
 mod inspector;
@@ -18,8 +19,10 @@ mod panes;
 mod parts;
 mod view;
 
+pub use chooser::{ChooserEntry, ChooserModel, ChooserWish};
 pub(crate) use keys::told_keys;
 pub use keys::{SHORTCUTS, Shortcut};
+pub use lesson::LessonChoice;
 pub use model::{
     Amount, BarModel, ExampleRow, FieldKind, FieldRow, FieldValue, HistoryRow, LessonModel,
     LessonTarget, MessageRow, ObjectRow, OlderRow, PartRow, ToolChoice, Unit, ViewEvent, ViewLine,

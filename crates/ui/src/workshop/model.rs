@@ -3,6 +3,9 @@
 use antipode_language::Texts;
 use egui::Color32;
 
+use super::chooser::{ChooserModel, ChooserWish};
+use super::lesson::LessonChoice;
+
 /// Everything that the workshop shows in one frame.
 pub struct WorkshopModel<'a> {
     /// The words of the player's language.
@@ -35,6 +38,8 @@ pub struct WorkshopModel<'a> {
     pub lesson: Option<&'a LessonModel>,
     /// What is possible.
     pub examples: &'a [ExampleRow],
+    /// From what a file is chosen, while one is.
+    pub chooser: Option<&'a ChooserModel>,
 }
 
 /// A step of the lesson.
@@ -145,6 +150,8 @@ pub struct FieldRow {
     pub key: String,
     /// What it is called.
     pub label: String,
+    /// What it does, in a sentence; empty where the word says it.
+    pub about: String,
     /// What kind it is, and its value.
     pub kind: FieldKind,
     /// Whether it is as it is when nothing is said of it, or has no such value.
@@ -173,6 +180,8 @@ pub struct PartRow {
     pub label: String,
     /// What it is for, in a sentence.
     pub about: String,
+    /// Its picture; one that has none is shown by its word alone.
+    pub picture: Option<egui::TextureId>,
 }
 
 /// Something that is wrong with the room.
@@ -423,8 +432,12 @@ pub enum WorkshopWish {
     ShowMessage(usize),
     /// The room is played from here.
     Play,
-    /// The lesson is taken from its beginning.
-    BeginLesson,
+    /// A model or a picture is to be chosen from the disk.
+    ChooseFile,
+    /// Something while a file is chosen.
+    Chooser(ChooserWish),
+    /// A lesson is taken from its beginning.
+    BeginLesson(LessonChoice),
     /// This step of the lesson is left out.
     SkipStep,
     /// The lesson is over.

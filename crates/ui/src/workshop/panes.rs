@@ -6,7 +6,7 @@ use egui_tiles::{Behavior, SimplificationOptions, TileId, Tiles, Tree, UiRespons
 use super::layout::{Pane, text, tree, usual};
 use super::list::ListState;
 use super::model::{LessonTarget, WorkshopModel, WorkshopWish};
-use super::{bar, examples, inspector, keys, lesson, list, notes, parts, view};
+use super::{bar, chooser, examples, inspector, keys, lesson, list, notes, parts, view};
 use crate::layout::inset;
 use crate::theme::{ACCENT, FOCUS, GRID, LINE, PANEL, TEXT, WEAK};
 
@@ -20,6 +20,7 @@ pub struct WorkshopPanes {
     first: Option<String>,
     /// Whether the page of what is possible is up.
     examples: bool,
+    chooser: chooser::ChooserState,
     /// The step of the lesson for which panes were brought to the front.
     shown_for: Option<(usize, LessonTarget)>,
 }
@@ -41,6 +42,7 @@ impl WorkshopPanes {
             rect: Rect::NOTHING,
             first: None,
             examples: false,
+            chooser: chooser::ChooserState::default(),
             shown_for: None,
         }
     }
@@ -111,7 +113,7 @@ impl WorkshopPanes {
         self.show_target(model);
         // Of a click and a key in one slow frame the first is done first.
         let late = keys::come_after_button(&ui);
-        let is_elsewhere = self.list.renaming.is_some() || self.examples;
+        let is_elsewhere = self.list.renaming.is_some() || self.examples || model.chooser.is_some();
         let mut asked = Vec::new();
         keys::read(&ui, model, is_elsewhere, &mut asked);
         if !late {
@@ -131,6 +133,7 @@ impl WorkshopPanes {
         self.rect = panes.rect;
         lesson::show(&ui, self.rect, model, &mut wishes);
         examples::show(&ui, model, &mut self.examples, &mut wishes);
+        chooser::show(&ui, model, &mut self.chooser, &mut wishes);
         wishes.append(&mut asked);
         if self.first.is_none() {
             self.first = Some(self.layout());

@@ -1,9 +1,10 @@
 //! Worlds and rooms from files: one is named, chosen from those found, or dropped on the window.
 
+use antipode_language::Texts;
 use egui::{RichText, Ui};
 
 use super::field::{line, note};
-use super::{Kind, WorldsIntent};
+use super::{FolderRow, Kind, WorldsIntent};
 use crate::layout::{Stops, pane, steady};
 use crate::shell::Pass;
 use crate::theme::{WEAK, small};
@@ -22,7 +23,7 @@ impl Form {
         let files = kind.files(pass.model);
         let regions = pass.regions;
         let typed = !self.file.trim().is_empty();
-        let mut wanted = None;
+        let (mut wanted, mut looks_in) = (None, None);
         let body = |ui: &mut Ui, stops: &mut Stops| {
             let label = ui.label(texts.say("worlds-file"));
             let field = line(ui, &mut self.file).labelled_by(label.id);
@@ -48,6 +49,7 @@ impl Form {
                     wanted = Some(archive.file.clone());
                 }
             }
+            looks_in = folders(ui, stops, texts, &files.folders);
             field
         };
         let (mut accept, mut back) = (false, false);
@@ -61,6 +63,7 @@ impl Form {
                 back = button(ui, &texts.say("back")).clicked();
             },
         );
+        pass.intents.extend(looks_in.map(|it| kind.ask(it)));
         let in_use = field.has_focus() || field.lost_focus();
         accept |= typed && in_use && ui.input(|input| input.key_pressed(egui::Key::Enter));
         if accept {
@@ -72,6 +75,29 @@ impl Form {
         }
         done
     }
+}
+
+/// Lines for the folders in which more may be; the one that was clicked, as what it asks for.
+fn folders(
+    ui: &mut Ui,
+    stops: &mut Stops,
+    texts: &Texts,
+    folders: &[FolderRow],
+) -> Option<WorldsIntent> {
+    let mut asked = None;
+    for folder in folders {
+        let label = match &folder.name {
+            Some(name) => texts.say_with("worlds-folder-named", &[("name", name.as_str().into())]),
+            None => texts.say("worlds-folder-above"),
+        };
+        let response = steady(ui, &folder.path, |ui| column_button(ui, &label, false));
+        stops.add(&response);
+        if response.clicked() {
+            let folder = folder.path.clone();
+            asked = Some(WorldsIntent::FindIn { folder });
+        }
+    }
+    asked
 }
 
 /// Takes in files that were dropped on the window.

@@ -11,6 +11,15 @@ pub struct ArchiveRow {
     pub size: String,
 }
 
+/// A folder in which exported worlds or rooms may be.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FolderRow {
+    /// Where it is, which intents carry back.
+    pub path: String,
+    /// Its name; none for the one in which the folder shown is.
+    pub name: Option<String>,
+}
+
 /// What is known of worlds or rooms in files.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WorldFiles {
@@ -18,6 +27,8 @@ pub struct WorldFiles {
     pub dir: String,
     /// What is there, newest first.
     pub archives: Vec<ArchiveRow>,
+    /// Folders in which there may be more: the one that this one is in, and those in it.
+    pub folders: Vec<FolderRow>,
     /// What is being done with the saves just now, in words.
     pub work: Option<String>,
 }
@@ -56,6 +67,11 @@ pub enum WorldsIntent {
     },
     /// Look for exported worlds: fills [`WorldFiles::archives`].
     FindArchives,
+    /// Look for them in a folder.
+    FindIn {
+        /// [`FolderRow::path`].
+        folder: String,
+    },
     /// Make a world of a file.
     Import {
         /// As the player wrote it, not empty.

@@ -3,9 +3,9 @@
 use antipode_language::{Language, Texts};
 use antipode_ui::apply_theme;
 use antipode_ui::workshop::{
-    Amount, BarModel, ExampleRow, FieldKind, FieldRow, FieldValue, HistoryRow, LessonModel,
-    MessageRow, ObjectRow, PartRow, ToolChoice, Unit, ViewEvent, WorkshopModel, WorkshopPanes,
-    WorkshopWish,
+    Amount, BarModel, ChooserModel, ExampleRow, FieldKind, FieldRow, FieldValue, HistoryRow,
+    LessonModel, MessageRow, ObjectRow, PartRow, ToolChoice, Unit, ViewEvent, WorkshopModel,
+    WorkshopPanes, WorkshopWish,
 };
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2, vec2};
 use egui_kittest::Harness;
@@ -21,6 +21,7 @@ pub struct Bench {
     pub bar: BarModel,
     pub lesson: Option<LessonModel>,
     pub examples: Vec<ExampleRow>,
+    pub chooser: Option<ChooserModel>,
     pub wishes: Vec<WorkshopWish>,
 }
 
@@ -38,6 +39,7 @@ pub fn field(key: &str, label: &str, kind: FieldKind) -> FieldRow {
     FieldRow {
         key: key.to_owned(),
         label: label.to_owned(),
+        about: String::new(),
         kind,
         is_default: false,
     }
@@ -80,6 +82,7 @@ pub fn bench(language: Language, width: f32) -> Bench {
         },
         lesson: None,
         examples: Vec::new(),
+        chooser: None,
         wishes: Vec::new(),
     }
 }
@@ -90,6 +93,7 @@ fn show(context: &egui::Context, bench: &mut Bench) {
         id: "box".to_owned(),
         label: texts.say("workshop-part-box"),
         about: texts.say("workshop-about-box"),
+        picture: None,
     };
     let model = WorkshopModel {
         texts,
@@ -112,6 +116,7 @@ fn show(context: &egui::Context, bench: &mut Bench) {
         status: "",
         lesson: bench.lesson.as_ref(),
         examples: &bench.examples,
+        chooser: bench.chooser.as_ref(),
     };
     let wishes = bench.panes.show(context, &model);
     bench.wishes.extend(wishes);

@@ -2,7 +2,8 @@
 
 use antipode_language::{Language, Texts};
 use antipode_ui::workshop::{
-    Amount, ExampleRow, FieldKind, LessonModel, LessonTarget, Unit, WorkshopWish,
+    Amount, ChooserEntry, ChooserModel, ChooserWish, ExampleRow, FieldKind, LessonChoice,
+    LessonModel, LessonTarget, Unit, WorkshopWish,
 };
 use egui::{Event, Key, Modifiers, PointerButton, Vec2, vec2};
 use egui_kittest::Harness;
@@ -125,6 +126,15 @@ fn no_words_are_cut_in_any_language_at_any_size() {
                 .get_by_label(&texts.say("workshop-examples-close"))
                 .rect();
             assert!(close.max.y < size.y, "{id} {size}: {close}");
+            harness.key_press(Key::Escape);
+            harness.run();
+            harness.state_mut().chooser = Some(folder(&texts));
+            harness.run();
+            let found = cut(&harness, size);
+            assert_eq!(found, Vec::<String>::new(), "{id} {size} files");
+            let close = texts.say("workshop-chooser-close");
+            let close = harness.get_by_label(&close).rect();
+            assert!(close.max.y < size.y, "{id} {size}: {close}");
         }
     }
 }
@@ -149,7 +159,10 @@ fn the_lesson_points_to_its_pane_and_can_be_skipped_and_ended() {
     harness.run();
     harness.get_by_label("Take the lesson").click();
     harness.run();
-    assert_eq!(asked(&mut harness), [WorkshopWish::BeginLesson]);
+    assert_eq!(
+        asked(&mut harness),
+        [WorkshopWish::BeginLesson(LessonChoice::House)]
+    );
 }
 
 #[test]
@@ -225,4 +238,72 @@ fn all_panes_are_walked_through_by_tab() {
     ] {
         assert!(found.iter().any(|it| it == wanted), "{wanted}: {found:?}");
     }
+}
+
+/// A folder to choose a file from, with all that may be said of it.
+fn folder(texts: &Texts) -> ChooserModel {
+    let entry = |name: &str, is_folder| ChooserEntry {
+        name: name.to_owned(),
+        is_folder,
+        about: texts.say("workshop-chooser-folder"),
+    };
+    let path = "/home/somebody/pictures";
+    let values = [
+        ("path", path.into()),
+        ("reason", "Permission denied (os error 13)".into()),
+    ];
+    ChooserModel {
+        folder: path.to_owned(),
+        entries: vec![entry("zoo", true), entry("a.png", false)],
+        problem: Some(texts.say_with("workshop-chooser-unread", &values)),
+        is_reading: false,
+    }
+}
+
+#[test]
+fn a_file_is_chosen_by_keys_alone_and_what_they_else_do_waits() {
+    let mut harness = wide();
+    let texts = Texts::new(Language::English);
+    harness.get_by_label("Model or picture from a file").click();
+    harness.run();
+    assert_eq!(asked(&mut harness), [WorkshopWish::ChooseFile]);
+    harness.state_mut().chooser = Some(folder(&texts));
+    harness.run();
+    harness.key_press(Key::Delete);
+    harness.key_press(Key::Enter);
+    harness.run();
+    let wish = |wish| [WorkshopWish::Chooser(wish)];
+    let zoo = ChooserWish::Open("zoo".to_owned());
+    assert_eq!(asked(&mut harness), wish(zoo));
+    harness.key_press(Key::ArrowDown);
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    let picture = ChooserWish::Open("a.png".to_owned());
+    assert_eq!(asked(&mut harness), wish(picture));
+    harness.get_by_label("Path").focus();
+    harness.run();
+    harness.event(Event::Text("/x".to_owned()));
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    let [WorkshopWish::Chooser(ChooserWish::Go(typed))] = &asked(&mut harness)[..] else {
+        panic!("it does not go there")
+    };
+    assert!(typed.contains("/x"), "{typed}");
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert_eq!(asked(&mut harness), wish(ChooserWish::Close));
+}
+
+#[test]
+fn parts_stand_side_by_side_with_their_words_below_and_are_put_in_by_a_key() {
+    let mut harness = wide();
+    let card = harness.get_by_label("Box").rect();
+    assert!(card.height() > 80.0, "there is room for a picture: {card}");
+    harness.get_by_label("Box").focus();
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    assert_eq!(asked(&mut harness), [WorkshopWish::Put("box".to_owned())]);
 }

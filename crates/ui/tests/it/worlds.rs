@@ -2,7 +2,7 @@
 
 use crate::common::{Game, click, focused, intents, painted, press, type_text, window, world};
 use antipode_language::{Language, Texts};
-use antipode_ui::{ArchiveRow, Intent, Screen, WorldsIntent};
+use antipode_ui::{ArchiveRow, FolderRow, Intent, Screen, WorldsIntent};
 use egui::{Key, Modifiers, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -278,6 +278,20 @@ fn a_world_is_imported_from_what_was_found_from_what_was_typed_and_from_what_was
     type_text(&mut harness, " ~/bar.antipode-world ");
     press(&mut harness, Key::Enter);
     assert_eq!(intents(&mut harness), [import("~/bar.antipode-world")]);
+
+    click(&mut harness, "Import");
+    intents(&mut harness);
+    let folder = "/home/me".to_owned();
+    harness.state_mut().files.folders = vec![FolderRow {
+        path: folder.clone(),
+        name: None,
+    }];
+    harness.run();
+    click(&mut harness, "Folder above");
+    assert_eq!(
+        intents(&mut harness),
+        [Intent::Worlds(WorldsIntent::FindIn { folder })]
+    );
 }
 
 #[test]

@@ -351,3 +351,24 @@ fn a_folder_that_is_gone_is_told_by_its_path() {
     let path = dir.path().join("saves/b");
     assert!(bad && said.contains(path.to_str().unwrap()), "{said}");
 }
+
+#[test]
+fn archives_are_looked_for_in_other_folders_and_back() {
+    let (dir, mut list) = three();
+    let file = dir.path().join("a.antipode-world");
+    fs::write(&file, "x").unwrap();
+    fs::create_dir(dir.path().join(".hidden")).unwrap();
+    follow(&mut list, WorldsIntent::FindArchives);
+    let files = |list: &WorldList| list.files(&Texts::default());
+    let row = |list: &WorldList, name: Option<&str>| {
+        let mut rows = files(list).folders.into_iter();
+        rows.find(|it| it.name.as_deref() == name).map(|it| it.path)
+    };
+    assert_eq!(row(&list, Some(".hidden")), None);
+    let folder = row(&list, Some("saves")).unwrap();
+    follow(&mut list, WorldsIntent::FindIn { folder });
+    assert!(files(&list).archives.is_empty());
+    let folder = row(&list, None).unwrap();
+    follow(&mut list, WorldsIntent::FindIn { folder });
+    assert_eq!(files(&list).archives[0].file, file.display().to_string());
+}

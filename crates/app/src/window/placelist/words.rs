@@ -66,7 +66,7 @@ pub fn work(texts: &Texts, kind: &str, job: &Job) -> Option<String> {
         Job::Duplicate { .. } => "work-duplicate",
         Job::Export { .. } => "work-export",
         Job::Import { .. } => "work-import",
-        Job::List | Job::LookAt { .. } | Job::FindArchives => return None,
+        Job::List | Job::LookAt { .. } | Job::FindArchives { .. } => return None,
     };
     let key = [kind, "-", key].concat();
     Some(texts.say(&key))

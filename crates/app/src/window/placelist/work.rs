@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use antipode_storage::{ArchiveFile, slug_of};
+use antipode_ui::{FolderRow, legible};
 
 use super::news::News;
 use super::shelf::{Kept, Shelf};
@@ -88,13 +89,79 @@ impl<S: Shelf> Locations<S> {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Job {
     List,
-    Delete { slug: String },
-    Rename { slug: String, name: String },
-    Duplicate { slug: String },
-    Export { slug: String, file: String },
-    Import { file: String },
-    LookAt { slug: String },
-    FindArchives,
+    Delete {
+        slug: String,
+    },
+    Rename {
+        slug: String,
+        name: String,
+    },
+    Duplicate {
+        slug: String,
+    },
+    Export {
+        slug: String,
+        file: String,
+    },
+    Import {
+        file: String,
+    },
+    LookAt {
+        slug: String,
+    },
+    /// In that folder, or where exports go.
+    FindArchives {
+        folder: Option<PathBuf>,
+    },
+}
+
+/// Most folders that are shown of a folder.
+const MOST_FOLDERS: usize = 200;
+
+/// Archives in a folder, and where else there may be some.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FoundFiles {
+    /// The folder; none before one was looked at.
+    pub folder: Option<PathBuf>,
+    pub archives: Vec<ArchiveFile>,
+    within: Vec<PathBuf>,
+}
+
+impl FoundFiles {
+    /// Looks into a folder. Waits for the disk.
+    fn of<S: Shelf>(folder: &Path) -> Self {
+        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+        let is_shown = |path: &PathBuf| {
+            let name = path.file_name().unwrap_or_default();
+            path.is_dir() && !name.to_string_lossy().starts_with('.')
+        };
+        let mut within: Vec<_> = entries.map(|it| it.path()).filter(is_shown).collect();
+        within.sort();
+        within.truncate(MOST_FOLDERS);
+        Self {
+            folder: Some(folder.to_path_buf()),
+            archives: S::archives(folder),
+            within,
+        }
+    }
+
+    /// The folder above, and those in it.
+    pub fn folders(&self) -> Vec<FolderRow> {
+        let row = |path: &Path, name: Option<String>| FolderRow {
+            path: path.display().to_string(),
+            name,
+        };
+        let above = self.folder.as_deref().and_then(Path::parent);
+        let within = self.within.iter().map(|path| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            row(path, Some(legible(&name).into_owned()))
+        });
+        above
+            .map(|it| row(it, None))
+            .into_iter()
+            .chain(within)
+            .collect()
+    }
 }
 
 /// What a closer look at a world tells.
@@ -112,7 +179,7 @@ pub struct Outcome<K> {
     pub news: Option<News>,
     pub list: Option<Result<Vec<K>, Failure>>,
     pub details: Option<(String, Details)>,
-    pub archives: Option<Vec<ArchiveFile>>,
+    pub found: Option<FoundFiles>,
 }
 
 impl Job {
@@ -120,7 +187,7 @@ impl Job {
     pub fn brings_list(&self) -> bool {
         !matches!(
             self,
-            Self::LookAt { .. } | Self::FindArchives | Self::Export { .. }
+            Self::LookAt { .. } | Self::FindArchives { .. } | Self::Export { .. }
         )
     }
 
@@ -132,7 +199,9 @@ impl Job {
             | Self::Duplicate { slug }
             | Self::Export { slug, .. } => Some(slug),
             // A look opens no store.
-            Self::List | Self::Import { .. } | Self::LookAt { .. } | Self::FindArchives => None,
+            Self::List | Self::Import { .. } | Self::LookAt { .. } | Self::FindArchives { .. } => {
+                None
+            }
         }
     }
 
@@ -142,7 +211,7 @@ impl Job {
             news: None,
             list: None,
             details: None,
-            archives: None,
+            found: None,
         };
         match self {
             Self::LookAt { slug } => {
@@ -152,7 +221,10 @@ impl Job {
                 let export_to = locations.free_export(name);
                 outcome.details = Some((slug.clone(), Details { edits, export_to }));
             }
-            Self::FindArchives => outcome.archives = Some(S::archives(&locations.exports)),
+            Self::FindArchives { folder } => {
+                let folder = folder.as_deref().unwrap_or(&locations.exports);
+                outcome.found = Some(FoundFiles::of::<S>(folder));
+            }
             _ => match self.change(locations) {
                 Ok(news) => outcome.news = news,
                 Err(failure) => outcome.news = Some(News::Failed(failure)),
@@ -193,7 +265,7 @@ impl Job {
                 let made = shelf.import(&locations.path_of(file))?;
                 Some(News::Imported(name_of(&made)?))
             }
-            Self::List | Self::LookAt { .. } | Self::FindArchives => None,
+            Self::List | Self::LookAt { .. } | Self::FindArchives { .. } => None,
         })
     }
 }

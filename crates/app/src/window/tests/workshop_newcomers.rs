@@ -1,7 +1,7 @@
 //! What newcomers do in the workshop: the lesson, a line from portal to portal, clicks that mean the group, and the way there.
 
 use antipode_rooms::What;
-use antipode_ui::workshop::{FieldValue, ViewEvent, WorkshopWish};
+use antipode_ui::workshop::{ChooserWish, FieldValue, LessonChoice, ViewEvent, WorkshopWish};
 
 use super::workshop::{ask, building, chosen, drag, made, press, put, scene};
 use super::*;
@@ -16,6 +16,11 @@ fn the_lesson_comes_once_goes_on_by_ones_own_deeds_and_ends_inside_the_house() {
         words(game)
     };
     assert!(said(&mut game).contains("step 1 of 5"));
+    ask(&mut game, [put("tunnel"), put("hall")]);
+    assert!(
+        said(&mut game).contains("step 1 of 5"),
+        "these are no house"
+    );
     ask(&mut game, [put("house")]);
     assert!(said(&mut game).contains("step 2 of 5"));
     ask(&mut game, [WorkshopWish::Nudge([2, 0, 0])]);
@@ -48,10 +53,115 @@ fn the_lesson_comes_once_goes_on_by_ones_own_deeds_and_ends_inside_the_house() {
     assert!(game.options.config.taught_to_build);
     press(&mut game, "F5");
     assert!(!said(&mut game).contains("of 5"));
-    ask(&mut game, [WorkshopWish::BeginLesson]);
-    assert!(said(&mut game).contains("step 1 of 5"));
+    // The house is there, so none is asked for.
+    ask(&mut game, [WorkshopWish::BeginLesson(LessonChoice::House)]);
+    assert!(said(&mut game).contains("step 2 of 5"));
     ask(&mut game, [WorkshopWish::EndLesson]);
     assert!(!said(&mut game).contains("of 5"));
+}
+
+/// Walks from before a portal into it.
+fn walk_into(game: &mut Game, pose: &glam::DAffine3) {
+    let walker = &mut game.play.phase.visit_mut().unwrap().room.scene;
+    let front = pose.matrix3.x_axis;
+    let feet = pose.translation + front * 0.8 - glam::DVec3::Y * 1.25;
+    walker.teleport(feet).unwrap();
+    walker.aim((-front.z).atan2(-front.x).to_degrees(), 0.0);
+    let steer = antipode_room_scene::Steer {
+        forward: 1.0,
+        ..Default::default()
+    };
+    for _ in 0..60 {
+        walker.step(&steer);
+    }
+}
+
+#[test]
+fn the_second_lesson_leads_to_a_tunnel_and_two_portals_and_through_one() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let said = |game: &mut Game| {
+        game.tick(Instant::now());
+        words(game)
+    };
+    let begin = WorkshopWish::BeginLesson(LessonChoice::Doors);
+    ask(&mut game, [WorkshopWish::EndLesson, begin, put("portals")]);
+    assert!(said(&mut game).contains("step 1 of 6"));
+    ask(&mut game, [put("tunnel")]);
+    assert!(said(&mut game).contains("step 2 of 6"));
+    let longer = WorkshopWish::Set {
+        key: "times".to_owned(),
+        value: FieldValue::Number(0, 8.0),
+        done: true,
+    };
+    ask(&mut game, [longer]);
+    assert!(said(&mut game).contains("step 3 of 6"));
+    ask(&mut game, [put("portal")]);
+    assert!(said(&mut game).contains("step 4 of 6"));
+    ask(&mut game, [put("portal"), WorkshopWish::Undo]);
+    assert!(said(&mut game).contains("step 4 of 6"));
+    ask(&mut game, [put("portal")]);
+    assert!(said(&mut game).contains("step 5 of 6"));
+    let room = scene(&game).room();
+    let to_itself = room
+        .portals()
+        .filter(|(index, it)| it.to == room.objects[*index].name);
+    let names: Vec<_> = to_itself
+        .map(|(index, _)| room.objects[index].name.clone())
+        .collect();
+    let choose = WorkshopWish::Choose {
+        name: names[0].clone(),
+        adds: false,
+    };
+    let link = WorkshopWish::Set {
+        key: "to".to_owned(),
+        value: FieldValue::Text(names[1].clone()),
+        done: true,
+    };
+    ask(&mut game, [choose, link]);
+    assert!(said(&mut game).contains("step 6 of 6"));
+    let room = scene(&game).room();
+    let pose = antipode_rooms::poses(room)[room.find(&names[0]).unwrap().0];
+    press(&mut game, "F5");
+    assert!(words(&mut game).contains("Walk through the tunnel"));
+    walk_into(&mut game, &pose);
+    let _ = said(&mut game);
+    assert!(words(&mut game).contains("You have built a tunnel"));
+}
+
+#[test]
+fn both_of_a_pair_of_portals_are_seen_when_it_is_put_in() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("portals")]);
+    let visit = game.play.phase.visit_mut().unwrap();
+    let workshop = visit.workshop.take().unwrap();
+    for name in ["door", "door 2"] {
+        let at = workshop.seen_in_view(&visit.room.scene, name).unwrap();
+        assert!(at.abs().max_element() < 0.9, "{name}: {at}");
+    }
+    visit.workshop = Some(workshop);
+}
+
+#[test]
+fn a_picture_is_chosen_from_the_disk_and_lies_on_what_is_selected() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let file = dir.path().join("brick.png");
+    image::RgbImage::new(4, 4).save(&file).unwrap();
+    let typed = ChooserWish::Go(file.display().to_string());
+    ask(&mut game, [put("box"), WorkshopWish::ChooseFile]);
+    ask(&mut game, [WorkshopWish::Chooser(typed)]);
+    let texture = |game: &Game| {
+        let made = scene(game).room().find("box").unwrap().1;
+        made.surface.texture.as_ref().map(|it| it.file.clone())
+    };
+    tick_until(&mut game, |game| texture(game).is_some());
+    assert_eq!(texture(&game).unwrap(), "textures/brick.png");
+    assert!(
+        !words(&mut game).contains("Folder above"),
+        "the page is gone"
+    );
 }
 
 #[test]

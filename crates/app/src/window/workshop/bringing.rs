@@ -1,4 +1,4 @@
-//! Models and pictures that are dropped onto the window while one builds: copied into the room's folder and read on a thread, and put
+//! Models and pictures that are dropped onto the window while one builds, or chosen from the disk: copied into the room's folder and read on a thread, and put
 //! into the room then.
 
 use std::path::{Path, PathBuf};
@@ -9,10 +9,12 @@ use antipode_rooms::import::{Imported, import};
 use antipode_rooms::room::Texture;
 use antipode_rooms::{Assets, Object, Room, RoomsDir, What};
 use antipode_ui::ToastKind;
+use antipode_ui::workshop::ChooserWish;
 use antipode_workshop::{Edit, Field};
 use glam::DVec3;
 
 use super::Workshop;
+use super::choosing::Choosing;
 use super::rows::free_name;
 use super::wishes::Bench;
 use crate::window::background::{Progress, Task};
@@ -95,6 +97,22 @@ impl Workshop {
     }
 }
 
+impl Workshop {
+    /// A file is chosen from the folder of the last one.
+    pub(super) fn choose_file(&mut self) {
+        let folder = self.last_folder.clone();
+        let folder = folder.unwrap_or_else(Choosing::usual_folder);
+        self.choosing = Some(Choosing::begin(folder));
+    }
+
+    /// What is asked for while it is.
+    pub(super) fn follow_choosing(&mut self, wish: &ChooserWish) {
+        if self.choosing.as_mut().is_some_and(|it| it.follow(wish)) {
+            self.choosing = None;
+        }
+    }
+}
+
 impl Game {
     /// A file was dropped onto the window.
     pub(in crate::window) fn dropped(&mut self, path: &Path) {
@@ -116,6 +134,25 @@ impl Game {
             return;
         }
         workshop.bringing.waiting.push(path.to_owned());
+    }
+
+    /// Takes in a file that has been chosen from the disk.
+    pub(super) fn take_chosen(&mut self) {
+        let workshop = self
+            .play
+            .phase
+            .visit_mut()
+            .and_then(|it| it.workshop.as_mut());
+        let chosen = workshop.and_then(|workshop| {
+            let choosing = workshop.choosing.as_mut()?;
+            let chosen = choosing.pass()?;
+            workshop.last_folder = Some(choosing.folder().to_owned());
+            workshop.choosing = None;
+            Some(chosen)
+        });
+        if let Some(path) = chosen {
+            self.dropped(&path);
+        }
     }
 
     /// Goes on with files that were dropped.

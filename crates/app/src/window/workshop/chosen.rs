@@ -12,13 +12,12 @@ use super::kits::bounds_of_group;
 /// Half sizes of what has none of its own, metres.
 const POINT_M: f64 = 0.3;
 
-/// Where handles of what is chosen begin, and their axes: its own, or the room's.
+/// Where handles of what is chosen begin, which is at what was chosen last, and their axes: its own, or the room's.
 pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     let room = scene.room();
     let poses = poses(room);
     let chosen = indices(scene);
     let last = *chosen.last()?;
-    let sum: DVec3 = chosen.iter().map(|it| poses[*it].translation).sum();
     let object = &room.objects[last];
     let axes = if own_axes {
         rotation_of(&poses[last])
@@ -34,7 +33,7 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
         _ => None,
     };
     Some(Held {
-        origin: sum / chosen.len() as f64,
+        origin: poses[last].translation,
         axes,
         half: half_of(room, object),
         felt,
@@ -126,6 +125,33 @@ pub fn half(what: &What) -> DVec3 {
         What::Model { scale, .. } => DVec3::splat(*scale),
         What::Light { .. } | What::Group => DVec3::splat(POINT_M),
     }
+}
+
+/// The middle of what is chosen, metres.
+pub fn middle(scene: &RoomScene) -> Option<DVec3> {
+    let poses = poses(scene.room());
+    let all = indices(scene).into_iter();
+    let (sum, count) = all.fold((DVec3::ZERO, 0.0), |(sum, count), index| {
+        (sum + poses[index].translation, count + 1.0)
+    });
+    (count > 0.0).then(|| sum / count)
+}
+
+/// The lowest and highest corner of the box about a thing, or about what a group carries, and the others of its front.
+pub fn ends(room: &Room, index: usize) -> [DVec3; 4] {
+    let object = &room.objects[index];
+    let pose = poses(room)[index];
+    let (low, high) = match bounds_of_group(room, &object.name) {
+        Some(bounds) if object.what == What::Group => bounds,
+        _ => (-half(&object.what), half(&object.what)),
+    };
+    [
+        low,
+        high,
+        DVec3::new(low.x, high.y, high.z),
+        DVec3::new(high.x, low.y, low.z),
+    ]
+    .map(|corner| pose.transform_point3(corner))
 }
 
 /// How far what is chosen reaches from its middle, metres.

@@ -28,7 +28,8 @@ impl Pictures {
     /// What the page shows. Pictures are read when it is asked for first.
     pub fn rows(&mut self, context: &Context, texts: &Texts) -> Vec<ExampleRow> {
         if self.0.is_empty() {
-            let all = EXAMPLES.iter().map(|(id, png)| read(context, id, png));
+            let all = EXAMPLES.iter();
+            let all = all.map(|(id, png)| texture(context, &format!("example {id}"), png));
             self.0 = all.collect();
         }
         let row = |((id, _), picture): (&(&str, &[u8]), &Option<TextureHandle>)| ExampleRow {
@@ -41,11 +42,12 @@ impl Pictures {
     }
 }
 
-fn read(context: &Context, id: &str, png: &[u8]) -> Option<TextureHandle> {
+/// A picture as the interface shows it; none where the file is none.
+pub fn texture(context: &Context, name: &str, png: &[u8]) -> Option<TextureHandle> {
     let picture = image::load_from_memory(png).ok()?.to_rgba8();
     let size = [picture.width() as usize, picture.height() as usize];
     let picture = ColorImage::from_rgba_unmultiplied(size, &picture);
-    Some(context.load_texture(format!("example {id}"), picture, TextureOptions::LINEAR))
+    Some(context.load_texture(name, picture, TextureOptions::LINEAR))
 }
 
 #[cfg(test)]

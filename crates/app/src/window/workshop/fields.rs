@@ -75,9 +75,18 @@ impl Rows<'_> {
     fn add(&mut self, key: &str, kind: FieldKind, is_default: bool) {
         // The axes of one field share a name, and a room's own fields have those of things.
         let word = key.trim_start_matches("room-");
+        let about = match (word, &kind) {
+            // A portal has sides, too, which its words explain.
+            ("sides", FieldKind::Choice(options, _)) if options.len() == 2 => String::new(),
+            ("sides" | "ways" | "outline" | "lengths" | "thesis", _) => {
+                self.texts.say(&format!("workshop-hover-{word}"))
+            }
+            _ => String::new(),
+        };
         self.all.push(FieldRow {
             key: key.to_owned(),
             label: self.texts.say(&format!("workshop-field-{word}")),
+            about,
             kind,
             is_default,
         });
@@ -117,6 +126,7 @@ impl Rows<'_> {
         self.all.push(FieldRow {
             key: key.to_owned(),
             label: String::new(),
+            about: String::new(),
             kind: FieldKind::Words(words, is_warning),
             is_default: true,
         });

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use antipode_rooms::RoomsDir;
 use antipode_ui::ToastKind;
-use antipode_ui::workshop::{BarModel, WorkshopModel, WorkshopPanes, WorkshopWish};
+use antipode_ui::workshop::{BarModel, LessonChoice, WorkshopModel, WorkshopPanes, WorkshopWish};
 
 use super::wishes::{Bench, Outcome};
 use super::{Lesson, Workshop, findings, lines};
@@ -93,6 +93,7 @@ impl Game {
 
     /// Lets time pass: what has changed is kept.
     pub(in crate::window) fn tick_workshop(&mut self, passed: Duration) {
+        self.take_chosen();
         self.bring_in();
         let Phase::InRoom(visit) = &mut self.play.phase else {
             return;
@@ -129,13 +130,15 @@ impl Game {
 
     /// The lesson is over; whether it was done to its end.
     fn end_lesson(&mut self, done: bool) {
-        if let Some(visit) = self.play.phase.visit_mut() {
-            visit.lesson = None;
-        }
+        let visit = self.play.phase.visit_mut();
+        let lesson = visit.and_then(|visit| visit.lesson.take());
         self.options.keep_taught_to_build(true);
         if done {
-            self.menus
-                .toast(ToastKind::Info, "workshop-lesson-done", &[]);
+            let words = match lesson.map(|it| it.choice()) {
+                Some(LessonChoice::Doors) => "workshop-lesson-done-doors",
+                _ => "workshop-lesson-done",
+            };
+            self.menus.toast(ToastKind::Info, words, &[]);
         }
     }
 
@@ -144,11 +147,11 @@ impl Game {
         let Some(visit) = self.play.phase.visit_mut() else {
             return;
         };
-        let scene = &visit.room.scene;
+        let room = visit.room.scene.room();
         match wish {
-            WorkshopWish::BeginLesson => visit.lesson = Some(Lesson::begin(scene)),
+            WorkshopWish::BeginLesson(choice) => visit.lesson = Some(Lesson::begin(*choice, room)),
             WorkshopWish::SkipStep => {
-                let goes_on = (visit.lesson.as_mut()).is_some_and(|it| it.skip(scene));
+                let goes_on = (visit.lesson.as_mut()).is_some_and(|it| it.skip(room));
                 if !goes_on {
                     self.end_lesson(false);
                 }
@@ -170,7 +173,8 @@ impl Game {
             return;
         };
         if !self.options.config.taught_to_build && visit.lesson.is_none() {
-            visit.lesson = Some(Lesson::begin(&visit.room.scene));
+            let lesson = Lesson::begin(LessonChoice::House, visit.room.scene.room());
+            visit.lesson = Some(lesson);
         }
         let layout = &self.options.config.panes;
         let wishes = workshop.show(context, &self.menus.texts, visit, layout);
@@ -266,6 +270,7 @@ impl Workshop {
         if self.told.renew(texts, scene) && self.camera.parallel.is_some() {
             self.camera.parallel = Some(scene.radius_m());
         }
+        self.part_pictures.add_to(context, &mut self.told.parts);
         let told = &self.told;
         let (steps, made) = (told.history.len(), document.history().made());
         let bar = BarModel {
@@ -296,13 +301,15 @@ impl Workshop {
             status: &status,
             lesson: lesson.as_ref(),
             examples: &self.pictures.rows(context, texts),
+            chooser: self.choosing.as_mut().map(|it| it.model(texts)),
         };
         let width = context.content_rect().width();
         let panes = self
             .panes
             .get_or_insert_with(|| WorkshopPanes::new(layout, width));
         let wishes = panes.show(context, &model);
-        self.is_dropped = egui::Popup::is_any_open(context) || panes.has_page();
+        self.is_dropped =
+            egui::Popup::is_any_open(context) || panes.has_page() || self.choosing.is_some();
         let rect = panes.view_rect();
         self.tile = tile(rect, context).map(|tile| (tile, f64::from(rect.height())));
         wishes
@@ -327,7 +334,7 @@ impl Workshop {
 fn is_of_lesson(wish: &WorkshopWish) -> bool {
     matches!(
         wish,
-        WorkshopWish::BeginLesson | WorkshopWish::SkipStep | WorkshopWish::EndLesson
+        WorkshopWish::BeginLesson(_) | WorkshopWish::SkipStep | WorkshopWish::EndLesson
     )
 }
 

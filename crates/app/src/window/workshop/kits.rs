@@ -36,6 +36,7 @@ macro_rules! kits {
 pub const KITS: &[(&str, &str)] = kits![
     "house",
     "portals",
+    "portal",
     "tunnel-longer",
     "tunnel-shorter",
     "portals-of-size",

@@ -1,145 +1,249 @@
-//! The lesson: five deeds by which one builds a house that is larger inside. Each is done by the reader's own hand, and told by what
-//! the room has become.
+//! The lessons: a few deeds by which one builds a house that is larger inside, or a tunnel and two portals. Each is done by the reader's
+//! own hand, and told by what the room has become. A lesson is about the things that were put in for it, or that were there already.
 
 use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
+use antipode_rooms::aberration::Lengths;
 use antipode_rooms::{Object, Room, What, poses};
-use antipode_ui::workshop::{LessonModel, LessonTarget};
+use antipode_ui::workshop::{LessonChoice, LessonModel, LessonTarget};
 use glam::DVec3;
 
-/// How much larger inside the house is to become, as a share of what it was.
+/// How much larger inside something is to become, as a share of what it was.
 const LARGER: f64 = 1.3;
 /// How far it is to be moved, metres.
 const MOVED_M: f64 = 0.2;
 
-/// The deeds, in their order.
+/// What is to be done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Deed {
-    Put,
+    /// A part is put in.
+    Put(&'static str),
+    /// What was put in last is moved.
     Move,
+    /// It is chosen.
     Choose,
-    Stretch,
+    /// It is stretched, by that field.
+    Stretch(&'static str),
+    /// The two that were put in last lead to each other.
+    Link,
+    /// Who walks is in a space.
     Enter,
+    /// Who walks has gone through a portal.
+    Pass,
 }
 
-const DEEDS: [Deed; 5] = [
-    Deed::Put,
-    Deed::Move,
-    Deed::Choose,
-    Deed::Stretch,
-    Deed::Enter,
+/// A step: its words, and what is done in it.
+type Step = (&'static str, Deed);
+
+const HOUSE: &[Step] = &[
+    ("put", Deed::Put("house")),
+    ("move", Deed::Move),
+    ("choose", Deed::Choose),
+    ("stretch", Deed::Stretch("times-all")),
+    ("enter", Deed::Enter),
+];
+const DOORS: &[Step] = &[
+    ("tunnel", Deed::Put("tunnel")),
+    ("longer", Deed::Stretch("times")),
+    ("portal", Deed::Put("portal")),
+    ("portal-again", Deed::Put("portal")),
+    ("link", Deed::Link),
+    ("pass", Deed::Pass),
 ];
 
-/// What of the room a deed changes.
+/// What of a thing a deed changes.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Before {
-    /// How many spaces there are.
-    spaces: usize,
-    /// Where the house stands.
+    /// Where it stands.
     at: DVec3,
     /// How many times as much room its inside has.
     times: f64,
 }
 
-/// The lesson, as far as it has come.
+/// A lesson, as far as it has come.
 #[derive(Clone, Debug)]
 pub struct Lesson {
+    choice: LessonChoice,
     step: usize,
+    /// What it is about: in which step it was put in, and its name.
+    about: Vec<(usize, String)>,
     before: Before,
 }
 
 impl Lesson {
-    /// Its beginning.
-    pub fn begin(scene: &RoomScene) -> Self {
-        Self {
+    /// Its beginning. What is there already need not be put in.
+    pub fn begin(choice: LessonChoice, room: &Room) -> Self {
+        let mut lesson = Self {
+            choice,
             step: 0,
-            before: before(scene.room()),
+            about: Vec::new(),
+            before: Before::default(),
+        };
+        lesson.settle(room);
+        lesson
+    }
+
+    /// Which lesson it is.
+    pub fn choice(&self) -> LessonChoice {
+        self.choice
+    }
+
+    fn steps(&self) -> &'static [Step] {
+        match self.choice {
+            LessonChoice::House => HOUSE,
+            LessonChoice::Doors => DOORS,
         }
     }
 
-    /// Goes on to the next deed, if this one is done. While something is dragged nothing is.
+    fn current(&self) -> Step {
+        let steps = self.steps();
+        steps[self.step.min(steps.len() - 1)]
+    }
+
+    /// Goes on past parts that are there already, and looks how things are before the deed.
+    fn settle(&mut self, room: &Room) {
+        while let (_, Deed::Put(part)) = self.current() {
+            let known = |name: &str| self.about.iter().any(|(_, it)| it == name);
+            let mut there = room.objects.iter().filter(|it| fits(it, part));
+            let Some(found) = there.find(|it| !known(&it.name)) else {
+                break;
+            };
+            self.about.push((self.step, found.name.clone()));
+            self.step += 1;
+        }
+        self.before = self.now(room);
+    }
+
+    fn now(&self, room: &Room) -> Before {
+        let last = self.about.last().and_then(|(_, name)| room.find(name));
+        let Some((index, object)) = last else {
+            return Before::default();
+        };
+        let times = match &object.what {
+            What::Aberration(it) => it.stretch().element_product(),
+            _ => 1.0,
+        };
+        Before {
+            at: poses(room)[index].translation,
+            times,
+        }
+    }
+
+    /// Goes on to the next deed, if this one is done; back to where something was put in that is there no more. While something is
+    /// dragged nothing is done.
     pub fn pass(&mut self, scene: &RoomScene) {
         if scene.document().is_dragging() {
             return;
         }
-        let now = before(scene.room());
-        let is_done = match self.deed() {
-            Deed::Put => now.spaces > self.before.spaces,
+        let room = scene.room();
+        let gone = self
+            .about
+            .iter()
+            .position(|(_, it)| room.find(it).is_none());
+        if let Some(gone) = gone {
+            self.step = self.about[gone].0;
+            self.about.truncate(gone);
+            self.settle(room);
+        }
+        let now = self.now(room);
+        let chosen = scene.document().selection();
+        let is_done = match self.current().1 {
+            Deed::Put(_) => {
+                self.settle(room);
+                false
+            }
             Deed::Move => now.at.distance(self.before.at) > MOVED_M,
             Deed::Choose => {
-                matches!(scene.document().selection(), [name] if is_space(scene.room(), name))
+                let last = self.about.last().map(|(_, name)| name);
+                matches!(chosen, [name] if Some(name) == last)
             }
-            Deed::Stretch => now.times > LARGER * self.before.times,
-            Deed::Enter => false,
+            Deed::Stretch(_) => now.times > LARGER * self.before.times,
+            Deed::Link => self.is_linked(room),
+            // A walk ends these.
+            Deed::Enter | Deed::Pass => false,
         };
         if is_done {
-            self.skip(scene);
+            self.skip(room);
         }
     }
 
+    /// Whether the two portals that it is about lead to each other.
+    fn is_linked(&self, room: &Room) -> bool {
+        let [.., (_, a), (_, b)] = &self.about[..] else {
+            return false;
+        };
+        let leads = |from: &str, to: &str| {
+            let found = room.find(from);
+            found.is_some_and(|(_, it)| matches!(&it.what, What::Portal(it) if it.to == to))
+        };
+        leads(a, b) && leads(b, a)
+    }
+
     /// Leaves a deed out. Returns whether there is another.
-    pub fn skip(&mut self, scene: &RoomScene) -> bool {
-        self.before = before(scene.room());
+    pub fn skip(&mut self, room: &Room) -> bool {
         self.step += 1;
-        self.step < DEEDS.len()
+        let goes_on = self.step < self.steps().len();
+        if goes_on {
+            self.settle(room);
+        }
+        goes_on
     }
 
     /// Whether who walks has done the last deed.
     pub fn is_ended_by(&self, scene: &RoomScene) -> bool {
-        self.deed() == Deed::Enter && !scene.eye().place.stack.is_empty()
+        let place = scene.eye().place;
+        match self.current().1 {
+            Deed::Enter => !place.stack.is_empty(),
+            Deed::Pass => place.passage.count > 0,
+            _ => false,
+        }
     }
 
-    /// Whether all that is left is to go in.
-    pub fn is_at_the_door(&self) -> bool {
-        self.deed() == Deed::Enter
-    }
-
-    fn deed(&self) -> Deed {
-        DEEDS[self.step.min(DEEDS.len() - 1)]
+    /// What is said to who walks, where all that is left is to walk.
+    pub fn walking_words(&self) -> Option<&'static str> {
+        match self.current().1 {
+            Deed::Enter => Some("workshop-lesson-walk"),
+            Deed::Pass => Some("workshop-lesson-walk-doors"),
+            _ => None,
+        }
     }
 
     /// In words, and what it is done with.
     pub fn model(&self, texts: &Texts, room: &Room) -> LessonModel {
-        let inside = last_space(room).map(|it| it.name.clone());
-        let (key, target) = match self.deed() {
-            Deed::Put => ("put", LessonTarget::Part("house".to_owned())),
-            Deed::Move => ("move", LessonTarget::View),
-            Deed::Choose => {
-                let object = inside.clone().map(LessonTarget::Object);
-                ("choose", object.unwrap_or(LessonTarget::View))
-            }
-            Deed::Stretch => ("stretch", LessonTarget::Field("times-all".to_owned())),
-            Deed::Enter => ("enter", LessonTarget::Do("play")),
+        let names = || self.about.iter().rev().map(|(_, name)| name.clone());
+        let last = names().next().filter(|it| room.find(it).is_some());
+        let (key, deed) = self.current();
+        let target = match deed {
+            Deed::Put(part) => LessonTarget::Part(part.to_owned()),
+            Deed::Choose => last
+                .clone()
+                .map_or(LessonTarget::View, LessonTarget::Object),
+            Deed::Stretch(field) => LessonTarget::Field(field.to_owned()),
+            Deed::Move | Deed::Link => LessonTarget::View,
+            Deed::Enter | Deed::Pass => LessonTarget::Do("play"),
         };
-        let values = [("name", inside.unwrap_or_default().into())];
+        let values = [
+            ("name", last.unwrap_or_default().into()),
+            ("other", names().nth(1).unwrap_or_default().into()),
+        ];
         LessonModel {
-            number: self.step.min(DEEDS.len() - 1) + 1,
-            of: DEEDS.len(),
+            number: self.step.min(self.steps().len() - 1) + 1,
+            of: self.steps().len(),
             text: texts.say_with(&format!("workshop-lesson-{key}"), &values),
             target,
         }
     }
 }
 
-fn is_space(room: &Room, name: &str) -> bool {
-    let found = room.find(name);
-    found.is_some_and(|(_, it)| matches!(it.what, What::Aberration(_)))
-}
-
-/// The space that was put in last.
-fn last_space(room: &Room) -> Option<&Object> {
-    room.aberrations()
-        .last()
-        .map(|(index, _)| &room.objects[index])
-}
-
-fn before(room: &Room) -> Before {
-    let Some((index, it)) = room.aberrations().last() else {
-        return Before::default();
-    };
-    Before {
-        spaces: room.aberrations().count(),
-        at: poses(room)[index].translation,
-        times: it.stretch().element_product(),
+/// Whether a thing is what a part puts in, as far as the lesson needs it.
+fn fits(object: &Object, part: &str) -> bool {
+    match (&object.what, part) {
+        (What::Aberration(it), "house") => {
+            object.group.is_some() && matches!(it.lengths, Lengths::Stretch(_))
+        }
+        (What::Aberration(it), "tunnel") => matches!(it.lengths, Lengths::Felt { .. }),
+        // One that leads to itself: it is free to be linked.
+        (What::Portal(it), "portal") => it.to == object.name,
+        _ => false,
     }
 }

@@ -51,6 +51,15 @@ impl Workshop {
         Some((knob, at))
     }
 
+    /// Where the middle of a thing is seen, for tests.
+    #[cfg(test)]
+    pub fn seen_in_view(&self, scene: &RoomScene, name: &str) -> Option<DVec2> {
+        let (index, _) = scene.room().find(name)?;
+        let middle = poses(scene.room())[index].translation;
+        let (_, at) = scene.way_to(&self.viewpoint(scene), middle, &[])?;
+        Some(at)
+    }
+
     /// Takes hold of the knob, if it is there.
     pub fn grab_link(&mut self, scene: &RoomScene, at: DVec2) -> bool {
         let view = self.viewpoint(scene);

@@ -4,6 +4,7 @@
 mod bent;
 mod bringing;
 mod changes;
+mod choosing;
 mod chosen;
 mod examples;
 mod fields;
@@ -16,6 +17,7 @@ mod lesson;
 mod lines;
 mod link;
 mod older;
+mod part_pictures;
 mod parts;
 mod rows;
 mod set;
@@ -33,6 +35,7 @@ use super::visit::Visit;
 use crate::room_picture::{RoomView, Tile};
 use crate::rooms::RoomNote;
 use bringing::Bringing;
+use choosing::Choosing;
 use findings::Findings;
 pub(in crate::window) use findings::note;
 use hand::{Dragging, Meant};
@@ -70,8 +73,12 @@ pub struct Workshop {
     findings: Findings,
     older: OlderList,
     bringing: Bringing,
+    /// A file that is being chosen, and where the last one was.
+    choosing: Option<Choosing>,
+    last_folder: Option<std::path::PathBuf>,
     told: Told,
     pictures: examples::Pictures,
+    part_pictures: part_pictures::PartPictures,
     /// Whether a menu or a list is down.
     is_dropped: bool,
 }
@@ -115,8 +122,11 @@ impl Workshop {
             findings: Findings::begin(notes),
             older: OlderList::default(),
             bringing: Bringing::default(),
+            choosing: None,
+            last_folder: None,
             told: Told::default(),
             pictures: examples::Pictures::default(),
+            part_pictures: part_pictures::PartPictures::default(),
             is_dropped: false,
         }
     }
@@ -224,7 +234,11 @@ impl Visit {
     pub fn is_built_and_still(&self) -> bool {
         let workshop = self.workshop.as_ref();
         workshop.is_some_and(|it| {
-            it.keeping.rests() && it.findings.rest() && it.older.rests() && it.bringing.rests()
+            it.choosing.as_ref().is_none_or(Choosing::rests)
+                && it.keeping.rests()
+                && it.findings.rest()
+                && it.older.rests()
+                && it.bringing.rests()
         })
     }
 

@@ -13,9 +13,9 @@ use super::kits::{self, KITS, Site};
 use super::rows::free_name;
 
 /// Every part, by its word: first those that no other builder has.
-pub const PARTS: [&str; 15] = [
-    "house", "tunnel", "portals", "hall", "box", "wall", "floor", "stairs", "ramp", "arch",
-    "pyramid", "cylinder", "ball", "light", "sign",
+pub const PARTS: [&str; 16] = [
+    "house", "tunnel", "portals", "portal", "hall", "box", "wall", "floor", "stairs", "ramp",
+    "arch", "pyramid", "cylinder", "ball", "light", "sign",
 ];
 
 /// The list of them.
@@ -24,6 +24,7 @@ pub fn rows(texts: &Texts) -> Vec<PartRow> {
         id: id.to_owned(),
         label: texts.say(&format!("workshop-part-{id}")),
         about: texts.say(&format!("workshop-about-{id}")),
+        picture: None,
     };
     PARTS.into_iter().map(row).collect()
 }

@@ -5,7 +5,7 @@ use antipode_room_scene::workshop::Facing;
 use antipode_rooms::{Room, RoomsDir, folder};
 use antipode_ui::workshop::{ViewSide, WorkshopWish};
 use antipode_workshop::{Array, Edit, WorkshopError};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::hand::{Deed, middle, nudge};
 use super::kits::Site;
@@ -137,6 +137,8 @@ impl Workshop {
             WorkshopWish::ShowMessage(number) => self.show_finding(bench.scene, number),
             WorkshopWish::ShowOlder(shows) => self.older.show(bench.folder(), shows),
             WorkshopWish::OpenOlder(when_s) => self.older.read(bench.folder(), when_s),
+            WorkshopWish::ChooseFile => self.choose_file(),
+            WorkshopWish::Chooser(wish) => self.follow_choosing(&wish),
             wish => self.arrange(bench.scene, &wish),
         }
         Ok(())
@@ -284,22 +286,33 @@ impl Workshop {
             .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
     }
 
-    /// Whether the middle of what is chosen is well in the view.
+    /// Whether the middle of what is chosen is well in the view; of several things the whole of each, as far as boxes about them tell.
     fn sees_chosen(&self, scene: &RoomScene) -> bool {
-        let handles = self.handles(scene);
-        handles.is_some_and(|(_, handles)| handles.at.abs().max_element() < 0.9)
+        let chosen = chosen::indices(scene);
+        let is_within = |at: DVec2| at.abs().max_element() < 0.9;
+        if chosen.len() < 2 {
+            let handles = self.handles(scene);
+            return handles.is_some_and(|(_, handles)| is_within(handles.at));
+        }
+        let view = self.viewpoint(scene);
+        chosen.into_iter().all(|index| {
+            let own = chosen::own_spaces(scene.room(), index);
+            chosen::ends(scene.room(), index).into_iter().all(|point| {
+                let seen = scene.way_to(&view, point, &own);
+                seen.is_some_and(|(_, at)| is_within(at))
+            })
+        })
     }
 
     /// Looks at what is chosen.
     pub fn focus(&mut self, scene: &RoomScene) {
-        let Some(held) = chosen::held(scene, false) else {
+        let Some(middle) = chosen::middle(scene) else {
             return;
         };
         self.forget_chain();
-        let reach_m = chosen::reach_m(scene, held.origin);
+        let reach_m = chosen::reach_m(scene, middle);
         let fov_y_rad = self.fov_y_rad(scene);
-        self.camera
-            .focus(scene.space(), held.origin, reach_m, fov_y_rad);
+        self.camera.focus(scene.space(), middle, reach_m, fov_y_rad);
     }
 }
 
