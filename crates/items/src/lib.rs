@@ -68,6 +68,9 @@ pub struct Stands {
     pub turned_deg: Option<f64>,
 }
 
+/// What fits in a hand is held before the eye no farther off than this, metres.
+const FARTHEST_IN_HAND_M: f32 = 4.0;
+
 impl Item {
     fn row(self) -> &'static Row {
         &ROWS[self as usize]
@@ -111,6 +114,13 @@ impl Item {
     /// How it is held before the eye.
     pub fn held(self) -> Held {
         self.row().held
+    }
+
+    /// Whether it can be shown in a figure's hand at its own size. What is larger is shown to who holds it from so far off that it
+    /// seems small; from behind, it would stand around who carries it.
+    pub fn fits_in_hand(self) -> bool {
+        let [_, _, ahead_m] = self.held().place_m;
+        ahead_m < FARTHEST_IN_HAND_M
     }
 
     /// How fast the centre of the brush changes, in field units (metres of gentle ground) per second; `None` for what

@@ -35,6 +35,7 @@ pub use loose::{LooseBlow, LooseBodies, LooseBody, LooseMotion, LooseShape};
 pub use rays::RayHit;
 pub use tuning::CharacterTuning;
 pub use vehicle::{
-    Vehicle, VehicleDoors, VehicleInput, VehicleMotion, VehiclePhysics, VehicleTuning, VehicleWheel,
+    Side, Vehicle, VehicleDoors, VehicleInput, VehicleMotion, VehiclePart, VehiclePhysics,
+    VehicleTuning, VehicleWheel,
 };
 pub use world::PhysicsWorld;

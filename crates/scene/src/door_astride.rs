@@ -1,11 +1,12 @@
-//! Who stands in a door is on both sides of it: shown twice, each time cut at the leaf.
+//! Who stands in a door is on both sides of it: shown twice, each time cut at the leaf. Of a car both parts are met, too.
 //!
 //! A body is on the side where its middle is. What of it has gone through the leaf is shown where it came out, and what has not is
 //! not shown there. With n the way through the leaf and s the side of the middle, the one here keeps s n . (p - f) >= 0, and the
 //! one there the rest.
 
 use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M, HEIGHT_M};
-use antipode_geometry::{Atlas, ChartPoint, Doorway, Leaf};
+use antipode_geometry::{Atlas, ChartPoint, Crossing, Doorway, Leaf};
+use antipode_physics::{Side, VehicleMotion, VehiclePart, VehiclePhysics};
 use glam::DVec3;
 
 use crate::actors::ActorId;
@@ -55,6 +56,28 @@ pub(crate) fn show_astride(
     all
 }
 
+/// What of a car is where: all of it where it is, or, if it stands in a door, what is on either side of that.
+pub(crate) fn car_parts(
+    space: &dyn Atlas,
+    doors: Option<&Doorway>,
+    physics: &VehiclePhysics,
+    motion: &VehicleMotion,
+) -> Vec<VehiclePart> {
+    let parts = doors.and_then(|doors| {
+        let middle = ChartPoint::new(motion.chart, motion.middle());
+        let (leaf, side) = stands_in(space, doors, middle, CAR_REACH_M)?;
+        let crossing = doors.carry(space, leaf, motion.point())?;
+        let on_side = |leaf: usize, side: f64, crossing: &Crossing| {
+            let kept = cut(space, &doors.leaves[leaf], side, crossing.point);
+            physics.part(motion, crossing, side_of(&kept, crossing.point.pos))
+        };
+        let here = on_side(leaf, side, &Crossing::within(motion.point()));
+        let there = on_side(1 - leaf, -side, &crossing);
+        Some(here.into_iter().chain(there).collect())
+    });
+    parts.unwrap_or_else(|| vec![physics.whole(motion)])
+}
+
 /// The leaf that a body with its middle there stands in, and the side of it that the middle is on.
 fn stands_in(
     space: &dyn Atlas,
@@ -85,5 +108,14 @@ fn cut(space: &dyn Atlas, leaf: &Leaf, side: f64, origin: ChartPoint) -> Cut {
     Cut {
         heading_rad: way.z.atan2(way.x),
         from_m: way.dot(foot - origin.pos),
+    }
+}
+
+/// The same as physics has it.
+fn side_of(cut: &Cut, origin: DVec3) -> Side {
+    let way = DVec3::new(cut.heading_rad.cos(), 0.0, cut.heading_rad.sin());
+    Side {
+        at: origin + way * cut.from_m,
+        way,
     }
 }

@@ -114,8 +114,7 @@ pub(crate) fn step_bullets(
         pictured: &*params.strategy,
         physics: &world.physics,
         standing: &standing,
-        cars: &actors.car_motions(),
-        vehicles: &actors.cars.physics,
+        cars: &actors.car_parts(world),
         in_far_ground: &in_far_ground,
         doors: world.doors.as_ref(),
     };

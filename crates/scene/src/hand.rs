@@ -30,7 +30,8 @@ pub(crate) fn step(hand: &mut HandMotion, now: Situation<'_>, fired: bool, still
 
 /// Puts what the player holds and does with it into the own figure's hand.
 pub(crate) fn use_in(hand: &HandMotion, held: Option<Item>, figure: &mut Figure) {
-    figure.held = held.map(ModelId::from);
+    let in_hand = held.filter(|item| item.fits_in_hand());
+    figure.held = in_hand.map(ModelId::from);
     hand.move_arm(&mut figure.posture);
     figure.flashes = hand.flashes();
 }
@@ -59,7 +60,19 @@ pub(crate) fn seen(now: Situation<'_>, hand: &HandMotion, still: bool) -> Option
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::tuning::{FLASH_S, SHOT_EVERY_S};
+
+    /// Somebody with a door in hand would be seen standing in it.
+    #[test]
+    fn what_is_larger_than_a_hand_is_not_seen_in_one() {
+        let point = ChartPoint::a(glam::DVec3::ZERO);
+        for item in Item::ALL {
+            let mut figure = Figure::standing(ModelId::Astronaut, point, 0.0);
+            use_in(&HandMotion::default(), Some(item), &mut figure);
+            assert_eq!(figure.held.is_none(), item == Item::Door, "{item:?}");
+        }
+    }
 
     /// The next shot's flash is a new one.
     #[test]

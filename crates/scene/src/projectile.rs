@@ -3,9 +3,7 @@
 //! where none is loaded, and one that follows a geodesic disappears after a certain distance.
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Doorway, Eye, Map, Strategy, pace};
-use antipode_physics::{
-    Ball, BallTuning, PhysicsWorld, Touch, VehicleMotion, VehiclePhysics, meets_capsule,
-};
+use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, VehiclePart, meets_capsule};
 use glam::DVec3;
 use hecs::Entity;
 
@@ -91,9 +89,8 @@ pub(crate) struct Air<'a> {
     pub pictured: &'a dyn Map,
     pub physics: &'a PhysicsWorld,
     pub standing: &'a [Standing],
-    /// How cars move.
-    pub cars: &'a [(ActorId, VehicleMotion)],
-    pub vehicles: &'a VehiclePhysics,
+    /// What of cars is where.
+    pub cars: &'a [(ActorId, VehiclePart)],
     /// Whether a point is in ground that is not there to be touched: too far off to be loaded, or below all ground.
     pub in_far_ground: &'a dyn Fn(ChartPoint) -> bool,
     /// The pair of doors, if there is one.
@@ -256,12 +253,11 @@ impl Projectile {
             let someone = self.meets(air, &ways);
             let car = meets_car(air, &ways)
                 .filter(|(share, ..)| someone.is_none_or(|(nearer, ..)| *share < nearer));
-            if let Some((share, car, way)) = car {
-                hits.knocks.push(Knock {
-                    car,
-                    at: way.from.lerp(way.to, share),
-                    velocity: way.crossing.turn_vector(ball.velocity),
-                });
+            if let Some((share, (car, part), way)) = car {
+                let velocity = way.crossing.turn_vector(ball.velocity);
+                let (at, velocity) = part.taken_home(way.from.lerp(way.to, share), velocity);
+                let car = *car;
+                hits.knocks.push(Knock { car, at, velocity });
                 ball.centre = from;
                 ball.velocity *= -BULLET_BACK;
                 self.path = Path::Falls;
@@ -424,14 +420,15 @@ pub(crate) fn within(ways: &[Way], chart: ChartId) -> Option<&Way> {
     ways.iter().find(|way| way.crossing.point.chart == chart)
 }
 
-/// The first car that a bullet meets on a way, with the share of it and the way as the car's chart has it.
-fn meets_car<'w>(air: &Air<'_>, ways: &'w [Way]) -> Option<(f64, ActorId, &'w Way)> {
-    let meets = |(id, motion): &(ActorId, VehicleMotion)| {
-        let way = within(ways, motion.chart)?;
-        let share = air
-            .vehicles
-            .meets(motion, way.from, way.to, BULLET.radius_m)?;
-        Some((share, *id, way))
+/// The first car that a bullet meets on a way, and what of it, with the share of the way and the way as its chart has it.
+fn meets_car<'w>(
+    air: &Air<'w>,
+    ways: &'w [Way],
+) -> Option<(f64, &'w (ActorId, VehiclePart), &'w Way)> {
+    let meets = |it: &'w (ActorId, VehiclePart)| {
+        let way = within(ways, it.1.motion().chart)?;
+        let share = it.1.meets(way.from, way.to, BULLET.radius_m)?;
+        Some((share, it, way))
     };
     air.cars
         .iter()

@@ -54,9 +54,8 @@ impl Simulation {
             walk(world, actors, player, outbox, actions);
         }
         drive::step(world, actors, player, outbox, actions);
-        world
-            .physics
-            .set_obstacles(actors.car_bodies(&*world.strategy));
+        let bodies = actors.car_bodies(world);
+        world.physics.set_obstacles(bodies);
         circumnavigation::notice(world, actors.feet(), &mut player.circumnavigation, outbox);
         // Both hands are on the wheel.
         let actions = &actions.unless(actors.cars.is_driving());

@@ -75,7 +75,7 @@ def strip(place, name, count):
     pictures = [os.path.join(place, f"{name}{at}.png") for at in range(count)]
     target = os.path.join(HERE, f"{name}.png")
     subprocess.run(["montage", *pictures, "-tile", f"{count}x1", "-geometry", "224x126+3+3", "-background", "#202428",
-                    "+dither", "-colors", "200", target], check=True)
+                    "+dither", "-colors", "200", "PNG8:" + target], check=True)
 
 
 def main():

@@ -5,11 +5,13 @@
 
 mod arena;
 mod bodies;
+mod cut;
 mod doors;
 mod drive;
 mod hold;
 mod hull;
 mod needed;
+mod part;
 mod place;
 mod role;
 mod sill;
@@ -31,6 +33,7 @@ pub use doors::VehicleDoors;
 use hold::Hold;
 use hull::Hull;
 use needed::Needed;
+pub use part::{Side, VehiclePart};
 use role::{JUNCTIONS, Role};
 pub use state::{VehicleInput, VehicleMotion, VehicleWheel};
 pub use tuning::VehicleTuning;

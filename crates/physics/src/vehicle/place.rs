@@ -6,15 +6,13 @@ use rapier3d::math::Pose;
 
 use super::hull::Hull;
 use super::{VehicleMotion, VehiclePhysics};
-use crate::{ChartGround, Obstacle, PhysicsWorld};
+use crate::{ChartGround, PhysicsWorld};
 
 /// How far up a free place is looked for, and in what steps, in metres.
 const HIGHEST_M: f64 = 64.0;
 const STEP_M: f64 = 0.1;
 /// A vehicle that is set upright is first tried this far below where its middle is, in metres.
 const MIDDLE_UP_M: f64 = 0.7;
-/// Where a ray or a thrown thing meets a hull is looked for no nearer than this, in metres.
-const NO_WAY_M: f64 = 1e-9;
 
 impl VehiclePhysics {
     /// A vehicle upright at rest above a place, looking along a heading, as high up as it takes to
@@ -70,70 +68,5 @@ impl VehiclePhysics {
         let shape = self.hull.free_box.0.as_ref();
         let touched = queries.intersect_shape(pose, shape).next().is_some();
         !touched && !inside(middle)
-    }
-
-    /// What characters cannot walk through: the body of a vehicle.
-    pub fn obstacle(&self, motion: &VehicleMotion) -> Obstacle {
-        Obstacle::new(
-            motion.chart,
-            self.hull.triangles(motion.place, motion.turn).collect(),
-        )
-    }
-
-    /// The share of the way from `from` to `to` (m) at which something `radius_m` wide meets a vehicle's body, both
-    /// in its chart. What begins inside meets it at once.
-    pub fn meets(
-        &self,
-        motion: &VehicleMotion,
-        from: DVec3,
-        to: DVec3,
-        radius_m: f64,
-    ) -> Option<f64> {
-        let way = to - from;
-        if !way.is_finite() || way.length() < NO_WAY_M {
-            return None;
-        }
-        let at = Pose::from_parts(DVec3::ZERO.as_vec3(), motion.turn.as_quat());
-        let ball = rapier3d::parry::shape::Ball::new(radius_m as f32);
-        let options =
-            rapier3d::parry::query::details::ShapeCastOptions::with_max_time_of_impact(1.0);
-        let start = Pose::from_translation((from - motion.place).as_vec3());
-        let hit = rapier3d::parry::query::cast_shapes(
-            &start,
-            way.as_vec3(),
-            &ball,
-            &at,
-            DVec3::ZERO.as_vec3(),
-            self.hull.shape.0.as_ref(),
-            options,
-        );
-        hit.ok().flatten().map(|hit| f64::from(hit.time_of_impact))
-    }
-
-    /// How an upright capsule with its feet at `feet` (m) touches a vehicle's body, if it is within `gap_m` of it: the
-    /// level direction away from the body, and the velocity that the body has there in m/s.
-    pub fn touches_capsule(
-        &self,
-        motion: &VehicleMotion,
-        feet: DVec3,
-        height_m: f64,
-        radius_m: f64,
-        gap_m: f64,
-    ) -> Option<(DVec3, DVec3)> {
-        let hull = Pose::from_parts(DVec3::ZERO.as_vec3(), motion.turn.as_quat());
-        let half_m = (0.5 * height_m - radius_m).max(0.0);
-        let capsule = rapier3d::parry::shape::Capsule::new_y(half_m as f32, radius_m as f32);
-        let middle = feet + DVec3::Y * (0.5 * height_m);
-        let at = Pose::from_translation((middle - motion.place).as_vec3());
-        let gap =
-            rapier3d::parry::query::distance(&hull, self.hull.shape.0.as_ref(), &at, &capsule);
-        if f64::from(gap.ok()?.distance) > gap_m {
-            return None;
-        }
-        let away = (middle - motion.middle())
-            .with_y(0.0)
-            .normalize_or(motion.ahead());
-        let arm = middle - motion.place - motion.turn * self.tuning.mass_centre;
-        Some((away, motion.velocity + motion.spin.cross(arm)))
     }
 }

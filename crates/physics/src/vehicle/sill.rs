@@ -9,6 +9,7 @@ use glam::DVec3;
 use rapier3d::parry::bounding_volume::Aabb;
 use rapier3d::parry::shape::{SharedShape, TriMesh};
 
+use super::cut::cut;
 use super::doors::Junction;
 use crate::PhysicsWorld;
 use crate::chart_ground::Ground;
@@ -80,7 +81,7 @@ impl Sill {
     }
 }
 
-/// The triangles of a block near a leaf, in the leaf's own axes, as far as they lie on one side of it.
+/// The triangles of a block near a leaf, in the leaf's own axes, as far as they lie on one side of it, and a little more.
 fn cut_block(leaf: &Leaf, ground: &Ground, side: f64, out: &mut Vec<[DVec3; 3]>) {
     let Some(mesh) = ground.block.mesh() else {
         return;
@@ -99,26 +100,7 @@ fn cut_block(leaf: &Leaf, ground: &Ground, side: f64, out: &mut Vec<[DVec3; 3]>)
         };
         let corners =
             corners.map(|at| leaf.local(vertices[at as usize].as_dvec3() + ground.origin));
-        cut(corners, side, out);
-    }
-}
-
-/// The part of a triangle with `side * x >= -LAPS_M`, in triangles that run as it does.
-fn cut(corners: [DVec3; 3], side: f64, out: &mut Vec<[DVec3; 3]>) {
-    let inside = |at: DVec3| side * at.x + LAPS_M;
-    let mut kept: Vec<DVec3> = Vec::with_capacity(4);
-    for at in 0..3 {
-        let (a, b) = (corners[at], corners[(at + 1) % 3]);
-        let (from, to) = (inside(a), inside(b));
-        if from >= 0.0 {
-            kept.push(a);
-        }
-        if (from >= 0.0) != (to >= 0.0) {
-            kept.push(a.lerp(b, from / (from - to)));
-        }
-    }
-    for at in 2..kept.len() {
-        out.push([kept[0], kept[at - 1], kept[at]]);
+        cut(corners, |at| side * at.x + LAPS_M, out);
     }
 }
 
@@ -148,7 +130,7 @@ mod tests {
         };
         let parts = [-1.0, 1.0].map(|side| {
             let mut out = Vec::new();
-            cut(corners, side, &mut out);
+            cut(corners, |at| side * at.x + LAPS_M, &mut out);
             for at in out.iter().flatten() {
                 assert!(side * at.x >= -LAPS_M - 1e-12, "{at}");
             }

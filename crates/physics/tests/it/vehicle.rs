@@ -294,18 +294,19 @@ fn a_push_moves_a_sleeper_and_one_vehicle_pushes_another() {
 fn what_characters_meet_is_its_body() {
     let driver = Driver::rested();
     let (physics, motion) = (&driver.physics, driver.motion());
+    let whole = physics.whole(&motion);
     let meets = |y: f64| {
         let (from, to) = (DVec3::new(-5.0, y, 0.0), DVec3::new(5.0, y, 0.0));
-        physics.meets(&motion, from, to, 0.06)
+        whole.meets(from, to, 0.06)
     };
     let share = meets(0.6).unwrap();
     assert!((share - 0.342).abs() < 0.02, "{share}");
     assert!(meets(1.7).is_none());
-    let touches = |x: f64| physics.touches_capsule(&motion, DVec3::X * x, 1.8, 0.35, 0.1);
+    let touches = |x: f64| whole.touches_capsule(DVec3::X * x, 1.8, 0.35, 0.1);
     assert!(touches(1.9).is_some_and(|(away, _)| away.x > 0.99));
     assert!(touches(2.1).is_none());
     let mut world = plain().charts_at(DVec3::ZERO);
-    world.set_obstacles(vec![physics.obstacle(&motion)]);
+    world.set_obstacles(vec![whole.obstacle()]);
     let ground = world.chart(motion.chart);
     assert!(ground.overlaps_capsule(DVec3::new(1.7, 0.01, 0.0), 1.8, 0.35));
     assert!(!ground.overlaps_capsule(DVec3::new(2.1, 0.01, 0.0), 1.8, 0.35));

@@ -19,6 +19,7 @@ mod outlines;
 mod overhead;
 mod pictures;
 mod plan;
+mod shadow_cut;
 mod shadows;
 mod sky;
 mod spaces;

@@ -11,10 +11,10 @@ use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 
-const SIZE: (u32, u32) = (640, 360);
+pub const SIZE: (u32, u32) = (640, 360);
 const ASPECT: f64 = 16.0 / 9.0;
 /// Height of the floor, high enough for a closed world, and where a pillar stands on it.
-const FLOOR_M: f64 = 8.0;
+pub const FLOOR_M: f64 = 8.0;
 const PILLAR: [DVec3; 2] = [
     DVec3::new(15.0, FLOOR_M, 15.0),
     DVec3::new(16.0, FLOOR_M + 3.0, 16.0),
@@ -54,7 +54,7 @@ fn floor_and_pillar() -> Arc<ChunkMesh> {
     Arc::new(mesh)
 }
 
-fn scene(geometry: Geometry) -> Frame {
+pub fn scene(geometry: Geometry) -> Frame {
     let space = space(geometry);
     let mut scene = frame(
         &space,
@@ -79,7 +79,7 @@ fn studio(shadows: ShadowQuality, size: (u32, u32)) -> Option<Studio> {
 }
 
 /// Pictures with and without shadows.
-fn both(frame: &Frame, size: (u32, u32)) -> Option<[RgbaImage; 2]> {
+pub fn both(frame: &Frame, size: (u32, u32)) -> Option<[RgbaImage; 2]> {
     compared(frame, size, ShadowQuality::Low)
 }
 
@@ -99,7 +99,7 @@ fn is_shaded(frame: &Frame, point: DVec3, margin_m: f64) -> bool {
 }
 
 /// Whether something that is where `is_in` says stands between a point of the floor and the light.
-fn is_shaded_by(frame: &Frame, point: DVec3, is_in: impl Fn(DVec3) -> bool) -> bool {
+pub fn is_shaded_by(frame: &Frame, point: DVec3, is_in: impl Fn(DVec3) -> bool) -> bool {
     let steps = (1..2000).map(|i| f64::from(i) * 0.01);
     if let Some(orbs) = frame.content.sky.orbs {
         let radius_m = frame.view.strategy.radius_m();
@@ -128,7 +128,7 @@ fn is_seen(frame: &Frame, point: DVec3) -> bool {
     (1..400).all(|i| !is_in_pillar(eye.lerp(point, f64::from(i) / 400.0), 0.6))
 }
 
-fn brightness(picture: &RgbaImage, (x, y): (f64, f64)) -> Option<i32> {
+pub fn brightness(picture: &RgbaImage, (x, y): (f64, f64)) -> Option<i32> {
     let inside = |v: f64, most: u32| (2.0..f64::from(most) - 2.0).contains(&v);
     if !inside(x, picture.width()) || !inside(y, picture.height()) {
         return None;

@@ -87,7 +87,30 @@ fn others([rays, raster]: &[Shown; 2]) -> (usize, usize) {
     (elsewhere.len(), common.len())
 }
 
+/// What was compared, and the most that was off in one picture.
+#[derive(Debug, Default)]
+struct Report {
+    rooms: usize,
+    eyes: usize,
+    /// Pixels that show another thing or see the same one elsewhere, and of all eyes together.
+    most_others: usize,
+    all_others: usize,
+    /// Pixels of another colour with sun and lamps, by more than 12 of 255, and without, by more than 4.
+    most_lit: usize,
+    most_dark: usize,
+}
+
+impl Report {
+    fn add(&mut self, others: usize, lit: usize) {
+        self.eyes += 1;
+        self.all_others += others;
+        self.most_others = self.most_others.max(others);
+        self.most_lit = self.most_lit.max(lit);
+    }
+}
+
 fn compare(view: View) {
+    let mut report = Report::default();
     let opened = open();
     let Some(gpu) = antipode_testing::needed("a graphics adapter", opened.as_ref()) else {
         return;
@@ -101,6 +124,7 @@ fn compare(view: View) {
             // Drawn by rays alone.
             continue;
         }
+        report.rooms += 1;
         for (number, eye) in of(&open).iter().enumerate().take(EYES) {
             let name = format!("{} {number}", shipped.id);
             let shown = both(gpu, &scene, eye, view);
@@ -117,6 +141,7 @@ fn compare(view: View) {
             );
             let lit = unlike(&shown, 12);
             assert!(lit <= pixels / 50, "{name}: {lit} are lit in another way");
+            report.add(far + others, lit);
             if number < DARK_EYES {
                 let dark = RayScene {
                     sun: None,
@@ -124,11 +149,13 @@ fn compare(view: View) {
                     ..scene.clone()
                 };
                 let off = unlike(&both(gpu, &dark, eye, view), 4);
+                report.most_dark = report.most_dark.max(off);
                 // Edges between parts of one thing, as those between things.
                 assert!(off <= pixels / 1000, "{name}: {off} have another colour");
             }
         }
     }
+    println!("{view:?}, of {pixels} pixels of a picture: {report:?}");
 }
 
 #[test]

@@ -26,11 +26,10 @@ const FAR_M: f64 = 5.0;
 struct Meeting {
     car: ActorId,
     who: Entity,
-    /// Where, in the chart of the car.
+    /// Where, in the chart of the car, and the level way from the car there, a unit vector.
     at: DVec3,
-    /// The level way from the car, a unit vector of its chart.
     away: DVec3,
-    /// The same in that one's chart.
+    /// The same way in that one's chart.
     own_away: DVec3,
     /// How fast the car comes that way, m/s.
     closing_m_s: f64,
@@ -57,8 +56,9 @@ pub(super) fn run_over(
 fn meetings(now: Situation<'_>) -> Vec<Meeting> {
     let mut found = Vec::new();
     let standing = now.standing();
-    let (physics, strategy) = (&now.actors.cars.physics, &*now.world.strategy);
-    for (car, motion) in now.actors.car_motions() {
+    let strategy = &*now.world.strategy;
+    for (car, part) in now.actors.car_parts(now.world) {
+        let motion = part.motion();
         let images = strategy.images(motion.point(), FAR_M);
         for it in &standing {
             // Half of a car may be beyond an edge, among those whose chart is the next one.
@@ -73,15 +73,16 @@ fn meetings(now: Situation<'_>) -> Vec<Meeting> {
                 continue;
             }
             let (height_m, radius_m) = (it.height_m, it.radius_m);
-            let touch = physics.touches_capsule(&motion, feet, height_m, radius_m, TOUCH_GAP_M);
-            if let Some((away, velocity)) = touch {
+            let touch = part.touches_capsule(feet, height_m, radius_m, TOUCH_GAP_M);
+            if let Some((there_away, velocity)) = touch {
+                let (at, away) = part.taken_home(feet + DVec3::Y * (0.5 * height_m), there_away);
                 found.push(Meeting {
                     car,
                     who: it.entity,
-                    at: feet + DVec3::Y * (0.5 * it.height_m),
+                    at,
                     away,
-                    own_away: carried.rotation().inverse() * away,
-                    closing_m_s: velocity.dot(away),
+                    own_away: carried.rotation().inverse() * there_away,
+                    closing_m_s: velocity.dot(there_away),
                 });
             }
         }

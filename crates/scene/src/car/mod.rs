@@ -10,8 +10,10 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartPoint, Strategy};
-use antipode_physics::{Obstacle, Vehicle, VehicleMotion, VehiclePhysics, VehicleWheel};
+use antipode_geometry::ChartPoint;
+use antipode_physics::{
+    Obstacle, Vehicle, VehicleMotion, VehiclePart, VehiclePhysics, VehicleWheel,
+};
 use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
 use hecs::Entity;
@@ -19,6 +21,7 @@ use hecs::Entity;
 use crate::actors::{ActorId, Actors};
 use crate::body;
 use crate::camera::CameraMode;
+use crate::door_astride::car_parts;
 use crate::ground_changed::OnGround;
 use crate::restore::{self, FASTEST_RESTORED_M_S};
 use crate::spawn::FIRST_YAW_RAD;
@@ -103,18 +106,27 @@ impl Actors {
         self.map(|id, car: &Car| (id, car.vehicle.motion()))
     }
 
-    /// The bodies of all cars, which nobody walks through, in every chart that they reach into.
-    pub fn car_bodies(&self, strategy: &dyn Strategy) -> Vec<Obstacle> {
-        let physics = &self.cars.physics;
-        let bodies = |_, car: &Car| {
-            let motion = car.vehicle.motion();
-            let images = strategy.images(motion.point(), BODY_REACH_M).into_iter();
-            let others = images.map(|image| physics.obstacle(&motion.carried(&image)));
-            others
-                .chain([physics.obstacle(&motion)])
-                .collect::<Vec<_>>()
+    /// What of all cars is to be met, where it is: of one that stands in a door, a part on either side.
+    pub fn car_parts(&self, world: &World) -> Vec<(ActorId, VehiclePart)> {
+        let (space, physics) = (&*world.strategy, &self.cars.physics);
+        let parts = |(id, motion): (ActorId, VehicleMotion)| {
+            let parts = car_parts(space, world.doors.as_ref(), physics, &motion);
+            parts.into_iter().map(move |part| (id, part))
         };
-        self.map(bodies).into_iter().flatten().collect()
+        self.car_motions().into_iter().flat_map(parts).collect()
+    }
+
+    /// The bodies of all cars, which nobody walks through, in every chart that they reach into.
+    pub fn car_bodies(&self, world: &World) -> Vec<Obstacle> {
+        let bodies = |(_, part): (ActorId, VehiclePart)| {
+            let images = world
+                .strategy
+                .images(part.motion().point(), BODY_REACH_M)
+                .into_iter();
+            let others = images.map(|image| part.carried(&image).obstacle());
+            others.chain([part.obstacle()]).collect::<Vec<_>>()
+        };
+        self.car_parts(world).into_iter().flat_map(bodies).collect()
     }
 
     fn view_of(&self, id: ActorId, car: &Car) -> CarView {

@@ -34,14 +34,12 @@ fn fly_over(
     standing: &[Standing],
     steps: usize,
 ) -> Vec<Strike> {
-    let vehicles = VehiclePhysics::default();
     let air = Air {
         strategy: space,
         pictured: space,
         physics,
         standing,
         cars: &[],
-        vehicles: &vehicles,
         in_far_ground: &|point| point.pos.y < 0.0,
         doors: None,
     };

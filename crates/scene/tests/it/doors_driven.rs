@@ -1,43 +1,15 @@
 //! Cars and doors: what stands beyond is run into, and who goes through keeps his speed in the space wherever the other door is.
 
-use antipode_geometry::{ChartId, ChartPoint, Doorway, Geometry, Leaf};
+use antipode_geometry::{ChartId, ChartPoint, Geometry, Leaf};
 use antipode_scene::{Actions, CarView, NpcMode, Scene};
 use glam::DVec3;
 
 use crate::common::cars::{enter, look_at_car, stand_beside};
-use crate::common::doors::{ground, level_strip, local, put_up, still};
+use crate::common::doors::{car_at, ground, level_pair, local, put_up, still};
 use crate::common::{scene, steps};
 
-/// A pair on level ground: one leaf near the start and the other elsewhere, on a globe beyond the equator and higher or lower.
-fn pair(scene: &mut Scene, half_m: f64) -> Doorway {
-    let (foot, yaw) = level_strip(scene, scene.feet(), 14.0, half_m);
-    let closed = scene.setup().geometry == Geometry::Spherical;
-    let elsewhere = if closed {
-        ChartPoint::new(ChartId::SECOND, DVec3::new(32.0, 0.0, -14.0))
-    } else {
-        foot.moved(DVec3::new(-34.0, 0.0, 19.0))
-    };
-    let (there, looks) = level_strip(scene, elsewhere, 12.0, 4.0);
-    let leaves = [
-        Leaf { foot, yaw },
-        Leaf {
-            foot: there,
-            yaw: looks,
-        },
-    ];
-    put_up(scene, leaves)
-}
-
-/// Puts a car on the ground at a place of a leaf's axes, and lets it come to rest.
-fn car_at(scene: &mut Scene, leaf: &Leaf, x: f64, turn_rad: f64) {
-    let at = leaf.place(DVec3::X * x);
-    let at = ground(scene, at.chart, at.pos.x, at.pos.z);
-    assert!(scene.spawn_car(at, leaf.yaw + turn_rad));
-    steps(scene, 150, &still());
-}
-
 /// Drives ahead along a leaf's front, no faster than that.
-fn on(scene: &Scene, leaf: &Leaf, car: &CarView, fastest_m_s: f64) -> Actions {
+pub fn on(scene: &Scene, leaf: &Leaf, car: &CarView, fastest_m_s: f64) -> Actions {
     let at = local(scene, leaf, car.point);
     let off_rad = (car.yaw() - leaf.yaw).sin();
     Actions {
@@ -51,7 +23,8 @@ fn on(scene: &Scene, leaf: &Leaf, car: &CarView, fastest_m_s: f64) -> Actions {
     }
 }
 
-fn take_the_wheel(scene: &mut Scene) {
+/// Gets into the first car.
+pub fn take_the_wheel(scene: &mut Scene) {
     stand_beside(scene, 2.2);
     look_at_car(scene);
     steps(scene, 1, &enter());
@@ -63,7 +36,7 @@ fn a_car_that_stands_beyond_a_door_is_run_into_by_the_nose_that_is_through_in_ev
     for geometry in Geometry::ALL {
         let mut scene = scene(geometry);
         scene.set_npcs(NpcMode::Still);
-        let doors = pair(&mut scene, 6.0);
+        let doors = level_pair(&mut scene, 6.0);
         let [near, far] = doors.leaves;
         car_at(&mut scene, &near, -4.5, 0.0);
         take_the_wheel(&mut scene);
@@ -93,7 +66,7 @@ fn a_car_that_stands_beyond_a_door_is_run_into_by_the_nose_that_is_through_in_ev
 fn a_car_keeps_its_speed_in_the_space_where_a_metre_of_the_chart_is_another() {
     let mut scene = scene(Geometry::Spherical);
     scene.set_npcs(NpcMode::Still);
-    let doors = pair(&mut scene, 6.0);
+    let doors = level_pair(&mut scene, 6.0);
     let [near, far] = doors.leaves;
     car_at(&mut scene, &near, -4.5, 0.0);
     take_the_wheel(&mut scene);

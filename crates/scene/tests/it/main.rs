@@ -18,6 +18,7 @@ mod doors;
 mod doors_driven;
 mod doors_dug;
 mod doors_followed;
+mod doors_met;
 mod doors_placed;
 mod doors_seen;
 mod drops;

@@ -92,6 +92,34 @@ pub fn put_up(scene: &mut Scene, leaves: [Leaf; 2]) -> Doorway {
     Doorway { leaves }
 }
 
+/// A pair on level ground: one leaf near the start and the other elsewhere, on a globe beyond the equator and higher or lower.
+pub fn level_pair(scene: &mut Scene, half_m: f64) -> Doorway {
+    let (foot, yaw) = level_strip(scene, scene.feet(), 14.0, half_m);
+    let closed = scene.setup().geometry == Geometry::Spherical;
+    let elsewhere = if closed {
+        ChartPoint::new(ChartId::SECOND, DVec3::new(32.0, 0.0, -14.0))
+    } else {
+        foot.moved(DVec3::new(-34.0, 0.0, 19.0))
+    };
+    let (there, looks) = level_strip(scene, elsewhere, 12.0, 4.0);
+    let leaves = [
+        Leaf { foot, yaw },
+        Leaf {
+            foot: there,
+            yaw: looks,
+        },
+    ];
+    put_up(scene, leaves)
+}
+
+/// Puts a car on the ground at a place of a leaf's axes, and lets it come to rest.
+pub fn car_at(scene: &mut Scene, leaf: &Leaf, x: f64, turn_rad: f64) {
+    let at = leaf.place(DVec3::X * x);
+    let at = ground(scene, at.chart, at.pos.x, at.pos.z);
+    assert!(scene.spawn_car(at, leaf.yaw + turn_rad));
+    steps(scene, 150, &still());
+}
+
 /// One leaf two metres before the player, who looks along its front and through it; the other elsewhere, on a globe beyond the
 /// equator, and higher or lower.
 pub fn before_the_player(geometry: Geometry) -> (Scene, Doorway) {
