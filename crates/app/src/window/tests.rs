@@ -22,6 +22,7 @@ mod views;
 mod workshop;
 mod workshop_newcomers;
 mod workshop_pictures;
+mod workshop_speed;
 
 use std::fs;
 use std::path::{Path, PathBuf};
