@@ -42,6 +42,7 @@ workshop-several = { $count ->
 workshop-status-nothing = Klicke etwas an, oder fliege: rechte Taste halten und W A S D.
 workshop-status-chosen = Ziehe es oder einen Griff · Pfeiltasten: ein Schritt · F: ansehen · Alt: ohne Raster
 workshop-status-flies = W A S D, E und Q fliegen, Pfeiltasten drehen. V oder Esc beendet es.
+workshop-status-late = Wird neu gezeichnet …
 workshop-outside-inside = außen { $outside } m, innen { $inside } m
 
 # Was getan wird.

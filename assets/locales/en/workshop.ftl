@@ -42,6 +42,7 @@ workshop-several = { $count ->
 workshop-status-nothing = Click something, or fly: hold the right button and W A S D.
 workshop-status-chosen = Drag it or a handle · arrow keys: one step · F: look at it · Alt: no steps
 workshop-status-flies = W A S D, E and Q fly, arrow keys turn. V or Esc ends it.
+workshop-status-late = Drawing anew …
 workshop-outside-inside = { $outside } m outside, { $inside } m inside
 
 # What is done.

@@ -42,6 +42,7 @@ workshop-several = { $count ->
 workshop-status-nothing = Haz clic en algo, o vuela: mantén el botón derecho y W A S D.
 workshop-status-chosen = Arrástralo o un tirador · flechas: un paso · F: mirarlo · Alt: sin rejilla
 workshop-status-flies = W A S D, E y Q vuelan, las flechas giran. V o Esc termina.
+workshop-status-late = Dibujando de nuevo…
 workshop-outside-inside = { $outside } m por fuera, { $inside } m por dentro
 
 # Lo que se hace.

@@ -44,6 +44,7 @@ workshop-several = { $count ->
 workshop-status-nothing = Kliknij coś albo leć: przytrzymaj prawy przycisk i W A S D.
 workshop-status-chosen = Przeciągnij go lub uchwyt · strzałki: jeden krok · F: spójrz · Alt: bez siatki
 workshop-status-flies = W A S D, E i Q lecą, strzałki obracają. V lub Esc kończy.
+workshop-status-late = Rysowanie od nowa…
 workshop-outside-inside = { $outside } m na zewnątrz, { $inside } m w środku
 
 # Co się robi.

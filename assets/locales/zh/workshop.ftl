@@ -39,6 +39,7 @@ workshop-several = { $count } 个物体
 workshop-status-nothing = 点击物体；或按住右键并用 W A S D 飞行。
 workshop-status-chosen = 拖动物体或手柄 · 方向键：一步 · F：对准 · Alt：不吸附
 workshop-status-flies = W A S D、E 和 Q 飞行，方向键转动。V 或 Esc 结束。
+workshop-status-late = 正在重新绘制…
 workshop-outside-inside = 外 { $outside } 米，内 { $inside } 米
 
 # 操作。

@@ -1,33 +1,28 @@
 //! Pictures of rooms: rays into the light of a picture, the tone map of worlds after it, and the writing on signs.
 
 use std::ops::Range;
+use std::time::Instant;
 
 use antipode_language::Texts;
-use antipode_rays::{Loaded, Picture, RayScene, Rays};
+use antipode_rays::{Loaded, Picture, RayScene, Rays, Shader};
 use antipode_render::{Gpu, Offscreen, Options, Shaders, Tonemap};
 use antipode_room_scene::{Moment, RoomScene, SignBoard};
-use antipode_rooms::Colour;
-use egui::{Align2, Color32, FontId, LayerId, Pos2, Rect, Vec2};
 use image::RgbaImage;
 
 use crate::failure::Failure;
-use crate::overlay::Overlay;
 use crate::room_figures::RoomFigures;
 use crate::room_texts::RoomTexts;
 
-/// The format of the writing on signs.
-const SIGN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// Pixels across the writing of a sign.
-const SIGN_PX: u32 = 1024;
+mod signs;
 
-/// How much wider the strokes of the writing on signs are, as a share of its size.
-const BOLDER: f32 = 0.03;
+use signs::Signs;
 
 /// What draws rooms; it may be asked from any thread.
 #[derive(Debug)]
 pub struct RoomPainter {
     rays: Rays,
     tonemap: Tonemap,
+    signs: Signs,
 }
 
 /// What pictures of a room are drawn of.
@@ -61,7 +56,34 @@ impl RoomPainter {
         Ok(Self {
             rays: Rays::new(&gpu.device)?,
             tonemap: Tonemap::accepted(&gpu.device, Shaders::default(), format, is_scaled)?,
+            signs: Signs::default(),
         })
+    }
+
+    /// A shader that has to be compiled before this view can be drawn; none where it can.
+    pub fn missing(&self, drawable: &Drawable, view: &RoomView) -> Option<Shader> {
+        let what = (&drawable.scene, &drawable.loaded);
+        let wanted = (self.rays).shaders(what, &view.moment.eye, as_compiled(view));
+        wanted.into_iter().find(|it| !self.rays.is_compiled(*it))
+    }
+
+    /// What is not compiled of all that other views of it may be drawn with.
+    pub fn uncompiled(&self, drawable: &Drawable) -> Vec<Shader> {
+        let mut all = self.rays.all_shaders(&drawable.loaded);
+        all.retain(|it| !self.rays.is_compiled(*it));
+        all
+    }
+
+    /// Compiles a shader, which takes up to seconds.
+    ///
+    /// # Errors
+    /// When the adapter refuses it.
+    pub fn compile(&self, gpu: &Gpu, shader: Shader) -> Result<(), Failure> {
+        let begun = Instant::now();
+        self.rays.compile(&gpu.device, shader)?;
+        let took_ms = begun.elapsed().as_millis();
+        tracing::debug!("compiled {shader:?} in {took_ms} ms");
+        Ok(())
     }
 
     /// Makes what a room is drawn of, and waits for the writing on its signs, which is in the language of `texts`.
@@ -74,18 +96,18 @@ impl RoomPainter {
         room: &RoomScene,
         texts: &Texts,
     ) -> Result<Drawable, Failure> {
-        let mut overlay = Overlay::new(gpu, SIGN_FORMAT);
         let words = RoomTexts::of(texts);
+        let mut writing = self.signs.begin();
         let mut scene = room.ray_scene(|board| {
             let said = SignBoard {
                 text: words.say(&board.text).to_owned(),
                 ..board.clone()
             };
-            write_sign(gpu, &mut overlay, &said)
+            writing.write(gpu, said)
         })?;
+        drop(writing);
         let figures = RoomFigures::add_to(&mut scene)?;
         let loaded = self.rays.upload(&gpu.device, &gpu.queue, &scene)?;
-        self.rays.prepare(&gpu.device, &loaded);
         Ok(Drawable {
             scene,
             loaded,
@@ -107,7 +129,7 @@ impl RoomPainter {
             encoder,
             (&drawable.scene, &drawable.loaded),
             (&view.moment.eye, picture),
-            view.options,
+            as_compiled(view),
             rows,
         );
     }
@@ -125,6 +147,14 @@ impl RoomPainter {
             Some(tile) => self.tonemap.draw_in(encoder, &light, target, &tile),
             None => self.tonemap.draw(encoder, &light, target, None),
         }
+    }
+}
+
+/// How a view is drawn with what is compiled, rather than wait for what would be a little sooner.
+fn as_compiled(view: &RoomView) -> antipode_rays::Options {
+    antipode_rays::Options {
+        as_compiled: true,
+        ..view.options
     }
 }
 
@@ -180,6 +210,11 @@ impl RoomPictures {
         if self.drawable.as_ref().is_none_or(|(id, _)| *id != view.id) {
             self.drawable = Some((view.id, self.painter.drawable(gpu, room, texts)?));
         }
+        if let Some((_, drawable)) = &self.drawable {
+            while let Some(shader) = self.painter.missing(drawable, view) {
+                self.painter.compile(gpu, shader)?;
+            }
+        }
         let mut encoder = gpu.encoder();
         if let Some((_, drawable)) = &mut self.drawable {
             drawable.set(gpu, &view.moment)?;
@@ -194,59 +229,5 @@ impl RoomPictures {
     }
 }
 
-/// The picture of what stands on a board.
-fn write_sign(gpu: &Gpu, overlay: &mut Overlay, board: &SignBoard) -> Result<RgbaImage, Failure> {
-    let height = (f64::from(SIGN_PX) / board.aspect).clamp(64.0, 2048.0) as u32;
-    let size = (SIGN_PX, height);
-    let target = Offscreen::new(gpu, size.0, size.1, SIGN_FORMAT);
-    let output = written(overlay.context(), board, size);
-    let mut encoder = gpu.encoder();
-    overlay.paint(gpu, &mut encoder, &[target.view()], size, output);
-    gpu.queue.submit([encoder.finish()]);
-    Ok(target.read(gpu)?)
-}
-
-/// The words as large as they fit, in the middle of the board.
-fn written(context: &egui::Context, board: &SignBoard, size: (u32, u32)) -> egui::FullOutput {
-    let rect = Rect::from_min_size(Pos2::ZERO, Vec2::new(size.0 as f32, size.1 as f32));
-    let mut input = egui::RawInput {
-        screen_rect: Some(rect),
-        ..Default::default()
-    };
-    if let Some(viewport) = input.viewports.get_mut(&egui::ViewportId::ROOT) {
-        viewport.native_pixels_per_point = Some(1.0);
-    }
-    context.run_pass(input, |context| {
-        let painter = context.layer_painter(LayerId::background());
-        let (paper, ink) = colours(board.colour);
-        painter.rect_filled(rect, 0.0, paper);
-        let inner = rect.shrink(0.07 * rect.height()).size();
-        let mut points = rect.height();
-        let words = loop {
-            let font = FontId::proportional(points);
-            let words = painter.layout(board.text.clone(), font, ink, inner.x);
-            if (words.size().y <= inner.y && words.size().x <= inner.x) || points < 8.0 {
-                break words;
-            }
-            points *= 0.92;
-        };
-        let place = Align2::CENTER_CENTER.anchor_size(rect.center(), words.size());
-        // Strokes of a book's weight are too thin to be read from far.
-        let bolder = BOLDER * points;
-        for (right, down) in [(0.0, 0.0), (bolder, 0.0), (0.0, bolder), (bolder, bolder)] {
-            painter.galley(place.min + Vec2::new(right, down), words.clone(), ink);
-        }
-    })
-}
-
-/// Of the board, and of what is written on it so that it can be read.
-fn colours(board: Colour) -> (Color32, Color32) {
-    let [red, green, blue] = board.0;
-    let brightness = 0.3 * f32::from(red) + 0.6 * f32::from(green) + 0.1 * f32::from(blue);
-    let ink = if brightness > 110.0 {
-        Color32::from_gray(24)
-    } else {
-        Color32::from_gray(240)
-    };
-    (Color32::from_rgb(red, green, blue), ink)
-}
+#[cfg(test)]
+mod tests;

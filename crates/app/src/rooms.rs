@@ -200,6 +200,7 @@ impl OpenRoom {
             view: self.look,
             outlines: self.outlines,
             raster: true,
+            as_compiled: false,
         }
     }
 }

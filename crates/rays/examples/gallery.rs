@@ -111,7 +111,9 @@ fn ground() -> RayScene {
     let mut scene = RayScene {
         meshes: vec![Arc::new(cube()), Arc::new(ball())],
         materials: materials(),
-        textures: vec![Arc::new(TextureImage { image: stripes })],
+        textures: vec![Arc::new(TextureImage {
+            image: stripes.into(),
+        })],
         sun: Some(Sun {
             direction: DVec3::new(0.5, 0.8, 0.45).normalize(),
             colour: Vec3::new(1.5, 1.4, 1.2),

@@ -21,6 +21,7 @@ mod options;
 mod packed;
 mod packed_portals;
 mod picture;
+mod prepared;
 mod prober;
 mod raster;
 mod rastered;
@@ -37,6 +38,7 @@ pub use loaded::Loaded;
 pub use mesh::Mesh;
 pub use options::{Options, Outlines, View};
 pub use picture::{Picture, Pixel, Seen};
+pub use prepared::Shader;
 pub use prober::{Answer, Outcome, ProbeRay, Prober};
 pub use rays::Rays;
 pub use scene::{

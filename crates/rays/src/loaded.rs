@@ -15,7 +15,6 @@ use crate::packed_portals::packed_portals;
 use crate::raster::{Chunk, Moved, tidy};
 use crate::scene::{Mover, RayScene};
 use crate::texels::{ROW, Texels};
-use crate::textures;
 use crate::top::{
     INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, bounds, build, pack, plane_in,
 };
@@ -58,7 +57,7 @@ impl Loaded {
     pub(crate) fn new(
         device: &Device,
         queue: &Queue,
-        scene: &RayScene,
+        (scene, textures): (&RayScene, TextureView),
         sorted: bool,
     ) -> Result<Self, RaysError> {
         let (parts, movables) = bake_all(scene, sorted)?;
@@ -91,7 +90,7 @@ impl Loaded {
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule).with_cuts(scene.cuts)),
             ways: filled(device, queue, "ways", &[ways], storage)?,
             materials: filled(device, queue, "materials", &materials, storage)?,
-            textures: textures::upload(device, queue, &scene.textures)?,
+            textures,
             host_ways: ways,
             resting: resting(&parts[0], movers_at, materials.len()),
             chunks: Chunk::all(&parts[0].triangles),

@@ -13,6 +13,8 @@ pub struct Options {
     pub outlines: Outlines,
     /// Whether a raster finds what is seen first where it can, which is sooner; the picture is the same.
     pub raster: bool,
+    /// Whether shaders that are compiled already are taken where they draw the same, though others are sooner.
+    pub as_compiled: bool,
 }
 
 /// Of which aberrations the outlines are drawn.
@@ -61,6 +63,7 @@ impl Default for Options {
             view: View::Exact,
             outlines: Outlines::default(),
             raster: false,
+            as_compiled: false,
         }
     }
 }

@@ -94,8 +94,11 @@ impl Rays {
             label: Some("rays of a raster"),
             timestamp_writes: None,
         });
-        let sees_all = plan.sees_all() && options.bounces == 0;
-        pass.set_pipeline(self.rastered(device, loaded.kinds(rule), sees_all));
+        let kinds = loaded.kinds(rule);
+        let [others, alone] = [false, true].map(|it| self.raster.has_rays(kinds, it));
+        let is_missing = options.as_compiled && others && !alone;
+        let sees_all = plan.sees_all() && options.bounces == 0 && !is_missing;
+        pass.set_pipeline(self.rastered(device, kinds, sees_all));
         let scene = scene_group(device, &self.scene_layout, loaded, rule);
         pass.set_bind_group(0, &scene, &[]);
         let pixels = self.picture_group(device, loaded, picture, buffer);

@@ -15,10 +15,11 @@ use crate::loaded::Loaded;
 use crate::options::{Options, View};
 use crate::packed::Rule;
 use crate::picture::{LIGHT_FORMAT, Picture, SEEN_FORMAT};
-use crate::raster::{Raster, Way, way};
+use crate::raster::{Raster, way};
 use crate::rastered::sight;
 use crate::scene::{Eye, RayScene};
 use crate::shaders::{PICTURE, compile};
+use crate::textures::Uploads;
 
 /// Pixels of a group along each side.
 pub const GROUP: u32 = 8;
@@ -35,6 +36,7 @@ pub struct Rays {
     pub(crate) frames: [Buffer; 2],
     pub(crate) lamps: Buffer,
     sampler: wgpu::Sampler,
+    uploads: Uploads,
 }
 
 impl Rays {
@@ -71,6 +73,7 @@ impl Rays {
                     size_of::<Lamps>(),
                     wgpu::BufferUsages::UNIFORM,
                 ),
+                uploads: Uploads::default(),
                 sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                     label: Some("room textures"),
                     address_mode_u: wgpu::AddressMode::Repeat,
@@ -86,14 +89,19 @@ impl Rays {
         })
     }
 
-    fn pipeline(&self, device: &Device, kinds: Kinds) -> &ComputePipeline {
+    pub(crate) fn has_pipeline(&self, kinds: Kinds) -> bool {
+        self.pipelines[kinds.number()].get().is_some()
+    }
+
+    pub(crate) fn pipeline(&self, device: &Device, kinds: Kinds) -> &ComputePipeline {
         self.pipelines[kinds.number()].get_or_init(|| {
             let layouts = [&self.scene_layout, &self.picture_layout];
             pipeline(device, ("rays", &PICTURE, "draw"), &layouts, kinds)
         })
     }
 
-    /// Puts a scene into the adapter's memory.
+    /// Puts a scene into the adapter's memory. What pictures of it are drawn with is compiled when the first one asks for it, or
+    /// before ([`Self::compile`]).
     ///
     /// # Errors
     /// When the scene is faulty or too large for the adapter.
@@ -103,11 +111,8 @@ impl Rays {
         queue: &Queue,
         scene: &RayScene,
     ) -> Result<Loaded, RaysError> {
-        let loaded = Loaded::new(device, queue, scene, true)?;
-        accepted(device, || {
-            self.pipeline(device, loaded.kinds(Rule::Exact));
-        })?;
-        Ok(loaded)
+        let textures = self.uploads.put(device, queue, &scene.textures)?;
+        Loaded::new(device, queue, (scene, textures), true)
     }
 
     /// The same without a hierarchy in the meshes: a ray asks every triangle of a mesh whose box it meets, as that of the
@@ -121,20 +126,8 @@ impl Rays {
         queue: &Queue,
         scene: &RayScene,
     ) -> Result<Loaded, RaysError> {
-        Loaded::new(device, queue, scene, false)
-    }
-
-    /// Compiles what a scene is drawn with by any of the rules, which takes a while, so that no picture waits for it.
-    pub fn prepare(&self, device: &Device, loaded: &Loaded) {
-        for rule in Rule::ALL {
-            self.pipeline(device, loaded.kinds(rule));
-            self.pipeline(device, loaded.kinds(rule).with_outlines(true));
-        }
-        for rule in [Rule::Exact, Rule::Plain] {
-            for sees_all in [false, true] {
-                self.rastered(device, loaded.kinds(rule), sees_all);
-            }
-        }
+        let textures = self.uploads.put(device, queue, &scene.textures)?;
+        Loaded::new(device, queue, (scene, textures), false)
     }
 
     /// Records the pass for a whole picture, as [`Self::draw_rows`] does.
@@ -167,7 +160,7 @@ impl Rays {
         };
         let sight = sight(scene, loaded, eye, options);
         let way = way(&sight);
-        if options.raster && way != Way::Rays {
+        if self.begins_by_raster(loaded, way, options) {
             let gpu = (device, queue);
             let what = (scene, loaded, way);
             self.draw_rastered(gpu, encoder, what, (eye, picture), options, rows);

@@ -121,7 +121,7 @@ pub enum Pattern {
 #[derive(Clone, Debug)]
 pub struct TextureImage {
     /// sRGB values.
-    pub image: image::RgbaImage,
+    pub image: Arc<image::RgbaImage>,
 }
 
 /// Light that goes all ways from a point.

@@ -14,6 +14,13 @@ use crate::error::RaysError;
 /// Texels of a row; `ROW` of scene.wgsl.
 pub const ROW: usize = 2048;
 
+/// At least so many rows, and never a power of two: software adapters compile a shader anew where a texture's height becomes
+/// one or is one no more, which takes seconds.
+fn uneven(rows: usize) -> usize {
+    let rows = rows.max(3);
+    rows + usize::from(rows.is_power_of_two())
+}
+
 /// A list of four words each.
 #[derive(Debug)]
 pub struct Texels {
@@ -28,7 +35,7 @@ impl Texels {
     /// # Errors
     /// When the adapter has no textures as large.
     pub fn new(device: &Device, label: &'static str, count: usize) -> Result<Self, RaysError> {
-        let rows = count.div_ceil(ROW).max(1);
+        let rows = uneven(count.div_ceil(ROW));
         let most = device.limits().max_texture_dimension_2d as usize;
         if rows > most || ROW > most {
             return Err(RaysError::TooLarge {

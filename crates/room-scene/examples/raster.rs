@@ -55,7 +55,7 @@ fn main() -> Result<(), Fault> {
             }
             let loaded = gpu.rays.upload(&gpu.device, &gpu.queue, &scene)?;
             let begun = Instant::now();
-            gpu.rays.prepare(&gpu.device, &loaded);
+            gpu.rays.prepare(&gpu.device, &loaded)?;
             println!(
                 "{} is made ready in {:.1} s",
                 room.id,

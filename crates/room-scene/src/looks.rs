@@ -35,13 +35,18 @@ pub struct Pictures {
 
 impl Pictures {
     /// The number of one more.
-    pub fn add(&mut self, image: RgbaImage) -> usize {
+    pub fn add(&mut self, image: impl Into<Arc<RgbaImage>>) -> usize {
+        let image = image.into();
         self.all.push(Arc::new(TextureImage { image }));
         self.all.len() - 1
     }
 
     /// The number of the one of that name, which is made when it is asked for first; none where it cannot be.
-    pub fn named(&mut self, name: &str, make: impl FnOnce() -> Option<RgbaImage>) -> Option<usize> {
+    pub fn named<P: Into<Arc<RgbaImage>>>(
+        &mut self,
+        name: &str,
+        make: impl FnOnce() -> Option<P>,
+    ) -> Option<usize> {
         if let Some(number) = self.known.get(name) {
             return Some(*number);
         }
@@ -55,7 +60,7 @@ impl Pictures {
 pub fn of_surface(surface: &Surface, assets: &Assets, pictures: &mut Pictures) -> Material {
     let colour = linear(surface.colour);
     let picture = surface.texture.as_ref().and_then(|it| {
-        let make = || assets.textures.get(&it.file).map(|it| (**it).clone());
+        let make = || assets.textures.get(&it.file).cloned();
         let number = pictures.named(&it.file, make)?;
         let repeats = (1.0 / it.size) as f32;
         Some(Pattern::Texture { number, repeats })

@@ -34,9 +34,9 @@ impl RoomScene {
     ///
     /// # Errors
     /// Those of `write`.
-    pub fn ray_scene<E>(
+    pub fn ray_scene<E, P: Into<Arc<RgbaImage>>>(
         &self,
-        mut write: impl FnMut(&SignBoard) -> Result<RgbaImage, E>,
+        mut write: impl FnMut(&SignBoard) -> Result<P, E>,
     ) -> Result<RayScene, E> {
         let room = self.room();
         let mut pictures = Pictures::default();
@@ -99,11 +99,11 @@ impl RoomScene {
         }
     }
 
-    fn add_writing<E>(
+    fn add_writing<E, P: Into<Arc<RgbaImage>>>(
         &self,
         scene: &mut RayScene,
         pictures: &mut Pictures,
-        write: &mut dyn FnMut(&SignBoard) -> Result<RgbaImage, E>,
+        write: &mut dyn FnMut(&SignBoard) -> Result<P, E>,
     ) -> Result<(), E> {
         let room = self.room();
         for (index, (object, pose)) in room.objects.iter().zip(poses(room)).enumerate() {

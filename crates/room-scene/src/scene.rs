@@ -248,8 +248,8 @@ impl RoomScene {
             .renew_space(unwalled.as_ref().unwrap_or(room), space);
         (self.meshes, self.loose_meshes) = self.known.meshes(room, &self.assets);
         if self.leaves_out {
-            let document = &self.document;
-            let is_shown = |mesh: &SolidMesh| !document.is_hidden(&room.objects[mesh.object].name);
+            let marked = self.document.marked();
+            let is_shown = |mesh: &SolidMesh| !marked.is_hidden(&room.objects[mesh.object]);
             self.meshes.retain(is_shown);
             self.loose_meshes.retain(is_shown);
         }
@@ -278,8 +278,9 @@ impl RoomScene {
 
     /// Whether what is hidden in the document is left out: it is while one builds, and not while one walks.
     pub fn leave_out_hidden(&mut self, leaves_out: bool) {
-        let hides = |it: &antipode_rooms::Object| self.document.is_hidden(&it.name);
-        let changes = self.leaves_out != leaves_out && self.room().objects.iter().any(hides);
+        let marked = self.document.marked();
+        let mut objects = self.room().objects.iter();
+        let changes = self.leaves_out != leaves_out && objects.any(|it| marked.is_hidden(it));
         self.leaves_out = leaves_out;
         if changes {
             self.work_out();

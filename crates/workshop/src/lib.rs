@@ -39,6 +39,7 @@ pub use history::{History, LEAST_STEPS, Step};
 pub use journal::{FOLDER, Opened, Pace, is_in_use};
 pub use keeping::Trouble;
 pub use make::{MOST_COPIES, make};
+pub use marking::Marked;
 pub use marks::Marks;
 pub use place::turn_of;
 pub use plan::Plan;

@@ -1,7 +1,38 @@
 //! Selecting, hiding and locking objects, and copying what is selected.
 
+use std::collections::HashSet;
+
+use antipode_rooms::Object;
+
 use crate::clip::Clip;
 use crate::document::Document;
+use crate::marks::Marks;
+use crate::place::Groups;
+
+/// What is selected, hidden and locked in a room, to be asked of all its objects: to ask of each by itself takes a time that
+/// grows with the square of their number.
+pub struct Marked<'a> {
+    marks: &'a Marks,
+    selected: HashSet<&'a str>,
+    groups: Groups<'a>,
+}
+
+impl Marked<'_> {
+    /// Whether an object of the room is selected.
+    pub fn is_selected(&self, object: &Object) -> bool {
+        self.selected.contains(object.name.as_str())
+    }
+
+    /// Whether it is hidden, itself or by a group.
+    pub fn is_hidden(&self, object: &Object) -> bool {
+        self.marks.hides(object, &self.groups)
+    }
+
+    /// Whether it is locked, itself or by a group.
+    pub fn is_locked(&self, object: &Object) -> bool {
+        self.marks.locks(object, &self.groups)
+    }
+}
 
 impl Document {
     /// The names of what is selected, in the order in which that was done; the last is the one that the inspector begins with.
@@ -11,13 +42,21 @@ impl Document {
 
     /// Selects these objects and no others; those that are not there are left out.
     pub fn select(&mut self, names: impl IntoIterator<Item = String>) {
-        let mut selected: Vec<String> = Vec::new();
-        for name in names {
-            if self.room().find(&name).is_some() && !selected.contains(&name) {
-                selected.push(name);
-            }
-        }
+        let objects = self.room().objects.iter();
+        // Each once: what was taken is there no more.
+        let mut left: HashSet<&str> = objects.map(|it| it.name.as_str()).collect();
+        let names = names.into_iter();
+        let selected = names.filter(|it| left.remove(it.as_str())).collect();
         self.marks_mut().selected = selected;
+    }
+
+    /// All marks, to be asked of many objects.
+    pub fn marked(&self) -> Marked<'_> {
+        Marked {
+            marks: self.marks(),
+            selected: self.selection().iter().map(String::as_str).collect(),
+            groups: Groups::of(self.room()),
+        }
     }
 
     /// Selects an object besides those that are; one that is selected is no more.

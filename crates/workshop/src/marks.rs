@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use antipode_rooms::Room;
+use antipode_rooms::{Object, Room};
 
 use crate::delta::Delta;
 use crate::place::Groups;
@@ -21,12 +21,22 @@ impl Marks {
         if set.is_empty() {
             return false;
         }
-        let group = room.find(name).and_then(|(_, it)| it.group.as_deref());
-        set.contains(name)
-            || Groups::of(room)
-                .up(group)
-                .iter()
-                .any(|it| set.contains(&it.name))
+        let object = room.find(name).map(|(_, it)| it);
+        set.contains(name) || object.is_some_and(|it| Self::carries(set, it, &Groups::of(room)))
+    }
+
+    fn carries(set: &BTreeSet<String>, object: &Object, groups: &Groups<'_>) -> bool {
+        let up = || groups.up(object.group.as_deref());
+        !set.is_empty()
+            && (set.contains(&object.name) || up().iter().any(|it| set.contains(&it.name)))
+    }
+
+    pub(crate) fn hides(&self, object: &Object, groups: &Groups<'_>) -> bool {
+        Self::carries(&self.hidden, object, groups)
+    }
+
+    pub(crate) fn locks(&self, object: &Object, groups: &Groups<'_>) -> bool {
+        Self::carries(&self.locked, object, groups)
     }
 
     pub(crate) fn is_hidden(&self, room: &Room, name: &str) -> bool {

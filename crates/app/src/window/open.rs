@@ -153,6 +153,7 @@ impl Open {
         if is_room_drawn {
             let elsewhere = self.game.devices.lost_focus();
             self.game.play.room_drawn(&mut self.game.menus, elsewhere);
+            self.game.play.room_is_late(self.stage.is_room_late());
         }
         self.game
             .play

@@ -209,6 +209,11 @@ impl Stage {
         self.rooms.prepare(&self.gpu, &self.options, id, shown)
     }
 
+    /// Whether what is shown of a room is as it was a while ago.
+    pub fn is_room_late(&self) -> bool {
+        self.rooms.is_late()
+    }
+
     /// Width over height.
     pub fn aspect(&self) -> f64 {
         f64::from(self.config.width) / f64::from(self.config.height)

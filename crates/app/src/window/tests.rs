@@ -20,8 +20,10 @@ mod sprint;
 mod standing;
 mod views;
 mod workshop;
+mod workshop_lists;
 mod workshop_newcomers;
 mod workshop_pictures;
+mod workshop_speed;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -38,6 +38,8 @@ pub struct Visit {
     time_s: f64,
     /// Whether a picture of it is there.
     pub(super) is_drawn: bool,
+    /// Whether that is of how it was a while ago.
+    pub(super) is_late: bool,
     /// In which language what is read in it is drawn, once it is known, and how often that was another one.
     language: Option<Language>,
     pub(super) reworded: u64,
@@ -62,6 +64,7 @@ impl Visit {
             number,
             time_s: 0.0,
             is_drawn: false,
+            is_late: false,
             language: None,
             reworded: 0,
             aspect: 16.0 / 9.0,

@@ -4,6 +4,7 @@ use antipode_deformation::{Space, Traveller};
 use glam::DVec3;
 
 use crate::options::View;
+use crate::packed::Rule;
 use crate::scene::Eye;
 
 /// The eye is so near to a face that a raster would cut the face away, felt metres.
@@ -18,6 +19,16 @@ pub enum Way {
     Plain,
     /// By a raster that sees through doors; what is behind other faces by rays.
     Doors,
+}
+
+impl Way {
+    /// The rule that light goes by in it.
+    pub fn rule(self) -> Rule {
+        match self {
+            Self::Plain => Rule::Plain,
+            Self::Rays | Self::Doors => Rule::Exact,
+        }
+    }
 }
 
 /// What of a picture the choice depends on.

@@ -114,6 +114,13 @@ impl Raster {
         })
     }
 
+    /// Whether that pass is compiled.
+    pub fn has_rays(&self, kinds: Kinds, sees_all: bool) -> bool {
+        self.rays[usize::from(sees_all)][kinds.number()]
+            .get()
+            .is_some()
+    }
+
     /// Records the passes that write what is seen.
     pub fn draw(
         &self,

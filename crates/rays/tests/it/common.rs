@@ -24,6 +24,20 @@ impl Gpu {
         let opened = SHARED.get_or_init(open);
         antipode_testing::needed("a graphics adapter", opened.as_ref())
     }
+
+    /// The same adapter, as if nothing was compiled or drawn yet.
+    pub fn anew(&self) -> Self {
+        Self::of(self.device.clone(), self.queue.clone()).unwrap()
+    }
+
+    fn of(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, String> {
+        Ok(Self {
+            rays: Rays::new(&device).map_err(|e| e.to_string())?,
+            drawing: Mutex::new(()),
+            device,
+            queue,
+        })
+    }
 }
 
 fn open() -> Result<Gpu, String> {
@@ -35,14 +49,7 @@ fn open() -> Result<Gpu, String> {
     let descriptor = wgpu::DeviceDescriptor::default();
     let (device, queue) =
         pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| e.to_string())?;
-    let rays = Rays::new(&device).map_err(|e| e.to_string())?;
-    let drawing = Mutex::new(());
-    Ok(Gpu {
-        device,
-        queue,
-        rays,
-        drawing,
-    })
+    Gpu::of(device, queue)
 }
 
 /// A mesh of triangles, all of one material.

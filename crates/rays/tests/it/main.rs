@@ -12,6 +12,7 @@ mod lamps;
 mod movers;
 mod pictures;
 mod portals;
+mod prepared;
 mod raster;
 mod shaders;
 mod surfaces;

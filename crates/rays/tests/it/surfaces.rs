@@ -109,9 +109,11 @@ fn panes_are_looked_through() {
 
 #[test]
 fn textures_and_checkers_lie_on_surfaces() {
-    let Some(gpu) = Gpu::shared() else {
+    let Some(shared) = Gpu::shared() else {
         return;
     };
+    // Nobody else's pictures come between.
+    let gpu = &shared.anew();
     let mut scene = scene_of(&rooms::cuboid(
         DVec3::new(0.0, 0.0, -5.0),
         DQuat::IDENTITY,
@@ -133,7 +135,12 @@ fn textures_and_checkers_lie_on_surfaces() {
     let halves = image::RgbaImage::from_fn(64, 64, |x, _| {
         image::Rgba([255 * u8::from(x >= 32), 255 * u8::from(x < 32), 0, 255])
     });
-    scene.textures = vec![Arc::new(TextureImage { image: halves })];
+    let texture = |image: image::RgbaImage| {
+        Arc::new(TextureImage {
+            image: image.into(),
+        })
+    };
+    scene.textures = vec![texture(halves)];
     let side = |scene: &RayScene, x: f64| {
         middle(
             &shown(
@@ -153,6 +160,16 @@ fn textures_and_checkers_lie_on_surfaces() {
         left[1] > 4.0 * left[0] && right[0] > 4.0 * right[1],
         "{left:?} {right:?}"
     );
+    // A picture more before it, as when one hangs up a sign: it lies on another layer and is the same.
+    let blue = image::RgbaImage::from_pixel(8, 8, image::Rgba([0, 0, 255, 255]));
+    scene.textures.insert(0, texture(blue));
+    let blue = side(&scene, 2.0);
+    assert!(blue[2] > 4.0 * blue[0].max(blue[1]), "{blue:?}");
+    scene.materials[0].pattern = Pattern::Texture {
+        number: 1,
+        repeats: 1.0,
+    };
+    assert_eq!((side(&scene, -2.0), side(&scene, 2.0)), (left, right));
     scene.materials[0].pattern = Pattern::Checker {
         other: Vec3::splat(0.05),
         edge_m: 1.0,

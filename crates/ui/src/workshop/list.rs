@@ -41,8 +41,8 @@ pub(super) fn show(
         .objects
         .iter()
         .filter(|it| {
-            let words = format!("{} {}", it.name, it.kind).to_lowercase();
-            wanted.is_empty() || words.contains(&wanted)
+            let words = || format!("{} {}", it.name, it.kind).to_lowercase();
+            wanted.is_empty() || words().contains(&wanted)
         })
         .collect();
     if rows.is_empty() {

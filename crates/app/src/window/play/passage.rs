@@ -271,6 +271,13 @@ impl Play {
         }
     }
 
+    /// Whether the picture of the open room is of how it was a while ago.
+    pub fn room_is_late(&mut self, is_late: bool) {
+        if let Some(visit) = self.phase.visit_mut() {
+            visit.is_late = is_late;
+        }
+    }
+
     /// The open room cannot be drawn, for that reason: it is left.
     pub fn room_refused(&mut self, why: &Failure, menus: &mut Menus) {
         tracing::error!("the room cannot be drawn: {why}");

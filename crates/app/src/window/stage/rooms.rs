@@ -1,5 +1,8 @@
-//! Draws the open room into the window. What a room is drawn of is made on a thread of its own, shaders and writing
-//! included; until that is done there is no picture of it.
+//! Draws the open room into the window. What a room is drawn of is made on a thread of its own, writing included, and shaders are
+//! compiled on another; until that is done the picture is that of the room before, or there is none.
+
+mod fineness;
+mod shaders;
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -13,35 +16,57 @@ use crate::failure::Failure;
 use crate::room_picture::{Drawable, RoomPainter, RoomView};
 use crate::window::background::{Progress, Task};
 use crate::window::visit::RoomId;
+use fineness::Fineness;
+use shaders::Shaders;
 
-/// How long frames are to take where not all pixels can be traced in less.
-const BEARABLE: Duration = Duration::from_millis(45);
-/// Frames that take this much less or more are left as they are, as a factor.
-const NEAR: f32 = 1.4;
-/// A frame that took longer than this was held up by something else as well.
-const LONGEST: Duration = Duration::from_secs(1);
-/// Frames that are begun already when the number of pixels changes, and tell nothing of the new one.
-const BEGUN: u32 = 2;
-/// Frames of which one is judged, unless it is far off.
-const JUDGED: u32 = 4;
-/// Greatest change at once.
-const STEP: (f32, f32) = (0.5, 1.2);
 /// How long a figure is seen to move after it has come to stand.
 const SETTLES: Duration = Duration::from_millis(700);
-/// Least share of the window's pixels along each side.
-const LEAST_SHARE: f32 = 0.125;
+/// What is shown is told to be late after this.
+const LATE: Duration = Duration::from_millis(500);
 
 /// What a room is drawn with, or why it cannot be.
 type Prepared = Result<(Arc<RoomPainter>, Drawable), Failure>;
+
+/// Something made of a room as it was at some time.
+#[derive(Debug)]
+struct Dated<T> {
+    id: RoomId,
+    /// When the room was another first.
+    outdated: Option<Instant>,
+    it: T,
+}
+
+impl<T> Dated<T> {
+    fn new(id: RoomId, it: T) -> Self {
+        Self {
+            id,
+            outdated: None,
+            it,
+        }
+    }
+
+    /// The room is this one now. Returns whether this was made of it.
+    fn compare(&mut self, id: RoomId, now: Instant) -> bool {
+        if self.id != id {
+            self.outdated.get_or_insert(now);
+        }
+        self.id == id
+    }
+}
 
 /// What draws rooms.
 #[derive(Debug, Default)]
 pub struct Rooms {
     painter: Option<Arc<RoomPainter>>,
-    shown: Option<(RoomId, Drawable)>,
-    coming: Option<(RoomId, Task<Prepared>)>,
+    shown: Option<Dated<Drawable>>,
+    /// What is shown as soon as its shaders are there.
+    next: Option<Dated<Drawable>>,
+    coming: Option<Dated<Task<Prepared>>>,
+    shaders: Shaders,
     pictures: Pictures,
     fineness: Fineness,
+    /// Since when the view cannot be drawn, since shaders for it are missing.
+    waits: Option<Instant>,
 }
 
 impl Rooms {
@@ -53,17 +78,13 @@ impl Rooms {
         id: RoomId,
         (room, texts): (&RoomScene, &Texts),
     ) -> Option<Failure> {
-        let trouble = self.take_over();
-        let is_known = |known: RoomId| known == id;
-        let is_shown = self
-            .shown
-            .as_ref()
-            .is_some_and(|(known, _)| is_known(*known));
-        let is_coming = self
-            .coming
-            .as_ref()
-            .is_some_and(|(known, _)| is_known(*known));
-        if trouble.is_none() && !is_shown && !is_coming && self.coming.is_none() {
+        let trouble = self.take_over().or_else(|| self.shaders.poll());
+        let now = Instant::now();
+        let is_shown = self.shown.as_mut().is_some_and(|it| it.compare(id, now));
+        let is_next = self.next.as_mut().is_some_and(|it| it.compare(id, now));
+        if let Some(coming) = &mut self.coming {
+            coming.compare(id, now);
+        } else if trouble.is_none() && !is_shown && !is_next {
             let (gpu, options) = (gpu.clone(), *options);
             let (room, texts) = (room.clone(), texts.clone());
             let painter = self.painter.clone();
@@ -75,38 +96,60 @@ impl Rooms {
                 let drawable = painter.drawable(&gpu, &room, &texts)?;
                 Ok((painter, drawable))
             };
-            self.coming = Some((id, Task::start("room", make)));
+            self.coming = Some(Dated::new(id, Task::start("room", make)));
         }
         trouble
     }
 
     fn take_over(&mut self) -> Option<Failure> {
-        let (id, task) = self.coming.as_ref()?;
-        match task.poll() {
+        let progress = self.coming.as_ref()?.it.poll();
+        if matches!(progress, Progress::Running) {
+            return None;
+        }
+        let Dated { id, outdated, .. } = self.coming.take()?;
+        match progress {
             Progress::Running => None,
-            Progress::Done(Ok((painter, drawable))) => {
+            Progress::Done(Ok((painter, it))) => {
                 self.painter = Some(painter);
-                self.shown = Some((*id, drawable));
-                self.pictures.view = None;
-                self.coming = None;
+                self.next = Some(Dated { id, outdated, it });
                 None
             }
-            Progress::Done(Err(why)) => {
-                self.coming = None;
-                Some(why)
-            }
-            Progress::Died => {
-                self.coming = None;
-                Some(Failure::Runtime(
-                    "Something failed while the room was made ready to be drawn.".to_owned(),
-                ))
-            }
+            Progress::Done(Err(why)) => Some(why),
+            Progress::Died => Some(Failure::Runtime(
+                "Something failed while the room was made ready to be drawn.".to_owned(),
+            )),
         }
+    }
+
+    /// Shows what was made last if its shaders are there, and has those compiled that the view wants first, then all others.
+    /// Returns whether the view can be drawn.
+    fn settle(&mut self, gpu: &Gpu, painter: &Arc<RoomPainter>, view: &RoomView) -> bool {
+        let missing = |it: &Dated<Drawable>| painter.missing(&it.it, view);
+        let of_next = self.next.as_ref().and_then(missing);
+        if of_next.is_none() && self.next.is_some() {
+            self.shown = self.next.take();
+            self.pictures.view = None;
+        }
+        let of_shown = self.shown.as_ref().and_then(missing);
+        match (of_next.or(of_shown), &self.shown) {
+            (Some(wanted), _) => self.shaders.want(gpu, painter, wanted),
+            (None, Some(shown)) => self.shaders.compile_rest(gpu, painter, &shown.it),
+            (None, None) => {}
+        }
+        of_shown.is_none()
     }
 
     /// Whether what is drawn is about to change.
     pub fn is_busy(&self) -> bool {
-        self.coming.is_some() || self.pictures.is_coming()
+        let is_made = self.coming.is_some() || self.next.is_some() || self.waits.is_some();
+        is_made || self.pictures.is_coming()
+    }
+
+    /// Whether what is shown is of the room, or of the view, as it was a while ago.
+    pub fn is_late(&self) -> bool {
+        let outdated = self.shown.as_ref().and_then(|it| it.outdated);
+        let since = outdated.into_iter().chain(self.waits).min();
+        since.is_some_and(|since| since.elapsed() > LATE)
     }
 
     /// Records the picture of a room into a target of the window's size. `most`: the greatest share of the window's pixels
@@ -122,21 +165,37 @@ impl Rooms {
         target: &wgpu::TextureView,
         (size, most): ((u32, u32), f32),
     ) -> Result<bool, Failure> {
-        let (Some(painter), Some((id, drawable))) = (&self.painter, &mut self.shown) else {
+        let Some(painter) = self.painter.clone() else {
             return Ok(false);
         };
-        if id.0 != view.id.0 {
+        let can_draw = self.settle(gpu, &painter, view);
+        let Some(shown) = &mut self.shown else {
+            return Ok(false);
+        };
+        if shown.id.0 != view.id.0 {
             return Ok(false);
         }
+        let now = Instant::now();
         let size = view.tile.map_or(size, |tile| tile.size);
-        let share = self.fineness.share(most, Instant::now());
+        let share = self.fineness.share(most, now);
         let mut tracer = Tracer {
             gpu,
-            painter,
-            drawable,
+            painter: &painter,
+            drawable: &mut shown.it,
             view,
         };
-        if !self.pictures.trace(&mut tracer, encoder, (size, share))? {
+        let traced = if can_draw {
+            self.waits = None;
+            match self.pictures.trace(&mut tracer, encoder, (size, share)) {
+                // What moves now need not be in the room as it was.
+                Err(_) if shown.id != view.id => false,
+                traced => traced?,
+            }
+        } else {
+            self.waits.get_or_insert(now);
+            false
+        };
+        if !traced {
             self.fineness.rest();
         }
         if let Some(picture) = self.pictures.best() {
@@ -156,12 +215,13 @@ impl Rooms {
         view: &RoomView,
         (target, size): (&wgpu::TextureView, (u32, u32)),
     ) -> Result<bool, Failure> {
-        let (Some(painter), Some((id, drawable))) = (&self.painter, &mut self.shown) else {
+        let (Some(painter), Some(shown)) = (&self.painter, &mut self.shown) else {
             return Ok(false);
         };
-        if id.0 != view.id.0 {
+        if shown.id.0 != view.id.0 {
             return Ok(false);
         }
+        let drawable = &mut shown.it;
         drawable.set(gpu, &view.moment)?;
         // The window's own picture is of another moment.
         self.pictures.view = None;
@@ -337,100 +397,4 @@ fn sized<'a>(
 ) -> &'a mut Picture {
     let fits = picture.take().filter(|it| it.size == size);
     picture.insert(fits.unwrap_or_else(|| Picture::new(device, size)))
-}
-
-/// How many of the window's pixels are traced: as many as frames of a bearable length allow.
-#[derive(Debug)]
-struct Fineness {
-    share: f32,
-    last: Option<Instant>,
-    /// Frames since the last change.
-    frames: u32,
-    /// What those took that count.
-    spent: Duration,
-}
-
-impl Default for Fineness {
-    fn default() -> Self {
-        Self {
-            share: 0.25,
-            last: None,
-            frames: 0,
-            spent: Duration::ZERO,
-        }
-    }
-}
-
-impl Fineness {
-    /// The share of the window's pixels along each side, at most `most`, for a frame that begins now.
-    fn share(&mut self, most: f32, now: Instant) -> f32 {
-        if let Some(last) = self.last.replace(now) {
-            self.note(now.saturating_duration_since(last), most);
-        }
-        self.share.min(most)
-    }
-
-    /// Nothing is traced in this frame, which tells nothing.
-    fn rest(&mut self) {
-        (self.last, self.frames, self.spent) = (None, 0, Duration::ZERO);
-    }
-
-    fn note(&mut self, passed: Duration, most: f32) {
-        self.frames += 1;
-        if self.frames <= BEGUN {
-            return;
-        }
-        self.spent += passed.min(LONGEST);
-        let each = self.spent / (self.frames - BEGUN);
-        // Time goes by the number of pixels, which is the share squared.
-        let change = (BEARABLE.as_secs_f32() / each.as_secs_f32().max(1e-3)).sqrt();
-        let is_near = (1.0 / NEAR..NEAR).contains(&(change * change));
-        if self.frames < BEGUN + JUDGED && change > STEP.0 {
-            return;
-        }
-        (self.frames, self.spent) = (BEGUN, Duration::ZERO);
-        let wanted = self.share.min(most) * change.clamp(STEP.0, STEP.1);
-        let wanted = wanted.clamp(LEAST_SHARE.min(most), most);
-        if !is_near && wanted != self.share {
-            (self.share, self.frames) = (wanted, 0);
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The share after a while of frames that take so long for each whole window of pixels.
-    fn settled(whole: Duration, most: f32) -> f32 {
-        let (mut fineness, mut now) = (Fineness::default(), Instant::now());
-        for _ in 0..300 {
-            let share = fineness.share(most, now);
-            now += whole.mul_f32(share * share) + Duration::from_millis(5);
-        }
-        fineness.share(most, now)
-    }
-
-    #[test]
-    fn a_slow_adapter_traces_fewer_pixels_and_a_fast_one_all() {
-        assert_eq!(settled(Duration::from_millis(10), 1.0), 1.0);
-        assert_eq!(settled(Duration::from_millis(10), 0.5), 0.5);
-        let share = settled(Duration::from_secs(1), 1.0);
-        assert!((0.17..0.26).contains(&share), "{share}");
-        assert_eq!(settled(Duration::from_mins(1), 1.0), LEAST_SHARE);
-    }
-
-    #[test]
-    fn a_frame_that_was_held_up_is_soon_forgotten() {
-        let (mut fineness, mut now) = (Fineness::default(), Instant::now());
-        let mut shares = Vec::new();
-        for frame in 0..120 {
-            shares.push(fineness.share(1.0, now));
-            let held_up = u64::from(frame == 60) * 3600;
-            now += Duration::from_secs(held_up) + Duration::from_millis(10);
-        }
-        assert_eq!(shares[60], 1.0);
-        assert!(shares[61..].iter().all(|share| *share >= 0.5));
-        assert_eq!(shares[119], 1.0);
-    }
 }

@@ -1,5 +1,7 @@
 //! What is chosen: where it is, how large, and by which axes it is held.
 
+use std::collections::HashMap;
+
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::Held;
 use antipode_rooms::aberration::Lengths;
@@ -9,6 +11,8 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::kits::bounds_of_group;
 
+/// So many names are looked for one by one.
+const FEW: usize = 8;
 /// Half sizes of what has none of its own, metres.
 const POINT_M: f64 = 0.3;
 
@@ -42,9 +46,19 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
 
 /// The places of what is chosen among all objects, in the order in which it was chosen.
 pub fn indices(scene: &RoomScene) -> Vec<usize> {
-    let names = scene.document().selection().iter();
-    let found = names.filter_map(|name| scene.room().find(name));
-    found.map(|(index, _)| index).collect()
+    let (room, names) = (scene.room(), scene.document().selection());
+    if names.len() <= FEW {
+        let found = names.iter().filter_map(|name| room.find(name));
+        return found.map(|(index, _)| index).collect();
+    }
+    let objects = room.objects.iter().enumerate();
+    let places: HashMap<&str, usize> = objects
+        .map(|(index, it)| (it.name.as_str(), index))
+        .collect();
+    let found = names
+        .iter()
+        .filter_map(|name| places.get(name.as_str()).copied());
+    found.collect()
 }
 
 /// The spaces of a thing, by their places among all objects: those that a group carries, or the thing itself. It is held from outside

@@ -17,6 +17,9 @@ use super::{bent, chosen};
 /// Greatest number of the thesis that is offered: a stretch of 1/32.
 const THESIS: (f64, f64) = (-31.0 / 32.0, 31.0);
 
+/// Among so many different things that are chosen one looks for one that is alike.
+const MOST_KNOWN: usize = 8;
+
 /// The rows of what is chosen.
 pub fn rows(texts: &Texts, scene: &RoomScene) -> Vec<FieldRow> {
     let room = scene.room();
@@ -25,7 +28,19 @@ pub fn rows(texts: &Texts, scene: &RoomScene) -> Vec<FieldRow> {
         return of_room(texts, room);
     };
     let mut rows = of_object(texts, scene, *first, others.is_empty());
+    let mut known = vec![&room.objects[*first]];
     for other in others {
+        let object = &room.objects[*other];
+        if known
+            .iter()
+            .rev()
+            .take(MOST_KNOWN)
+            .any(|it| are_alike(it, object))
+        {
+            join_place(&mut rows, object);
+            continue;
+        }
+        known.push(object);
         let theirs = of_object(texts, scene, *other, false);
         rows.retain_mut(|row| match theirs.iter().find(|it| it.key == row.key) {
             Some(same) => join(row, same),
@@ -33,6 +48,33 @@ pub fn rows(texts: &Texts, scene: &RoomScene) -> Vec<FieldRow> {
         });
     }
     rows
+}
+
+/// Whether two things differ in nothing but where they are, and what they are called.
+fn are_alike(one: &Object, other: &Object) -> bool {
+    // Each group is offered all groups but itself.
+    one.what != What::Group
+        && one.what == other.what
+        && one.surface == other.surface
+        && one.group == other.group
+        && one.mass == other.mass
+}
+
+/// Joins where a thing is to rows that have all else of it already.
+fn join_place(rows: &mut [FieldRow], object: &Object) {
+    for row in rows {
+        let place = match row.key.as_str() {
+            "at" => object.at,
+            "turn" => object.turn,
+            _ => continue,
+        };
+        row.is_default &= place == DVec3::ZERO;
+        if let FieldKind::Numbers(mine, _) = &mut row.kind {
+            for (mine, theirs) in mine.iter_mut().zip(place.to_array()) {
+                mine.value = mine.value.filter(|it| *it == theirs);
+            }
+        }
+    }
 }
 
 /// Leaves of a field what another has, too. Returns whether both can be changed together.

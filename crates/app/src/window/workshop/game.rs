@@ -282,7 +282,10 @@ impl Workshop {
             hides_walls: scene.leaves_out_walls(),
             ..self.bar
         };
-        let status = self.status(texts, scene);
+        let status = match visit.is_late {
+            true => texts.say("workshop-status-late"),
+            false => self.status(texts, scene),
+        };
         let lesson = visit.lesson.as_ref();
         let lesson = lesson.map(|it| it.model(texts, scene.room()));
         let model = WorkshopModel {

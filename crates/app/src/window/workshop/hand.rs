@@ -253,7 +253,7 @@ impl Workshop {
         self.forget_chain();
         let view = self.viewpoint(scene);
         let (low, high) = (a.min(b), a.max(b));
-        let (room, document) = (scene.room(), scene.document());
+        let (room, marked) = (scene.room(), scene.document().marked());
         let is_within = |(index, point): (usize, DVec3)| {
             let seen = scene.way_to(&view, point, &[index]);
             seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
@@ -262,7 +262,7 @@ impl Workshop {
             .objects
             .iter()
             .zip(poses(room).into_iter().enumerate())
-            .filter(|(it, _)| !document.is_locked(&it.name) && !document.is_hidden(&it.name))
+            .filter(|(it, _)| !marked.is_locked(it) && !marked.is_hidden(it))
             .filter(|(_, (index, pose))| is_within((*index, pose.translation)))
             .map(|(_, (index, _))| outermost(room, index))
             .collect();
@@ -274,7 +274,7 @@ impl Workshop {
             }
         }
         if adds {
-            let before = document.selection().iter().cloned();
+            let before = scene.document().selection().iter().cloned();
             names = before.chain(names).collect();
         }
         scene.document_mut().select(names);

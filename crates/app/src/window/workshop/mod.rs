@@ -42,7 +42,7 @@ use hand::{Dragging, Meant};
 use keeping::Keeping;
 pub use lesson::Lesson;
 use older::OlderList;
-use told::Told;
+pub(in crate::window) use told::Told;
 
 /// Turns that are held while one drags, degrees.
 const TURN_STEP_DEG: f64 = 15.0;

@@ -1,47 +1,64 @@
 //! What the lists of the workshop show: what stands in the room, and what was done to it.
 
+use std::collections::HashMap;
+use std::sync::Arc;
+
 use antipode_language::{Texts, Value};
 use antipode_room_scene::RoomScene;
-use antipode_rooms::{Room, What};
+use antipode_rooms::{Object, Room, What};
 use antipode_ui::workshop::{HistoryRow, ObjectRow};
-use antipode_workshop::{Arg, Said};
+use antipode_workshop::{Arg, Marked, Said, Step};
 
 /// What stands in the room, each behind the group that carries it.
 pub fn objects(texts: &Texts, scene: &RoomScene) -> Vec<ObjectRow> {
     let room = scene.room();
-    let mut rows = Vec::with_capacity(room.objects.len());
-    add_children(texts, scene, None, 0, &mut rows);
-    rows
+    let mut listing = Listing {
+        texts,
+        marked: scene.document().marked(),
+        carried: HashMap::new(),
+        kinds: HashMap::new(),
+        rows: Vec::with_capacity(room.objects.len()),
+    };
+    for object in &room.objects {
+        let group = object.group.as_deref();
+        listing.carried.entry(group).or_default().push(object);
+    }
+    listing.add(None, 0);
+    listing.rows
 }
 
-fn add_children(
-    texts: &Texts,
-    scene: &RoomScene,
-    group: Option<&str>,
-    depth: usize,
-    rows: &mut Vec<ObjectRow>,
-) {
-    let (room, document) = (scene.room(), scene.document());
-    if depth > antipode_rooms::bounds::MOST_DEEP {
-        return;
-    }
-    for object in room
-        .objects
-        .iter()
-        .filter(|it| it.group.as_deref() == group)
-    {
-        let is_group = object.what == What::Group;
-        rows.push(ObjectRow {
-            name: object.name.clone(),
-            kind: kind(texts, &object.what),
-            depth,
-            is_group,
-            selected: document.is_selected(&object.name),
-            hidden: document.is_hidden(&object.name),
-            locked: document.is_locked(&object.name),
-        });
-        if is_group {
-            add_children(texts, scene, Some(&object.name), depth + 1, rows);
+/// A list of objects on its way.
+struct Listing<'a> {
+    texts: &'a Texts,
+    marked: Marked<'a>,
+    /// What each group carries.
+    carried: HashMap<Option<&'a str>, Vec<&'a Object>>,
+    /// The words for each kind, which take longer to put together than all else of a row.
+    kinds: HashMap<&'static str, String>,
+    rows: Vec<ObjectRow>,
+}
+
+impl<'a> Listing<'a> {
+    fn add(&mut self, group: Option<&'a str>, depth: usize) {
+        if depth > antipode_rooms::bounds::MOST_DEEP {
+            return;
+        }
+        for object in self.carried.remove(&group).unwrap_or_default() {
+            let is_group = object.what == What::Group;
+            let words = self.kinds.entry(object.what.kind());
+            let words = words.or_insert_with(|| kind(self.texts, &object.what));
+            self.rows.push(ObjectRow {
+                name: object.name.clone(),
+                kind: words.clone(),
+                depth,
+                is_group,
+                selected: self.marked.is_selected(object),
+                hidden: self.marked.is_hidden(object),
+                locked: self.marked.is_locked(object),
+            });
+            if is_group {
+                self.add(Some(&object.name), depth + 1);
+            }
         }
     }
 }
@@ -52,9 +69,8 @@ pub fn kind(texts: &Texts, what: &What) -> String {
 }
 
 /// What was done, in words.
-pub fn history(texts: &Texts, scene: &RoomScene) -> Vec<HistoryRow> {
-    let steps = scene.document().history().steps().iter();
-    let told = steps.map(|step| HistoryRow {
+pub fn steps(texts: &Texts, steps: &[Arc<Step>]) -> Vec<HistoryRow> {
+    let told = steps.iter().map(|step| HistoryRow {
         text: said(texts, "step", &step.said),
     });
     told.collect()

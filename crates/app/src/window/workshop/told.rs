@@ -1,9 +1,12 @@
 //! What the lists of the workshop say, worked out when the room or what is chosen has changed: a room has up to 2,000 things,
 //! and a history 1,000 steps.
 
+use std::sync::Arc;
+
 use antipode_language::{Language, Texts};
 use antipode_room_scene::RoomScene;
 use antipode_ui::workshop::{FieldRow, HistoryRow, ObjectRow, PartRow, ViewEvent, WorkshopWish};
+use antipode_workshop::Step;
 
 use super::{chosen, fields, parts, rows};
 
@@ -12,6 +15,8 @@ use super::{chosen, fields, parts, rows};
 pub struct Told {
     /// Of which revision they are, and in which language; none where something was done since.
     of: Option<(u64, Language)>,
+    /// In which language the parts and the steps are, and the last of these.
+    lasting: Option<(Language, Option<Arc<Step>>)>,
     /// What stands in the room.
     pub objects: Vec<ObjectRow>,
     /// What can be changed of what is chosen.
@@ -54,14 +59,27 @@ impl Told {
         if self.of == Some(now) {
             return false;
         }
-        *self = Self {
-            of: Some(now),
-            objects: rows::objects(texts, scene),
-            fields: fields::rows(texts, scene),
-            parts: parts::rows(texts),
-            history: rows::history(texts, scene),
-            chosen: chosen_words(texts, scene),
-        };
+        self.of = Some(now);
+        self.objects = rows::objects(texts, scene);
+        self.fields = fields::rows(texts, scene);
+        self.chosen = chosen_words(texts, scene);
+        let steps = scene.document().history().steps();
+        match &self.lasting {
+            Some((language, last)) if *language == now.1 => {
+                let last = last.as_ref();
+                let same = |it: &Arc<Step>| last.is_some_and(|last| Arc::ptr_eq(it, last));
+                // Steps are taken off at either end, and put to the last.
+                let kept = steps.iter().rposition(same).map_or(0, |place| place + 1);
+                let gone = self.history.len().saturating_sub(kept);
+                self.history.drain(..gone);
+                self.history.extend(rows::steps(texts, &steps[kept..]));
+            }
+            _ => {
+                self.parts = parts::rows(texts);
+                self.history = rows::steps(texts, steps);
+            }
+        }
+        self.lasting = Some((now.1, steps.last().cloned()));
         true
     }
 }

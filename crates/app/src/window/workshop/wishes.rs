@@ -337,9 +337,9 @@ fn choose_to(scene: &mut RoomScene, name: &str) {
 }
 
 fn choose_all(scene: &mut RoomScene, all: bool) {
-    let document = scene.document();
+    let marked = scene.document().marked();
     let objects = scene.room().objects.iter();
-    let free = objects.filter(|it| all && !document.is_locked(&it.name));
+    let free = objects.filter(|it| all && !marked.is_locked(it));
     let names: Vec<_> = free.map(|it| it.name.clone()).collect();
     scene.document_mut().select(names);
 }
