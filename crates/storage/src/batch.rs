@@ -16,7 +16,8 @@ pub struct Batch {
     pub meta: Option<WorldMeta>,
     /// Records that changed, and those of what is gone.
     pub records: RecordChanges,
-    /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each; one without any loses its record.
+    /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each; one that has none any more, without
+    /// samples, loses its record.
     pub chunks: Vec<(ChunkKey, Vec<i16>)>,
     /// Of those chunks in which kinds of ground were laid, a byte for each sample.
     pub kinds: BTreeMap<ChunkKey, Vec<u8>>,
@@ -39,7 +40,7 @@ impl Batch {
         }
         for (key, samples) in &self.chunks {
             let kinds = self.kinds.get(key).map_or(&[][..], Vec::as_slice);
-            if samples.iter().all(|edit| *edit == 0) && kinds.iter().all(|kind| *kind == 0) {
+            if samples.is_empty() {
                 puts.push(Put {
                     kind: Kind::Chunk,
                     key: key.to_bytes(),

@@ -9,12 +9,11 @@ use antipode_geometry::{Atlas, ChunkCoord, Strategy};
 use antipode_storage::{RecordChanges, WorldMeta, WorldStore};
 use antipode_terrain::{Field, Stroke};
 
-use crate::api::{Cause, Config, NotUndone, StreamingError, Update, Wish};
+use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
 use crate::batch_job::{EditBatch, Job};
 use crate::edit_backend::{EditBackend, coord_of};
 use crate::edit_store::{EditMap, EditStore};
-use crate::history::MOST_PRESSES;
 use crate::outcome::{Edited, Loaded, Outcome};
 use crate::saver::{Parts, Unsaved};
 use crate::scheduler::{ChunkScheduler, Verdict};
@@ -22,7 +21,9 @@ use crate::shared::{Shared, Watch};
 use crate::strokes::{Mark, Strokes, Work};
 use crate::updates::{coords, game_cost, is_solid, softened};
 use crate::worker_pool::WorkerPool;
+use presses::Pressed;
 
+mod presses;
 mod questions;
 
 /// Loads, edits and saves chunks in the background. See the crate's documentation.
@@ -44,15 +45,6 @@ pub struct Streamer {
     /// Chunks that no body is near any more: told one at a time, since taking colliders away costs
     /// the game as much as a frame's other work.
     leaving: VecDeque<ChunkCoord>,
-}
-
-/// Where a press has changed the land.
-struct Pressed {
-    number: u64,
-    /// Chunks that own a changed sample.
-    touched: BTreeSet<ChunkCoord>,
-    /// Chunks that look different for it.
-    remeshed: BTreeSet<ChunkCoord>,
 }
 
 /// Where saving stands.
@@ -166,21 +158,6 @@ impl Streamer {
     /// Applies a brush stroke. Never waits: while a batch is under way strokes add up for the next.
     pub fn edit(&mut self, stroke: Stroke) {
         self.edit_in(None, stroke);
-    }
-
-    /// As [`edit`](Self::edit), of a press: [`Update::Moved`] tells what it has moved, and it can be undone. Numbers of
-    /// presses rise.
-    pub fn edit_in(&mut self, press: Option<u64>, stroke: Stroke) {
-        self.strokes.add(stroke, press);
-        self.saves.stale |= !self.strokes.is_empty();
-        self.feed();
-    }
-
-    /// Undoes the last press that has changed anything, after every stroke made so far; [`Update::Undone`] tells the end.
-    pub fn undo(&mut self) {
-        self.strokes.undo();
-        self.saves.stale = true;
-        self.feed();
     }
 
     /// Saves the given parts and every stroke made so far, and none that comes later, in one commit on the saver's
@@ -356,17 +333,6 @@ impl Streamer {
         }
     }
 
-    /// The press that would be undone.
-    fn last_press(&self) -> Result<&Pressed, NotUndone> {
-        let last = self.presses.back().ok_or(NotUndone::NoneLeft)?;
-        let mut touched = last.touched.iter();
-        if touched.all(|coord| self.scheduler.is_wanted(*coord)) {
-            Ok(last)
-        } else {
-            Err(NotUndone::Away)
-        }
-    }
-
     /// Chunks beside `coords` that the strokes do not reach, but the borders of their coarse cells,
     /// from which the normals at their faces come; without strokes all that may be.
     fn bordering(
@@ -387,37 +353,6 @@ impl Streamer {
             found.extend(beside.into_iter().filter(|coord| seen.contains(coord)));
         }
         found
-    }
-
-    /// Notes where a press has changed the land, or that it is undone, and tells what it moved.
-    fn take_press(&mut self, edited: &Edited, updates: &mut Vec<Update>) {
-        if let Some((press, earth)) = edited.moved {
-            if !edited.touched.is_empty() {
-                if self.presses.back().is_none_or(|last| last.number != press) {
-                    self.presses.push_back(Pressed {
-                        number: press,
-                        touched: BTreeSet::new(),
-                        remeshed: BTreeSet::new(),
-                    });
-                }
-                if let Some(last) = self.presses.back_mut() {
-                    last.touched.extend(&edited.touched);
-                    last.remeshed.extend(&edited.remeshed);
-                }
-            }
-            if self.presses.len() > MOST_PRESSES {
-                self.presses.pop_front();
-            }
-            if !earth.is_nothing() {
-                updates.push(Update::Moved { press, earth });
-            }
-        }
-        if let Some((press, end)) = edited.undone {
-            if !matches!(end, Err(NotUndone::Unreadable)) {
-                self.presses.retain(|it| it.number != press);
-            }
-            updates.push(Update::Undone(end));
-        }
     }
 
     /// Turns a finished job into updates.

@@ -225,8 +225,12 @@ fn enter(
 ) {
     // Dug ground is of the kinds that were there, built ground of those that are.
     let (when, sense) = if m3 > 0.0 { (0, 1.0) } else { (1, -1.0) };
+    // Where corners have turned, the rest of the cell is what it was.
+    let turned = |corner: &Corner| (corner.values[0] < 0.0) != (corner.values[1] < 0.0);
+    let is_solid = |corner: &Corner| corner.values[when] < 0.0;
+    let any_turned = corners.iter().any(|it| is_solid(it) && turned(it));
     let part = |corner: &Corner| {
-        if corner.values[when] < 0.0 {
+        if is_solid(corner) && (turned(corner) || !any_turned) {
             (sense * (corner.values[1] - corner.values[0])).max(0.0) + LEAST_SHARE
         } else {
             0.0

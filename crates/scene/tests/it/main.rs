@@ -21,7 +21,6 @@ mod doors_followed;
 mod doors_placed;
 mod doors_seen;
 mod drops;
-mod earthworks;
 mod flags;
 mod gun;
 mod hidden;

@@ -290,10 +290,9 @@ impl EditBackend for Memory {
             .push((batch.meta.is_some(), !batch.records.is_empty(), keys));
         self.records.lock().unwrap().push(batch.records.clone());
         self.kinds.lock().unwrap().extend(batch.kinds.clone());
-        self.chunks
-            .lock()
-            .unwrap()
-            .extend(batch.chunks.iter().cloned());
+        let mut chunks = self.chunks.lock().unwrap();
+        chunks.extend(batch.chunks.iter().cloned());
+        chunks.retain(|_, units| !units.is_empty());
         Ok(())
     }
 }
