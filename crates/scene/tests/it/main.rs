@@ -21,6 +21,7 @@ mod doors_followed;
 mod doors_placed;
 mod doors_seen;
 mod drops;
+mod earthworks;
 mod flags;
 mod gun;
 mod hidden;
