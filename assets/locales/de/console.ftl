@@ -63,6 +63,6 @@ console-help-carry = Lässt eine Gruppe Dinge tragen, oder keine.
 console-help-ungroup = Nimmt Gruppen weg und lässt, was sie trugen.
 console-help-duplicate = Verdoppelt Dinge im offenen Raum.
 console-help-array = Kopiert Dinge in einer Reihe oder im Kreis.
-console-help-undo = Nimmt die letzten Änderungen am offenen Raum zurück.
+console-help-undo = Nimmt die letzten Änderungen am offenen Raum zurück, in einer Welt die letzten Striche des Pinsels.
 console-help-redo = Macht zurückgenommene Änderungen am Raum noch einmal.
 console-help-help = Sagt etwas zu allen Befehlen oder zu einem.

@@ -64,6 +64,6 @@ console-help-carry = Lets a group carry things, or none.
 console-help-ungroup = Takes groups away and leaves what they carried.
 console-help-duplicate = Copies things in the room that is open.
 console-help-array = Copies things in a row or in a ring.
-console-help-undo = Takes back the last changes of the room that is open.
+console-help-undo = Takes back the last changes of the room that is open, or the last strokes of the brush in a world.
 console-help-redo = Makes changes of the room again that were taken back.
 console-help-help = Explains all commands, or one of them.

@@ -49,6 +49,11 @@ hint-nobody-to-talk-to = There is nobody ahead to talk to.
 hint-too-far-to-talk = They are too far away to talk to. Go closer.
 hint-waits-to-talk = They have heard you and wait. Go closer to talk.
 hint-in-the-way = You stand in the way of what you build, under a roof. Step back, or take a smaller brush.
+hint-undone = The last stroke is undone.
+hint-undo-none-left = There is no stroke left to undo.
+hint-undo-away = The last stroke is too far away to be undone. Go back to where you made it.
+hint-undo-changed = The last stroke stays: its ground has been changed since.
+hint-undo-unreadable = The last stroke stays: what is stored of its ground cannot be read now. See that the disk is there and try again.
 
 # What others say about their space. { $side }, { $away }, { $there } and { $round } are metres, { $sum } and { $angle } degrees.
 talk-triangle-flat = I put up three lamps, each { $side } m from the other two. Seen from one another they make { $sum }° together, as at school.

@@ -63,6 +63,6 @@ console-help-carry = Hace que un grupo lleve cosas, o ninguno.
 console-help-ungroup = Quita grupos y deja lo que llevaban.
 console-help-duplicate = Copia cosas en la sala abierta.
 console-help-array = Copia cosas en fila o en círculo.
-console-help-undo = Deshace los últimos cambios de la sala abierta.
+console-help-undo = Deshace los últimos cambios de la sala abierta, o los últimos trazos del pincel en un mundo.
 console-help-redo = Rehace los cambios deshechos de la sala.
 console-help-help = Habla de todas las órdenes, o de una.

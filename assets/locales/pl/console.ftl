@@ -64,6 +64,6 @@ console-help-carry = Sprawia, że rzeczy niesie grupa albo żadna.
 console-help-ungroup = Usuwa grupy i zostawia to, co niosły.
 console-help-duplicate = Kopiuje rzeczy w otwartym pokoju.
 console-help-array = Kopiuje rzeczy w rzędzie albo w kole.
-console-help-undo = Cofa ostatnie zmiany otwartego pokoju.
+console-help-undo = Cofa ostatnie zmiany otwartego pokoju, a w świecie ostatnie pociągnięcia pędzla.
 console-help-redo = Ponawia cofnięte zmiany pokoju.
 console-help-help = Mówi o wszystkich poleceniach albo o jednym.

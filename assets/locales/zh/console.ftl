@@ -60,6 +60,6 @@ console-help-carry = 让一个组带着东西，或不让任何组带着。
 console-help-ungroup = 去掉组，留下它带着的东西。
 console-help-duplicate = 在打开的房间中复制东西。
 console-help-array = 把东西排成一行或一圈地复制。
-console-help-undo = 撤销对打开的房间的最近更改。
+console-help-undo = 撤销对打开的房间的最近更改，或世界中笔刷的最近几笔。
 console-help-redo = 重做被撤销的房间更改。
 console-help-help = 介绍所有命令或某一个。

@@ -144,6 +144,9 @@ impl Controls {
     /// Returns an action for the shell, as [`Controls::input`] does.
     pub fn wheel(&mut self, notches: f64, has_dial: bool) -> Option<Action> {
         self.has_dial = has_dial;
+        if self.turns_brush(notches) {
+            return None;
+        }
         let actions: Vec<_> = self.profile.actions(wheel_input(notches)).collect();
         let turns_dial = self.turns_dial(&actions);
         let turned = notches.abs() * self.curvature_step;
@@ -251,6 +254,28 @@ impl Controls {
         self.has_dial && !self.is_held(Action::WheelSlots) && actions.iter().any(dial)
     }
 
+    /// Goes through the shapes of the brush, or the kinds of ground, while their key is held; says whether it is.
+    fn turns_brush(&mut self, notches: f64) -> bool {
+        let (shape, kind) = (
+            self.is_held(Action::BrushShape),
+            self.is_held(Action::GroundKind),
+        );
+        if !shape && !kind {
+            return false;
+        }
+        self.notches += notches;
+        let whole = self.notches.trunc();
+        self.notches -= whole;
+        // Towards the player is the next, as along the hotbar.
+        let steps = if shape {
+            &mut self.events.shape_step
+        } else {
+            &mut self.events.kind_step
+        };
+        *steps = steps.saturating_sub(whole as i32);
+        true
+    }
+
     /// Does once what an action does once.
     fn act(&mut self, action: Action) -> Option<Action> {
         let known = self.pressed.iter().filter(|it| **it == action).count();
@@ -268,6 +293,10 @@ impl Controls {
             Action::NextSlot => self.events.slot_step += 1,
             Action::BrushLarger => self.events.brush_step += 1,
             Action::BrushSmaller => self.events.brush_step -= 1,
+            Action::BrushShape => self.events.shape_step += 1,
+            Action::GroundKind => self.events.kind_step += 1,
+            Action::TakeKind => self.events.take_kind = true,
+            Action::UndoStroke => self.events.undo = true,
             Action::Flashlight => self.events.toggle_light = !self.events.toggle_light,
             Action::EnterCar => self.events.enter_car = true,
             Action::LeaveCar => self.events.leave_car = true,

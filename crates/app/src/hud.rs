@@ -10,7 +10,7 @@ use antipode_ui::{
 };
 use glam::DVec3;
 
-use crate::wording;
+use crate::{hud_brush, wording};
 
 /// What the display shows of a scene over a picture that was taken so, with what drawing it took where the player wants
 /// to know.
@@ -49,6 +49,7 @@ pub fn model(
             .and_then(Item::brush_strength_per_s)
             .filter(|_| !scene.is_driving())
             .map(|_| scene.brush_radius_m()),
+        brush: hud_brush::model(texts, scene),
         speed_km_h: scene.driven_car().map(|car| 3.6 * car.speed_m_s),
         mirror: false,
         against: scene

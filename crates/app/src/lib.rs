@@ -16,6 +16,7 @@ pub mod drawn;
 pub mod ending;
 pub mod failure;
 pub mod hud;
+mod hud_brush;
 pub mod log;
 pub mod log_file;
 mod mirror;

@@ -9,7 +9,7 @@ use antipode_render::RenderError;
 use antipode_room_scene::RoomHint;
 use antipode_rooms::{RoomError, RoomSummary};
 use antipode_scene::notice::Unfit;
-use antipode_scene::{Hint, Item, Line, Notice, SceneError};
+use antipode_scene::{Hint, Item, Line, NotUndone, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
 use antipode_streaming::{Cause, StreamingError};
@@ -225,6 +225,13 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::TooFarToTalk => texts.say("hint-too-far-to-talk"),
         Hint::WaitsToTalk => texts.say("hint-waits-to-talk"),
         Hint::InTheWay => texts.say("hint-in-the-way"),
+        Hint::Undone => texts.say("hint-undone"),
+        Hint::NotUndone(why) => texts.say(match why {
+            NotUndone::NoneLeft => "hint-undo-none-left",
+            NotUndone::Away => "hint-undo-away",
+            NotUndone::Changed => "hint-undo-changed",
+            NotUndone::Unreadable => "hint-undo-unreadable",
+        }),
         Hint::Said { greets, line } => said(texts, greets, line),
         Hint::BeenRound(metres) => texts.say_with("hint-been-round", &[("metres", metres.into())]),
     }

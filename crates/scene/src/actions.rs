@@ -34,6 +34,14 @@ pub struct Actions {
     pub slot: Option<u8>,
     /// Change of the brush radius, in steps of a metre.
     pub brush_step: i32,
+    /// Shapes of the brush to go on by, or back.
+    pub shape_step: i32,
+    /// Kinds of ground to be built to go on by, or back.
+    pub kind_step: i32,
+    /// Build of what is under the crosshair.
+    pub take_kind: bool,
+    /// Undo the last stroke of the brush.
+    pub undo: bool,
     /// Change to the space's other picture: the other hyperbolic map, or a flat world bent or not.
     pub turn_map: bool,
     /// Switch between first and third person.

@@ -9,10 +9,12 @@ use antipode_terrain::Biome;
 use crate::actors::ActorId;
 use crate::bearings::{self, Bearings, FlagWay, Landmark};
 use crate::bot::{self, BotView};
+use crate::brush::{Brush, Choice};
 use crate::camera::CameraMode;
 use crate::car::CarView;
 use crate::damage;
 use crate::drops::Drop;
+use crate::earthworks::{Earthworks, Heap};
 use crate::fixture::{self, Fixture};
 use crate::frame::{HitShape, Quality};
 use crate::hit_shapes;
@@ -30,6 +32,9 @@ use crate::situation::is_ground_ready;
 use crate::sound::{self, Surroundings};
 use crate::tuning::MOST_BOTS;
 use crate::viewing::Viewing;
+
+/// The row of shapes or kinds is shown so long after a choice, seconds.
+const CHOICE_SHOWN_S: f64 = 2.0;
 
 /// The world.
 impl Scene {
@@ -111,6 +116,28 @@ impl Scene {
     /// The player's hotbar.
     pub fn inventory(&self) -> &Inventory {
         &self.sim.player.inventory
+    }
+
+    /// The brush in hand.
+    pub fn brush(&self) -> Brush {
+        self.sim.player.brush
+    }
+
+    /// What of the brush was chosen just now, as long as that is to be shown.
+    pub fn brush_chosen(&self) -> Option<Choice> {
+        let (choice, at_s) = self.sim.player.chosen?;
+        (self.sim.world.simulated_s - at_s < CHOICE_SHOWN_S).then_some(choice)
+    }
+
+    /// What was dug and built in this visit.
+    pub fn earthworks(&self) -> &Earthworks {
+        &self.sim.player.earthworks
+    }
+
+    /// What is to be shown of what the last stroke of the brush has moved, the largest heap first.
+    pub fn heaps_shown(&self) -> Vec<Heap> {
+        let now_s = self.sim.world.simulated_s;
+        self.sim.player.earthworks.shown(now_s)
     }
 
     /// Radius of the brush in metres.

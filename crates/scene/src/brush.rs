@@ -61,6 +61,15 @@ impl BrushShape {
     }
 }
 
+/// What was chosen of the brush.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// Its shape.
+    Shape,
+    /// What is built.
+    Kind,
+}
+
 /// The brush in hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Brush {
@@ -68,4 +77,50 @@ pub struct Brush {
     pub shape: BrushShape,
     /// What is built of; nothing brings back what untouched land has there.
     pub kind: Option<Kind>,
+}
+
+impl Brush {
+    /// Everything that can be built, in the order in which it is gone through: what is found at each place comes first.
+    pub fn kinds() -> impl Iterator<Item = Option<Kind>> {
+        std::iter::once(None).chain(Kind::ALL.into_iter().map(Some))
+    }
+
+    /// Goes on by shapes and by kinds, round at the end.
+    pub(crate) fn step(&mut self, shapes: i32, kinds: i32) {
+        self.shape = round(BrushShape::ALL.into_iter(), self.shape, shapes);
+        self.kind = round(Self::kinds(), self.kind, kinds);
+    }
+}
+
+/// What comes so many places after one of a row, which begins again at its end.
+fn round<T: Copy + PartialEq>(row: impl Iterator<Item = T>, from: T, by: i32) -> T {
+    let row: Vec<_> = row.collect();
+    let at = row.iter().position(|it| *it == from).unwrap_or_default();
+    let to = (at as i64 + i64::from(by)).rem_euclid(row.len().max(1) as i64);
+    row.get(to as usize).copied().unwrap_or(from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shapes_and_kinds_are_gone_through_both_ways_and_round() {
+        let mut brush = Brush::default();
+        brush.step(1, 1);
+        let second = Brush {
+            shape: BrushShape::Box,
+            kind: Some(Kind::Grass),
+        };
+        assert_eq!(brush, second);
+        brush.step(-2, -2);
+        let last = Brush {
+            shape: BrushShape::Smooth,
+            kind: Some(Kind::Crystal),
+        };
+        assert_eq!(brush, last);
+        brush.step(5 * 7 + 1, 15 * 3 + 1);
+        assert_eq!(brush, Brush::default());
+        brush.step(i32::MIN, i32::MAX);
+    }
 }

@@ -170,9 +170,14 @@ impl Ground {
         }
     }
 
-    /// What covers the ground at a point.
+    /// What the ground at a point sounds like: by its kind where that is at hand, else as its biome's colours.
     pub fn cover(&self, point: ChartPoint) -> Cover {
-        self.field.cover(point, self.normal(point))
+        let chunk = self.chunks.get(&ChunkCoord::containing(point));
+        if chunk.is_some_and(|chunk| chunk.samples.is_some()) {
+            self.kind(point).cover()
+        } else {
+            self.field.cover(point, self.normal(point))
+        }
     }
 
     /// The land as it was before any edit.

@@ -3,7 +3,7 @@
 
 use antipode_geometry::HyperbolicMap;
 use antipode_items::Item;
-use antipode_streaming::Cause;
+use antipode_streaming::{Cause, NotUndone};
 use thiserror::Error;
 
 use crate::npc::Line;
@@ -145,6 +145,12 @@ pub enum Hint {
         "You stand in the way of what you build, under a roof. Step back, or take a smaller brush."
     )]
     InTheWay,
+    /// The last stroke of the brush is undone.
+    #[error("The last stroke is undone.")]
+    Undone,
+    /// The last stroke of the brush stays.
+    #[error("{0}")]
+    NotUndone(NotUndone),
     /// Somebody says a line about the space.
     #[error("{}{line}", if *greets { "Hello! " } else { "" })]
     Said {

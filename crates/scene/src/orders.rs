@@ -262,6 +262,12 @@ impl Scene {
         self.sim.player.brush.kind = kind;
     }
 
+    /// Undoes the last stroke of the brush, after all that were made before; a hint tells the end.
+    pub fn undo_stroke(&mut self) {
+        self.sim.world.streamer.undo();
+        self.kept.changed = true;
+    }
+
     fn repicture(&mut self, set: impl FnOnce(&mut Lens) -> bool) -> bool {
         let fits = set(&mut self.sim.player.gaze.lens);
         self.kept.changed |= fits;

@@ -7,9 +7,10 @@ use glam::{DVec2, DVec3};
 
 use crate::actions::Actions;
 use crate::aimed::Gaze;
-use crate::brush::Brush;
+use crate::brush::{Brush, Choice};
 use crate::circumnavigation::Circumnavigation;
 use crate::damage::Condition;
+use crate::earthworks::Earthworks;
 use crate::frame::ModelId;
 use crate::inventory::Inventory;
 use crate::lens::Lens;
@@ -25,6 +26,11 @@ pub(crate) struct Player {
     pub tool: Option<ToolMark>,
     pub brush_radius_m: f64,
     pub brush: Brush,
+    /// What of it was chosen last, and when, simulated seconds.
+    pub chosen: Option<(Choice, f64)>,
+    /// Presses of the brush in this visit.
+    pub presses: u64,
+    pub earthworks: Earthworks,
     pub flying: bool,
     pub condition: Condition,
     /// Until the gun can be fired again, seconds.
@@ -49,6 +55,9 @@ impl Player {
             tool: None,
             brush_radius_m: BRUSH_RADIUS_M.2,
             brush: Brush::default(),
+            chosen: None,
+            presses: 0,
+            earthworks: Earthworks::default(),
             flying: false,
             condition: Condition::default(),
             gun_rests_s: 0.0,

@@ -1,5 +1,7 @@
 //! The probe: what a script may ask of the simulation, as plain data with stable names.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use crate::inventory::Stack;
@@ -260,7 +262,7 @@ pub struct ChunkProbe {
 }
 
 /// The ground under the player in a probe.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TerrainProbe {
     /// Height of the first ground below the player's head, metres; null when there is none near.
     pub ground_height: Option<f64>,
@@ -268,4 +270,10 @@ pub struct TerrainProbe {
     pub kind: Option<&'static str>,
     /// The kind of what the crosshair is on within a tool's reach; null where that is no ground.
     pub kind_ahead: Option<&'static str>,
+    /// What the player has dug in this visit, cubic metres by kind; left out where that is nothing.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub dug: BTreeMap<&'static str, f64>,
+    /// What the player has built in this visit, cubic metres by kind; left out where that is nothing.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub built: BTreeMap<&'static str, f64>,
 }

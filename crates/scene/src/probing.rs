@@ -1,5 +1,7 @@
 //! Fills the probe with the state of the world at a moment.
 
+use std::collections::BTreeMap;
+
 use antipode_geometry::{ChartPoint, HyperbolicMap};
 use antipode_physics::Character;
 use antipode_storage::RecordKind;
@@ -111,11 +113,20 @@ fn terrain_probe(now: Situation<'_>) -> TerrainProbe {
     let ground_height = world.ground_height(head);
     let below = ground_height.map(|y| ChartPoint::new(head.chart, head.pos.with_y(y)));
     let ahead = Crosshair::aimed(now).ground(REACH_M);
+    let earth = now.player.earthworks.total();
     TerrainProbe {
         ground_height,
         kind: below.map(|point| world.ground.kind(point).name()),
         kind_ahead: ahead.hit.then(|| world.ground.kind(ahead.point).name()),
+        dug: by_kind(|kind| earth.dug_m3(kind)),
+        built: by_kind(|kind| earth.built_m3(kind)),
     }
+}
+
+/// By the names of kinds what there is of each, cubic metres; nothing of those of which there is none.
+fn by_kind(m3: impl Fn(Kind) -> f64) -> BTreeMap<&'static str, f64> {
+    let kinds = Kind::ALL.into_iter().map(|kind| (kind.name(), m3(kind)));
+    kinds.filter(|(_, m3)| *m3 > 0.0).collect()
 }
 
 fn player_probe(now: Situation<'_>) -> PlayerProbe {

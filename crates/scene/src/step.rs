@@ -5,8 +5,10 @@ use antipode_physics::CharacterInput;
 
 use crate::actions::Actions;
 use crate::actors::Actors;
+use crate::brush::Choice;
 use crate::camera::CameraMode;
 use crate::car::{doors, drive};
+use crate::crosshair::Crosshair;
 use crate::damage::{DamageKind, fall_damage};
 use crate::lens::Lens;
 use crate::notice::Hint;
@@ -14,7 +16,7 @@ use crate::outbox::Outbox;
 use crate::player::{self, Appearance, Body, Look, Player, Position};
 use crate::situation::{Situation, is_ground_ready};
 use crate::sound::{self, SoundEvent};
-use crate::tuning::{BRUSH_RADIUS_M, STEP_S};
+use crate::tuning::{BRUSH_RADIUS_M, REACH_M, STEP_S};
 use crate::world::World;
 use crate::{body, circumnavigation, damage, door, drops, fixture, gun, npc, tool};
 use antipode_frame::motion::Doing;
@@ -70,8 +72,13 @@ impl Simulation {
         let now = Situation::of(world, actors, player);
         let (mark, strokes) = tool::work(now, actions, outbox);
         player.tool = mark;
+        let press = mark.map(|mark| mark.press).filter(|press| *press > 0);
+        player.presses = player.presses.max(press.unwrap_or_default());
         for stroke in strokes {
-            world.streamer.edit(stroke);
+            world.streamer.edit_in(press, stroke);
+        }
+        if actions.undo {
+            world.streamer.undo();
         }
         gun::use_in_hand(world, actors, player, outbox, actions);
         fixture::use_in_hand(world, actors, player, outbox, actions);
@@ -124,12 +131,36 @@ fn turn_switches(
     let (least, most, _) = BRUSH_RADIUS_M;
     player.brush_radius_m =
         (player.brush_radius_m + f64::from(actions.brush_step)).clamp(least, most);
+    choose_brush(world, actors, player, actions);
     if actions.toggle_camera {
         player.gaze.camera = match player.gaze.camera {
             CameraMode::First => CameraMode::Third,
             CameraMode::Third => CameraMode::First,
         };
     }
+}
+
+/// Goes through shapes and kinds of ground, or takes the kind ahead.
+fn choose_brush(world: &World, actors: &Actors, player: &mut Player, actions: &Actions) {
+    let (shapes, kinds) = (actions.shape_step, actions.kind_step);
+    if (shapes, kinds) != (0, 0) {
+        player.brush.step(shapes, kinds);
+    }
+    if actions.take_kind {
+        take_kind(world, actors, player);
+    }
+    if kinds != 0 || actions.take_kind {
+        player.chosen = Some((Choice::Kind, world.simulated_s));
+    } else if shapes != 0 {
+        player.chosen = Some((Choice::Shape, world.simulated_s));
+    }
+}
+
+/// Builds of what is under the crosshair from now on; of what is found at each place where nothing is.
+fn take_kind(world: &World, actors: &Actors, player: &mut Player) {
+    let now = Situation::of(world, actors, player);
+    let ahead = Crosshair::aimed(now).ground(REACH_M);
+    player.brush.kind = ahead.hit.then(|| world.ground.kind(ahead.point));
 }
 
 /// Asks for the space's other picture: it comes gliding, and the player is told its name.

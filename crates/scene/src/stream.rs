@@ -22,7 +22,7 @@ use crate::situation::is_ground_ready;
 use crate::step::Simulation;
 use crate::tuning::{AUTOSAVE_S, BODIES_WITHIN_CHUNKS};
 use crate::world::World;
-use crate::{body, ground_changed};
+use crate::{body, earthworks, ground_changed};
 
 /// Ground within this distance of the player stands before a world counts as playable, in metres, as far as it is to be
 /// loaded at all: a hole so near would be seen.
@@ -260,6 +260,14 @@ impl Scene {
                     samples,
                 } => self.sim.world.set_solid(coord, collider, samples),
                 Update::Unloaded(coord) => self.sim.world.remove(coord),
+                Update::Moved { press, earth } => {
+                    let now_s = self.sim.world.simulated_s;
+                    self.sim.player.earthworks.enter(press, &earth, now_s);
+                }
+                Update::Undone(end) => {
+                    let works = &mut self.sim.player.earthworks;
+                    earthworks::undone(works, &mut self.sim.outbox, end);
+                }
                 Update::Saved => self.kept.save_problem = None,
                 Update::SaveFailed(why) => {
                     let problem = Notice::NotSaved(why);

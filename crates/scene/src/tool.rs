@@ -29,6 +29,10 @@ pub(crate) struct ToolMark {
     pub active: bool,
     /// The height where the stroke began, metres.
     pub level_m: f64,
+    /// The number of the press, from its beginning to the release.
+    pub press: u64,
+    /// Which way the press works.
+    pub digs: bool,
 }
 
 /// Where the tool in hand would work: along the geodesic through the crosshair. An empty hand works nowhere.
@@ -40,6 +44,8 @@ pub(crate) fn mark(now: Situation<'_>) -> Option<ToolMark> {
         point,
         active: false,
         level_m: stroke.map_or(point.pos.y, |before| before.level_m),
+        press: stroke.map_or(0, |before| before.press),
+        digs: stroke.is_some_and(|before| before.digs),
     })
 }
 
@@ -79,8 +85,19 @@ pub(crate) fn work(
     if strokes.len() < before && !now.player.secondary_before {
         outbox.hints.push(Hint::InTheWay);
     }
-    let active = true;
-    (Some(ToolMark { active, ..mark }), strokes)
+    let before = now.player.tool.filter(|before| before.active);
+    let goes_on = before.is_some_and(|before| before.digs == (sign > 0.0));
+    let mark = ToolMark {
+        active: true,
+        press: if goes_on {
+            mark.press
+        } else {
+            now.player.presses + 1
+        },
+        digs: sign > 0.0,
+        ..mark
+    };
+    (Some(mark), strokes)
 }
 
 /// Tells what a tool did in a step: `sign` is 1 for digging, -1 for building and 0 for rest.

@@ -27,6 +27,14 @@ pub enum Action {
     BrushLarger,
     /// Smaller brush.
     BrushSmaller,
+    /// The next shape of the brush; held, the wheel goes through them.
+    BrushShape,
+    /// The next kind of ground to build; held, the wheel goes through them.
+    GroundKind,
+    /// Build of the kind of ground under the crosshair.
+    TakeKind,
+    /// Undo the last stroke of the brush.
+    UndoStroke,
     /// The flashlight on or off; in a car, its lights.
     Flashlight,
     /// Get into a car.
@@ -161,7 +169,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 46] = {
+static ACTIONS: [ActionInfo; 50] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -199,6 +207,10 @@ static ACTIONS: [ActionInfo; 46] = {
             Tools,
             &["ArrowDown", "pad-down"],
         ),
+        line(Action::BrushShape, "brush-shape", Tools, &["KeyB"]),
+        line(Action::GroundKind, "ground-kind", Tools, &["KeyV"]),
+        line(Action::TakeKind, "take-kind", Tools, &["Mouse3"]),
+        line(Action::UndoStroke, "undo-stroke", Tools, &["KeyZ"]),
         line(Action::Flashlight, "flashlight", Tools, &["KeyY"]),
         line(Action::Talk, "talk", Tools, &["KeyT"]),
         line(Action::Drop, "drop", Tools, &["KeyQ"]),

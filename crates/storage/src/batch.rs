@@ -16,7 +16,8 @@ pub struct Batch {
     pub meta: Option<WorldMeta>,
     /// Records that changed, and those of what is gone.
     pub records: RecordChanges,
-    /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each.
+    /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each; one that has none any more, without
+    /// samples, loses its record.
     pub chunks: Vec<(ChunkKey, Vec<i16>)>,
     /// Of those chunks in which kinds of ground were laid, a byte for each sample.
     pub kinds: BTreeMap<ChunkKey, Vec<u8>>,
@@ -39,6 +40,14 @@ impl Batch {
         }
         for (key, samples) in &self.chunks {
             let kinds = self.kinds.get(key).map_or(&[][..], Vec::as_slice);
+            if samples.is_empty() {
+                puts.push(Put {
+                    kind: Kind::Chunk,
+                    key: key.to_bytes(),
+                    bytes: None,
+                });
+                continue;
+            }
             let body = pack_ground(samples, kinds)
                 .map_err(|reason| unstorable(world, &key.to_string(), reason))?;
             puts.push(sealed_chunk(*key, sequence, &body));

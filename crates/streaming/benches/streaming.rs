@@ -51,6 +51,29 @@ fn edit_over_eight_chunks(bencher: divan::Bencher<'_, '_>, radius_m: f64) {
     });
 }
 
+/// As above, of a press, which tells what is moved and can be undone.
+#[divan::bench(args = [2.0, 5.0, 10.0])]
+fn press_over_eight_chunks(bencher: divan::Bencher<'_, '_>, radius_m: f64) {
+    let (mut streamer, corner) = world(Config::default());
+    let mut amount = 4.0;
+    let mut press = 0;
+    bencher.bench_local(|| {
+        amount = -amount;
+        press += 1;
+        let stroke = Stroke {
+            centre: ChartPoint::a(corner),
+            radius_m,
+            amount,
+            part: antipode_terrain::Part::Whole,
+            kind: None,
+            shape: antipode_terrain::Shape::Ball,
+        };
+        // A second of sixty strokes each.
+        streamer.edit_in(Some(press / 60), stroke);
+        streamer.wait(Until::Edits, LIMIT)
+    });
+}
+
 /// The main thread's share of an edit, a wish and a poll without results.
 #[divan::bench]
 fn main_thread_wish_and_poll(bencher: divan::Bencher<'_, '_>) {

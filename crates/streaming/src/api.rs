@@ -7,7 +7,7 @@ use std::thread;
 
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord};
 use antipode_physics::TerrainCollider;
-use antipode_terrain::{ChunkMesh, Samples};
+use antipode_terrain::{ChunkMesh, Earth, Samples};
 use glam::DVec3;
 
 /// Why a save failed: the store's own error, with its sentence.
@@ -169,12 +169,40 @@ pub enum Update {
     },
     /// A chunk to forget.
     Unloaded(ChunkCoord),
+    /// Ground that strokes of a press have moved.
+    Moved {
+        /// The press's number.
+        press: u64,
+        /// What was dug and built since it was last told.
+        earth: Earth,
+    },
+    /// The last press is undone, and that is what it had moved; or why it is not.
+    Undone(Result<Earth, NotUndone>),
     /// Everything up to the save is on disk.
     Saved,
     /// The save failed, and why. Nothing of it is lost; the next save tries again.
     SaveFailed(Cause),
     /// A sentence for the player: what else went wrong and what they can do.
     Problem(String),
+}
+
+/// Why a press of the brush is not undone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NotUndone {
+    /// There is none, or it was too many ago.
+    #[error("There is no stroke left to undo.")]
+    NoneLeft,
+    /// The land that it changed is not loaded.
+    #[error("The last stroke is too far away to be undone. Go back to where you made it.")]
+    Away,
+    /// Something else has changed the same place.
+    #[error("The last stroke stays: its ground has been changed since.")]
+    Changed,
+    /// The stored edits there cannot be read.
+    #[error(
+        "The last stroke stays: what is stored of its ground cannot be read now. See that the disk is there and try again."
+    )]
+    Unreadable,
 }
 
 /// What [`Streamer::wait`](crate::Streamer::wait) waits for.

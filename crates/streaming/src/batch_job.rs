@@ -7,21 +7,30 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use antipode_geometry::ChunkCoord;
-use antipode_terrain::{Samples, Stroke, apply_edits};
+use antipode_terrain::{Earth, Samples, Stroke, apply_edits};
 
 use crate::api::Chunk;
+use crate::earthworks;
 use crate::edit_store::{Change, Entered};
-use crate::outcome::Edited;
+use crate::outcome::{Edited, Undone};
 use crate::range::around;
 use crate::scheduler::Make;
 use crate::shared::{Shared, Step};
 use crate::worker::guarded;
 
+/// What a batch does to the edits.
+#[derive(Debug)]
+pub(crate) enum Job {
+    /// Applies strokes in the order in which they were made, all of one press, or of none that can be undone.
+    Strokes(Vec<Stroke>, Option<u64>),
+    /// Undoes a press, which was seen from these chunks.
+    Undo(u64, BTreeSet<ChunkCoord>),
+}
+
 /// What the game hands over.
 #[derive(Debug)]
 pub(crate) struct EditBatch {
-    /// In the order in which they were made.
-    pub(crate) strokes: Vec<Stroke>,
+    pub(crate) job: Job,
     /// Chunks whose meshes an earlier batch could not make.
     pub(crate) overdue: Vec<ChunkCoord>,
     /// How chunks are to be made that the strokes may reach, they or the borders of their coarse
@@ -63,12 +72,15 @@ impl BatchJob {
         let edited = Edited {
             chunks: Vec::with_capacity(makes.len()),
             touched: applied.touched,
+            emptied: applied.emptied,
             remeshed: applied.remeshed.into_iter().collect(),
             bordering: applied.bordering.into_iter().collect(),
             revision: applied.entered.revision,
             land: applied.entered.land,
             complete: true,
             problems,
+            moved: applied.moved,
+            undone: applied.undone,
         };
         Self {
             makes,
@@ -130,27 +142,65 @@ impl BatchJob {
 #[derive(Default)]
 struct Applied {
     touched: Vec<ChunkCoord>,
+    emptied: Vec<ChunkCoord>,
     remeshed: BTreeSet<ChunkCoord>,
     bordering: BTreeSet<ChunkCoord>,
     entered: Entered,
+    moved: Option<(u64, Earth)>,
+    undone: Option<Undone>,
 }
 
 fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Applied {
     shared.at(Step::Apply);
-    let mut reached = BTreeSet::new();
-    let changed = changes(shared, &batch.strokes, &mut reached, problems).unwrap_or_else(|| {
-        problems.push(
-            "The last change to the terrain is left out, since it would overwrite stored changes that cannot be \
-             read now. See that the disk is there and try again."
-                .to_owned(),
-        );
-        Vec::new()
-    });
+    match &batch.job {
+        Job::Strokes(strokes, press) => {
+            let mut reached = BTreeSet::new();
+            let changed = changes(shared, strokes, &mut reached, problems).unwrap_or_else(|| {
+                problems.push(
+                    "The last change to the terrain is left out, since it would overwrite stored changes that cannot \
+                     be read now. See that the disk is there and try again."
+                        .to_owned(),
+                );
+                Vec::new()
+            });
+            let moved = press.map(|press| {
+                let earth = earthworks::earth(shared, &changed, problems);
+                let states = changed.iter().map(Change::states);
+                shared.history.note(press, &earth, states);
+                (press, earth)
+            });
+            Applied {
+                moved,
+                ..enter(shared, batch, changed, reached)
+            }
+        }
+        Job::Undo(press, reach) => match earthworks::undo(shared, *press, problems) {
+            Ok((changed, earth)) => Applied {
+                undone: Some((*press, Ok(earth))),
+                ..enter(shared, batch, changed, reach.clone())
+            },
+            Err(why) => Applied {
+                undone: Some((*press, Err(why))),
+                ..enter(shared, batch, Vec::new(), BTreeSet::new())
+            },
+        },
+    }
+}
+
+/// Enters changes, which are seen from the chunks of `reached` at most.
+fn enter(
+    shared: &Shared,
+    batch: &EditBatch,
+    changed: Vec<Change>,
+    mut reached: BTreeSet<ChunkCoord>,
+) -> Applied {
     let touched: Vec<_> = changed
         .iter()
         .filter(|change| change.visible)
         .map(|change| change.coord)
         .collect();
+    let emptied = changed.iter().filter(|change| change.is_undone());
+    let emptied = emptied.map(|change| change.coord).collect();
     let beside: BTreeSet<_> = touched
         .iter()
         .flat_map(|&coord| around(coord, -1, 1))
@@ -163,9 +213,11 @@ fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Appl
     reached.extend(&batch.overdue);
     Applied {
         touched,
+        emptied,
         remeshed: reached,
         bordering,
         entered: shared.edit_store.enter(changed),
+        ..Applied::default()
     }
 }
 
@@ -179,7 +231,7 @@ fn now(
     let before = shared.edit_store.snapshot(coord, problems);
     let mut samples = Samples::clone(&shared.base(coord, true));
     apply_edits(&mut samples, coord, |near| match changes.get(&near) {
-        Some(change) => Some(Arc::new(change.edits.clone())),
+        Some(change) => Some(Arc::clone(&change.edits)),
         None => before.of(near),
     });
     samples
@@ -200,21 +252,17 @@ fn changes(
             let change = match changes.entry(coord) {
                 Entry::Occupied(found) => found.into_mut(),
                 Entry::Vacant(missing) => {
-                    let edits = shared.edit_store.edits(coord, problems)?;
-                    missing.insert(Change {
-                        coord,
-                        edits,
-                        visible: false,
-                    })
+                    let before = shared.edit_store.edits(coord, problems)?;
+                    missing.insert(Change::of(coord, before))
                 }
             };
             if !stroke.needs_samples(&change.edits) {
-                change.visible |= stroke.apply(coord, &mut change.edits, strategy);
+                change.visible |= stroke.apply(coord, change.edits_mut(), strategy);
                 continue;
             }
             let now = now(shared, coord, &changes, problems);
             if let Some(change) = changes.get_mut(&coord) {
-                change.visible |= stroke.apply_to(coord, &mut change.edits, strategy, Some(&now));
+                change.visible |= stroke.apply_to(coord, change.edits_mut(), strategy, Some(&now));
             }
         }
         reached.extend(stroke.remeshed(strategy));

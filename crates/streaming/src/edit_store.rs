@@ -44,9 +44,39 @@ impl Snapshot {
 /// The new edits of a chunk.
 pub(crate) struct Change {
     pub(crate) coord: ChunkCoord,
-    pub(crate) edits: ChunkEdits,
+    /// Those that it had.
+    pub(crate) before: Arc<ChunkEdits>,
+    pub(crate) edits: Arc<ChunkEdits>,
     /// Does any sample differ from before?
     pub(crate) visible: bool,
+}
+
+impl Change {
+    /// None yet of a chunk that has these edits.
+    pub(crate) fn of(coord: ChunkCoord, before: Arc<ChunkEdits>) -> Self {
+        Self {
+            coord,
+            edits: Arc::clone(&before),
+            before,
+            visible: false,
+        }
+    }
+
+    /// The edits, to change them.
+    pub(crate) fn edits_mut(&mut self) -> &mut ChunkEdits {
+        Arc::make_mut(&mut self.edits)
+    }
+
+    /// Whether nothing is left of all edits of the chunk.
+    pub(crate) fn is_undone(&self) -> bool {
+        self.edits.is_untouched()
+    }
+
+    /// The edits before and after.
+    pub(crate) fn states(&self) -> (ChunkCoord, [Arc<ChunkEdits>; 2]) {
+        let states = [&self.before, &self.edits];
+        (self.coord, states.map(Arc::clone))
+    }
 }
 
 /// Every edit since the world was made.
@@ -124,15 +154,15 @@ impl EditStore {
         &self,
         coord: ChunkCoord,
         problems: &mut Vec<String>,
-    ) -> Option<ChunkEdits> {
+    ) -> Option<Arc<ChunkEdits>> {
         let (known, is_lost) = {
             let mut state = self.lock_with(&[coord], problems);
             let known = state.chunks.get(&coord).cloned();
             (known, state.on_disk.contains(&coord))
         };
         match known {
-            Some(edits) => Some(ChunkEdits::clone(&edits)),
-            None => (!is_lost).then(ChunkEdits::default),
+            Some(edits) => Some(edits),
+            None => (!is_lost).then(Arc::default),
         }
     }
 
@@ -148,10 +178,10 @@ impl EditStore {
             coord,
             edits,
             visible,
+            ..
         } in batch
         {
             state.on_disk.remove(&coord);
-            let edits = Arc::new(edits);
             if visible && self.backend.is_some() {
                 land.insert(coord, Arc::clone(&edits));
             }

@@ -20,8 +20,10 @@
 mod api;
 mod bases;
 mod batch_job;
+mod earthworks;
 mod edit_backend;
 mod edit_store;
+mod history;
 mod levels;
 mod maps;
 mod outcome;
@@ -42,6 +44,8 @@ mod worker_pool;
 #[cfg(test)]
 mod tests;
 
-pub use api::{Cause, Chunk, Config, Detail, Reach, StreamingError, Until, Update, Wish};
+pub use api::{
+    Cause, Chunk, Config, Detail, NotUndone, Reach, StreamingError, Until, Update, Wish,
+};
 pub use range::is_in_world;
 pub use streamer::Streamer;

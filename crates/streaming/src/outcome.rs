@@ -1,8 +1,9 @@
 //! Reports of the workers and the saver to the game.
 
 use antipode_geometry::ChunkCoord;
+use antipode_terrain::Earth;
 
-use crate::api::Chunk;
+use crate::api::{Chunk, NotUndone};
 use crate::edit_store::EditMap;
 use crate::plan::Planned;
 use crate::saver::Unsaved;
@@ -41,6 +42,8 @@ pub(crate) struct Edited {
     pub(crate) chunks: Vec<(Make, Chunk)>,
     /// Chunks that own a changed sample.
     pub(crate) touched: Vec<ChunkCoord>,
+    /// Those of them that are as nobody had touched them.
+    pub(crate) emptied: Vec<ChunkCoord>,
     /// Chunks that look different.
     pub(crate) remeshed: Vec<ChunkCoord>,
     /// Coarse chunks beside them of which only the borders have changed, and so the normals.
@@ -51,4 +54,10 @@ pub(crate) struct Edited {
     /// False if a chunk was given up; then none may be shown.
     pub(crate) complete: bool,
     pub(crate) problems: Vec<String>,
+    /// What a press has moved.
+    pub(crate) moved: Option<(u64, Earth)>,
+    pub(crate) undone: Option<Undone>,
 }
+
+/// A press that was to be undone, and what it had moved, or why that stays.
+pub(crate) type Undone = (u64, Result<Earth, NotUndone>);

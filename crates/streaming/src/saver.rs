@@ -60,6 +60,15 @@ pub(crate) fn run(shared: &Shared, jobs: &Receiver<Box<Parts>>, results: &Sender
     }
 }
 
+/// The edits of a chunk as they are stored; none of one of which nothing is left, whose record goes.
+fn units(edits: &ChunkEdits) -> Vec<i16> {
+    if edits.is_untouched() {
+        Vec::new()
+    } else {
+        edits.to_units()
+    }
+}
+
 /// One transaction of all the parts.
 fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
     let backend = shared.edit_store.backend()?;
@@ -70,7 +79,7 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
     } = parts;
     let chunks = land
         .iter()
-        .map(|(coord, edits)| (key_of(*coord), edits.to_units()))
+        .map(|(coord, edits)| (key_of(*coord), units(edits)))
         .collect();
     let laid = |edits: &ChunkEdits| Some(edits.kind_bytes().to_vec()).filter(|it| !it.is_empty());
     let kinds = (land.iter())

@@ -3,13 +3,14 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use antipode_geometry::{Atlas, ChunkCoord};
+use antipode_geometry::{ChunkCoord, Strategy};
 use antipode_physics::TerrainCollider;
 use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, apply_edits};
 
 use crate::api::Chunk;
 use crate::bases::Bases;
 use crate::edit_store::{EditStore, Snapshot};
+use crate::history::History;
 use crate::scheduler::Make;
 
 /// A point in a worker's course, told to the test that watches it.
@@ -31,9 +32,10 @@ pub(crate) type Watch = Arc<dyn Fn(Step) + Send + Sync>;
 /// Everything a worker needs besides its channels.
 pub(crate) struct Shared {
     pub(crate) field: Arc<Field>,
-    pub(crate) strategy: Arc<dyn Atlas>,
+    pub(crate) strategy: Arc<dyn Strategy>,
     pub(crate) edit_store: EditStore,
     pub(crate) bases: Bases,
+    pub(crate) history: History,
     pub(crate) watch: Option<Watch>,
     /// Room for meshing that nobody uses at the moment.
     meshers: Mutex<Vec<Mesher>>,
@@ -44,7 +46,7 @@ impl Shared {
     /// State for a new worker pool.
     pub(crate) fn new(
         field: Arc<Field>,
-        strategy: Arc<dyn Atlas>,
+        strategy: Arc<dyn Strategy>,
         edit_store: EditStore,
         bases: Bases,
         watch: Option<Watch>,
@@ -54,6 +56,7 @@ impl Shared {
             strategy,
             edit_store,
             bases,
+            history: History::default(),
             watch,
             meshers: Mutex::default(),
             stopped: AtomicBool::new(false),

@@ -5,32 +5,36 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use antipode_geometry::{Atlas, ChunkCoord};
+use antipode_geometry::{Atlas, ChunkCoord, Strategy};
 use antipode_storage::{RecordChanges, WorldMeta, WorldStore};
 use antipode_terrain::{Field, Stroke};
 
 use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
-use crate::batch_job::EditBatch;
+use crate::batch_job::{EditBatch, Job};
 use crate::edit_backend::{EditBackend, coord_of};
 use crate::edit_store::{EditMap, EditStore};
 use crate::outcome::{Edited, Loaded, Outcome};
 use crate::saver::{Parts, Unsaved};
 use crate::scheduler::{ChunkScheduler, Verdict};
 use crate::shared::{Shared, Watch};
-use crate::strokes::{Mark, Strokes};
+use crate::strokes::{Mark, Strokes, Work};
 use crate::updates::{coords, game_cost, is_solid, softened};
 use crate::worker_pool::WorkerPool;
+use presses::Pressed;
 
+mod presses;
 mod questions;
 
 /// Loads, edits and saves chunks in the background. See the crate's documentation.
 pub struct Streamer {
-    strategy: Arc<dyn Atlas>,
+    strategy: Arc<dyn Strategy>,
     pub(crate) worker_pool: WorkerPool,
     pub(crate) scheduler: ChunkScheduler,
     pub(crate) strokes: Strokes,
     pub(crate) batch_in_flight: bool,
+    /// The last presses that have changed anything.
+    presses: VecDeque<Pressed>,
     /// Meshes that an earlier batch could not make.
     overdue: HashSet<ChunkCoord>,
     /// Loads that include a batch not shown yet.
@@ -81,7 +85,7 @@ impl Streamer {
     /// If the store's list of edited chunks cannot be read or the system refuses a thread.
     pub fn start(
         field: Arc<Field>,
-        strategy: Arc<dyn Atlas>,
+        strategy: Arc<dyn Strategy>,
         store: Option<Arc<WorldStore>>,
         config: Config,
     ) -> Result<Self, StreamingError> {
@@ -92,7 +96,7 @@ impl Streamer {
     /// As [`start`](Self::start), with any backend and a test's look into the workers.
     pub(crate) fn start_watched(
         field: Arc<Field>,
-        strategy: Arc<dyn Atlas>,
+        strategy: Arc<dyn Strategy>,
         backend: Option<Arc<dyn EditBackend>>,
         config: Config,
         watch: Option<Watch>,
@@ -112,9 +116,10 @@ impl Streamer {
                 "{strange} stored changes of the terrain belong to no place in this world and are not shown."
             )));
         }
+        let charts = Arc::<dyn Strategy>::clone(&strategy);
         let scheduler = ChunkScheduler::new(
             Arc::clone(&field),
-            Arc::clone(&strategy),
+            charts as Arc<dyn Atlas>,
             edited.iter().copied().collect(),
         );
         let shared = Shared::new(
@@ -132,6 +137,7 @@ impl Streamer {
             scheduler,
             strokes: Strokes::default(),
             batch_in_flight: false,
+            presses: VecDeque::new(),
             overdue: HashSet::new(),
             held: Vec::new(),
             saves: Saves::default(),
@@ -151,9 +157,7 @@ impl Streamer {
 
     /// Applies a brush stroke. Never waits: while a batch is under way strokes add up for the next.
     pub fn edit(&mut self, stroke: Stroke) {
-        self.strokes.add(stroke);
-        self.saves.stale |= !self.strokes.is_empty();
-        self.feed();
+        self.edit_in(None, stroke);
     }
 
     /// Saves the given parts and every stroke made so far, and none that comes later, in one commit on the saver's
@@ -285,35 +289,63 @@ impl Streamer {
 
     fn feed_batch(&mut self) {
         let until = self.saves.asked.front().map(|(mark, _)| *mark);
-        let strokes = self.strokes.take(until);
-        if strokes.is_empty() {
+        let Some(work) = self.strokes.take(until) else {
             return;
-        }
+        };
         let mut coords: BTreeSet<_> = self.overdue.iter().copied().collect();
-        for stroke in &strokes {
-            coords.extend(stroke.remeshed(&*self.strategy));
-        }
-        let bordering = self.bordering(&strokes, &coords);
-        coords.extend(bordering);
+        let job = match work {
+            Work::Strokes(strokes, press) => {
+                for stroke in &strokes {
+                    coords.extend(stroke.remeshed(&*self.strategy));
+                }
+                let bordering = self.bordering(Some(&strokes), &coords);
+                coords.extend(bordering);
+                Job::Strokes(strokes, press)
+            }
+            Work::Undo => match self.last_press() {
+                Ok(last) => {
+                    let (number, reach) = (last.number, last.remeshed.clone());
+                    coords.extend(&reach);
+                    let bordering = self.bordering(None, &coords);
+                    coords.extend(bordering);
+                    Job::Undo(number, reach)
+                }
+                Err(why) => {
+                    self.ready.push_back(Update::Undone(Err(why)));
+                    return;
+                }
+            },
+        };
         let batch = EditBatch {
-            strokes,
+            job,
             overdue: self.overdue.iter().copied().collect(),
             makes: self.scheduler.begin_batch(coords.into_iter()),
         };
         match self.worker_pool.edit(batch) {
             Ok(()) => self.batch_in_flight = true,
             Err(batch) => {
-                self.strokes.put_back(batch.strokes);
+                self.strokes.put_back(match batch.job {
+                    Job::Strokes(strokes, press) => Work::Strokes(strokes, press),
+                    Job::Undo(..) => Work::Undo,
+                });
                 self.scheduler.batch_not_sent();
             }
         }
     }
 
     /// Chunks beside `coords` that the strokes do not reach, but the borders of their coarse cells,
-    /// from which the normals at their faces come.
-    fn bordering(&self, strokes: &[Stroke], coords: &BTreeSet<ChunkCoord>) -> Vec<ChunkCoord> {
+    /// from which the normals at their faces come; without strokes all that may be.
+    fn bordering(
+        &self,
+        strokes: Option<&[Stroke]>,
+        coords: &BTreeSet<ChunkCoord>,
+    ) -> Vec<ChunkCoord> {
         let mut found = Vec::new();
         for (level, beside) in self.scheduler.coarse_beside(coords) {
+            let Some(strokes) = strokes else {
+                found.extend(beside);
+                continue;
+            };
             let seen = strokes
                 .iter()
                 .flat_map(|stroke| stroke.remeshed_at(&*self.strategy, level));
@@ -367,10 +399,12 @@ impl Streamer {
 
     fn take_edited(&mut self, edited: Edited, updates: &mut Vec<Update>) {
         self.batch_in_flight = false;
+        self.take_press(&edited, updates);
         self.saves.land.extend(edited.land);
         updates.extend(edited.problems.into_iter().map(Update::Problem));
         self.scheduler
             .batch_ended(&edited.touched, &edited.remeshed, edited.revision);
+        self.scheduler.emptied(&edited.emptied);
         self.scheduler
             .borders_changed(&edited.bordering, edited.revision);
         if edited.complete {

@@ -6,10 +6,28 @@ use antipode_terrain::Stroke;
 /// one before it took.
 const MOST_PER_BATCH: usize = 64;
 
+/// What waits.
+#[derive(Debug)]
+enum Waiting {
+    /// A stroke, and the press that it is of.
+    Stroke(Stroke, Option<u64>),
+    /// The last press is to be undone.
+    Undo,
+}
+
+/// What a batch does.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Work {
+    /// These strokes in the order in which they were made, all of one press.
+    Strokes(Vec<Stroke>, Option<u64>),
+    /// The last press is undone.
+    Undo,
+}
+
 /// Strokes not yet handed to a worker, oldest first.
 #[derive(Debug, Default)]
 pub(crate) struct Strokes {
-    waiting: Vec<Stroke>,
+    waiting: Vec<Waiting>,
     /// How many were handed over.
     taken: u64,
     /// As many of those that wait stand before a mark: what comes later is not added to them.
@@ -21,18 +39,28 @@ pub(crate) struct Strokes {
 pub(crate) struct Mark(u64);
 
 impl Strokes {
-    /// Adds a stroke; one with the same place, size and sense as a waiting one adds its amount to
+    /// Adds a stroke of a press; one with the same place, size and sense as a waiting one adds its amount to
     /// that, which is the same edit with less rounding. Strokes that mean nothing are dropped.
-    pub(crate) fn add(&mut self, stroke: Stroke) {
+    pub(crate) fn add(&mut self, stroke: Stroke, press: Option<u64>) {
         if !meaningful(&stroke) {
             tracing::debug!(?stroke, "a stroke without effect was dropped");
             return;
         }
-        let open = &mut self.waiting[self.marked..];
-        match open.iter_mut().find(|other| alike(other, &stroke)) {
+        let open = self.waiting[self.marked..].iter_mut();
+        let mut alike = open.filter_map(|it| match it {
+            Waiting::Stroke(other, of) if *of == press => alike(other, &stroke).then_some(other),
+            _ => None,
+        });
+        match alike.next() {
             Some(other) => other.amount += stroke.amount,
-            None => self.waiting.push(stroke),
+            None => self.waiting.push(Waiting::Stroke(stroke, press)),
         }
+    }
+
+    /// Has the last press undone after every stroke so far, before any other.
+    pub(crate) fn undo(&mut self) {
+        self.waiting.push(Waiting::Undo);
+        self.marked = self.waiting.len();
     }
 
     /// The moment now: after every stroke so far, before any other.
@@ -46,24 +74,47 @@ impl Strokes {
         self.taken >= mark.0
     }
 
-    /// Takes the strokes of the next batch, none that came after `until`.
-    pub(crate) fn take(&mut self, until: Option<Mark>) -> Vec<Stroke> {
+    /// Takes the work of the next batch, nothing that came after `until`: strokes of one press, or an undo.
+    pub(crate) fn take(&mut self, until: Option<Mark>) -> Option<Work> {
         let before = until.map_or(u64::MAX, |mark| mark.0.saturating_sub(self.taken));
         let most = before.min(MOST_PER_BATCH as u64) as usize;
-        let rest = self.waiting.split_off(self.waiting.len().min(most));
-        let taken = std::mem::replace(&mut self.waiting, rest);
-        self.taken += taken.len() as u64;
-        self.marked = self.marked.saturating_sub(taken.len());
-        taken
+        let (press, count) = match self.waiting.iter().take(most).next()? {
+            Waiting::Undo => (None, 1),
+            Waiting::Stroke(_, press) => {
+                let first = self.waiting.iter().take(most);
+                let same = |it: &&Waiting| matches!(it, Waiting::Stroke(_, of) if of == press);
+                (*press, first.take_while(same).count())
+            }
+        };
+        self.taken += count as u64;
+        self.marked = self.marked.saturating_sub(count);
+        let taken = self.waiting.drain(..count);
+        let strokes: Vec<_> = taken
+            .filter_map(|it| match it {
+                Waiting::Stroke(stroke, _) => Some(stroke),
+                Waiting::Undo => None,
+            })
+            .collect();
+        Some(if strokes.is_empty() {
+            Work::Undo
+        } else {
+            Work::Strokes(strokes, press)
+        })
     }
 
-    /// Puts back strokes that could not be handed over, before any that came since.
-    pub(crate) fn put_back(&mut self, mut strokes: Vec<Stroke>) {
-        self.taken -= strokes.len() as u64;
+    /// Puts back work that could not be handed over, before any that came since.
+    pub(crate) fn put_back(&mut self, work: Work) {
+        let before: Vec<_> = match work {
+            Work::Undo => vec![Waiting::Undo],
+            Work::Strokes(strokes, press) => {
+                let strokes = strokes.into_iter();
+                strokes.map(|it| Waiting::Stroke(it, press)).collect()
+            }
+        };
+        self.taken -= before.len() as u64;
         // A mark may stand right after them.
-        self.marked += strokes.len();
-        strokes.append(&mut self.waiting);
-        self.waiting = strokes;
+        self.marked += before.len();
+        self.waiting.splice(0..0, before);
     }
 
     /// Does nothing wait?
@@ -90,6 +141,8 @@ fn alike(a: &Stroke, b: &Stroke) -> bool {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::panic, clippy::unwrap_used, reason = "tests fail by panicking")]
+
     use super::*;
     use antipode_geometry::ChartPoint;
     use glam::DVec3;
@@ -105,15 +158,23 @@ mod tests {
         }
     }
 
+    fn strokes_of(work: Option<Work>) -> Vec<Stroke> {
+        match work {
+            Some(Work::Strokes(strokes, _)) => strokes,
+            other => panic!("no strokes: {other:?}"),
+        }
+    }
+
     #[test]
     fn equal_strokes_add_up_and_opposite_ones_stay_apart() {
         let mut strokes = Strokes::default();
         for _ in 0..8 {
-            strokes.add(stroke(1.0, 0.5));
+            strokes.add(stroke(1.0, 0.5), None);
         }
-        strokes.add(stroke(1.0, -0.5));
-        strokes.add(stroke(2.0, 0.5));
-        let amounts: Vec<f32> = strokes.take(None).iter().map(|s| s.amount).collect();
+        strokes.add(stroke(1.0, -0.5), None);
+        strokes.add(stroke(2.0, 0.5), None);
+        let taken = strokes_of(strokes.take(None));
+        let amounts: Vec<f32> = taken.iter().map(|s| s.amount).collect();
         assert_eq!(amounts, [4.0, -0.5, 0.5]);
         assert!(strokes.is_empty());
     }
@@ -121,13 +182,13 @@ mod tests {
     #[test]
     fn a_long_list_is_spread_over_batches_without_loss() {
         let mut strokes = Strokes::default();
-        (0..150).for_each(|x| strokes.add(stroke(f64::from(x), 1.0)));
-        let first = strokes.take(None);
+        (0..150).for_each(|x| strokes.add(stroke(f64::from(x), 1.0), None));
+        let first = strokes_of(strokes.take(None));
         assert_eq!(first.len(), MOST_PER_BATCH);
-        strokes.put_back(first);
+        strokes.put_back(Work::Strokes(first, None));
         let mut all = Vec::new();
         while !strokes.is_empty() {
-            all.extend(strokes.take(None));
+            all.extend(strokes_of(strokes.take(None)));
         }
         let places: Vec<f64> = all.iter().map(|s| s.centre.pos.x).collect();
         assert_eq!(places, (0..150).map(f64::from).collect::<Vec<_>>());
@@ -136,31 +197,56 @@ mod tests {
     #[test]
     fn no_stroke_after_a_mark_is_taken_before_it_or_added_to_one() {
         let mut strokes = Strokes::default();
-        strokes.add(stroke(1.0, 0.5));
-        strokes.add(stroke(2.0, 0.5));
+        strokes.add(stroke(1.0, 0.5), None);
+        strokes.add(stroke(2.0, 0.5), None);
         let mark = strokes.mark();
-        strokes.add(stroke(1.0, 0.25));
-        strokes.add(stroke(1.0, 0.25));
+        strokes.add(stroke(1.0, 0.25), None);
+        strokes.add(stroke(1.0, 0.25), None);
         assert!(!strokes.has_passed(mark));
-        let first = strokes.take(Some(mark));
+        let first = strokes.take(Some(mark)).unwrap();
         strokes.put_back(first);
-        strokes.add(stroke(2.0, 0.5));
+        strokes.add(stroke(2.0, 0.5), None);
         let amounts = |taken: &[Stroke]| taken.iter().map(|s| s.amount).collect::<Vec<_>>();
-        assert_eq!(amounts(&strokes.take(Some(mark))), [0.5, 0.5]);
-        assert!(strokes.has_passed(mark) && strokes.take(Some(mark)).is_empty());
-        assert_eq!(amounts(&strokes.take(None)), [0.5, 0.5]);
+        assert_eq!(amounts(&strokes_of(strokes.take(Some(mark)))), [0.5, 0.5]);
+        assert!(strokes.has_passed(mark) && strokes.take(Some(mark)).is_none());
+        assert_eq!(amounts(&strokes_of(strokes.take(None))), [0.5, 0.5]);
     }
 
     #[test]
     fn strokes_without_meaning_are_dropped() {
         let mut strokes = Strokes::default();
-        strokes.add(stroke(f64::NAN, 1.0));
-        strokes.add(stroke(0.0, f32::INFINITY));
-        strokes.add(stroke(0.0, 0.0));
-        strokes.add(Stroke {
+        strokes.add(stroke(f64::NAN, 1.0), None);
+        strokes.add(stroke(0.0, f32::INFINITY), None);
+        strokes.add(stroke(0.0, 0.0), None);
+        let inside_out = Stroke {
             radius_m: -1.0,
             ..stroke(0.0, 1.0)
-        });
+        };
+        strokes.add(inside_out, None);
+        assert!(strokes.is_empty());
+    }
+
+    #[test]
+    fn no_batch_is_of_two_presses_and_nothing_is_added_across_an_undo() {
+        let mut strokes = Strokes::default();
+        let of = |press: u64| Some(press);
+        strokes.add(stroke(1.0, 0.5), of(1));
+        strokes.add(stroke(1.0, 0.5), of(2));
+        strokes.undo();
+        strokes.add(stroke(1.0, 0.5), of(2));
+        strokes.add(stroke(1.0, 0.5), of(2));
+        let expected = [
+            Work::Strokes(vec![stroke(1.0, 0.5)], of(1)),
+            Work::Strokes(vec![stroke(1.0, 0.5)], of(2)),
+            Work::Undo,
+            Work::Strokes(vec![stroke(1.0, 1.0)], of(2)),
+        ];
+        for work in expected {
+            let taken = strokes.take(None).unwrap();
+            assert_eq!(taken, work);
+            strokes.put_back(taken);
+            assert_eq!(strokes.take(None), Some(work));
+        }
         assert!(strokes.is_empty());
     }
 }

@@ -19,6 +19,8 @@ pub(crate) fn game_cost(update: &Update) -> Duration {
         Update::Edited(chunks) => chunks.iter().map(bytes).sum(),
         Update::Solid { .. }
         | Update::Unloaded(_)
+        | Update::Moved { .. }
+        | Update::Undone(_)
         | Update::Saved
         | Update::SaveFailed(_)
         | Update::Problem(_) => 0,
@@ -37,7 +39,11 @@ pub(crate) fn coords(update: &Update) -> Vec<ChunkCoord> {
         Update::Loaded(chunk) => vec![chunk.coord],
         Update::Edited(chunks) => chunks.iter().map(|chunk| chunk.coord).collect(),
         Update::Solid { coord, .. } | Update::Unloaded(coord) => vec![*coord],
-        Update::Saved | Update::SaveFailed(_) | Update::Problem(_) => Vec::new(),
+        Update::Moved { .. }
+        | Update::Undone(_)
+        | Update::Saved
+        | Update::SaveFailed(_)
+        | Update::Problem(_) => Vec::new(),
     }
 }
 

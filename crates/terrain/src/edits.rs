@@ -22,7 +22,7 @@ pub const EDIT_STEP: f32 = 1.0 / 2048.0;
 pub const EDIT_LIMIT_M: f32 = i16::MAX as f32 * EDIT_STEP;
 /// Samples owned along an edge of a chunk.
 const OWNED: usize = 32;
-const COUNT: usize = OWNED * OWNED * OWNED;
+pub(crate) const COUNT: usize = OWNED * OWNED * OWNED;
 /// Parts of a stored unit that sums are kept in.
 const PARTS: i32 = 256;
 const LIMIT: i32 = i16::MAX as i32 * PARTS;
@@ -52,9 +52,9 @@ pub enum EditsError {
 #[derive(Debug, Clone, Default)]
 pub struct ChunkEdits {
     /// Sums in parts of a unit by `(i * 32 + k) * 32 + j`, or nothing.
-    parts: Box<[i32]>,
+    pub(crate) parts: Box<[i32]>,
     /// Numbers of the kinds that were laid, in the same order, 0 where none was; or nothing.
-    kinds: Box<[u8]>,
+    pub(crate) kinds: Box<[u8]>,
 }
 
 impl PartialEq for ChunkEdits {
@@ -71,7 +71,7 @@ pub(crate) const fn owned_index(i: usize, j: usize, k: usize) -> usize {
     (i * OWNED + k) * OWNED + j
 }
 
-fn rounded(parts: i32) -> i16 {
+pub(crate) fn rounded(parts: i32) -> i16 {
     ((parts + PARTS / 2).div_euclid(PARTS)) as i16
 }
 
@@ -79,6 +79,11 @@ impl ChunkEdits {
     /// No edits.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Whether nothing is kept of the chunk: no edit, however small, and no kind.
+    pub fn is_untouched(&self) -> bool {
+        self.parts.is_empty() && self.kinds.is_empty()
     }
 
     /// Whether no sample is changed.
@@ -164,7 +169,7 @@ impl ChunkEdits {
         true
     }
 
-    fn laid(&self, at: usize) -> u8 {
+    pub(crate) fn laid(&self, at: usize) -> u8 {
         self.kinds.get(at).copied().unwrap_or_default()
     }
 

@@ -99,7 +99,7 @@ impl Shown {
                     let ground = self.physics.chart_mut(coord.chart);
                     ground.set_terrain(coord, coord.origin(), collider);
                 }
-                Update::Saved => {}
+                Update::Saved | Update::Moved { .. } | Update::Undone(_) => {}
                 Update::Problem(sentence) => panic!("{sentence}"),
                 Update::SaveFailed(cause) => panic!("{cause}"),
             }

@@ -92,6 +92,30 @@ fn the_wheel_turns_curvature_where_there_is_some_and_slots_elsewhere() {
 }
 
 #[test]
+fn while_the_key_of_shapes_or_kinds_is_held_the_wheel_goes_through_them() {
+    for (name, step) in [
+        ("KeyB", (|it| it.shape_step) as fn(&Actions) -> i32),
+        ("KeyV", |it| it.kind_step),
+    ] {
+        for has_dial in [false, true] {
+            let mut c = Controls::default();
+            key(&mut c, name, true);
+            assert_eq!(step(&c.take()), 1, "{name} by itself");
+            c.wheel(-2.5, has_dial);
+            c.wheel(-0.5, has_dial);
+            let actions = c.take();
+            assert_eq!(step(&actions), 3);
+            assert_eq!((actions.dial, actions.slot_step), (0.0, 0));
+            c.wheel(1.0, has_dial);
+            assert_eq!(step(&c.take()), -1);
+            key(&mut c, name, false);
+            c.wheel(1.0, has_dial);
+            assert_eq!(step(&c.take()), 0, "let go");
+        }
+    }
+}
+
+#[test]
 fn a_press_shorter_than_a_step_still_acts_in_one() {
     let mut c = Controls::default();
     c.input(LEFT, true);

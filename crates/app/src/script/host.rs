@@ -15,6 +15,8 @@ use crate::session::Worlds;
 
 /// How far past its rim a hemisphere's chart may still be named, in metres.
 const RIM_SLACK_M: f64 = 1.0;
+/// Strokes that one order undoes at most; so many are kept.
+const MOST_UNDONE: u32 = 20;
 
 /// Where orders are carried out.
 pub trait Host {
@@ -103,6 +105,16 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
             *spawned,
             ChartPoint::new(*chart, DVec3::from_array(*place)),
         ),
+        Order::Edit(words) if undoes(words) && host.room().is_none() => {
+            let count = words.get(1).map_or(Ok(1), |it| it.parse::<u32>());
+            let count = count
+                .map_err(|_| Failure::Usage(format!("\"{}\" is no number of strokes", words[1])))?;
+            for _ in 0..count.min(MOST_UNDONE) {
+                host.scene()?.undo_stroke();
+                host.step()?;
+            }
+            Ok(())
+        }
         Order::New(_)
         | Order::Load(_)
         | Order::Save
@@ -121,6 +133,11 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
         host.scene()?.mark_cheated();
     }
     Ok(())
+}
+
+/// Whether the words of an order take back what was done last.
+fn undoes(words: &[String]) -> bool {
+    words.first().is_some_and(|name| name == "undo")
 }
 
 fn press<H: Host + ?Sized>(host: &mut H, input: Input, is_down: bool) {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use antipode_geometry::{ChartPoint, Geometry};
+use antipode_geometry::{ChartPoint, Geometry, strategy};
 use antipode_physics::PhysicsWorld;
 use antipode_streaming::{Chunk, Config, Reach, Streamer, Until, Update, Wish};
 use glam::DVec3;
@@ -181,7 +181,7 @@ impl Driver {
         let failed = |error: antipode_streaming::StreamingError| LabError::Scene(error.to_string());
         let (field, _) = surface_chunk(Geometry::Euclidean);
         let strokes = Strokes::new(&field, count);
-        let space = Arc::clone(field.strategy());
+        let space = strategy(Geometry::Euclidean, f64::INFINITY);
         let streamer = Streamer::start(Arc::new(field), space, None, Config::default());
         let mut driver = Self {
             streamer: streamer.map_err(failed)?,

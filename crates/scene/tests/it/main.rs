@@ -22,6 +22,7 @@ mod doors_met;
 mod doors_placed;
 mod doors_seen;
 mod drops;
+mod earthworks;
 mod flags;
 mod gun;
 mod hidden;

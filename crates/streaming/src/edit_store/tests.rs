@@ -37,13 +37,9 @@ fn chunk(x: i32) -> ChunkCoord {
 }
 
 fn enter(edit_store: &EditStore, x: i32) -> EditMap {
-    let mut edits = edit_store.edits(chunk(x), &mut Vec::new()).unwrap();
-    edits.add(1, 2, 3, 0.5);
-    let change = Change {
-        coord: chunk(x),
-        edits,
-        visible: true,
-    };
+    let edits = edit_store.edits(chunk(x), &mut Vec::new()).unwrap();
+    let mut change = Change::of(chunk(x), edits);
+    change.visible = change.edits_mut().add(1, 2, 3, 0.5);
     edit_store.enter(vec![change]).land
 }
 

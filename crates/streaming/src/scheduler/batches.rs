@@ -92,6 +92,13 @@ impl ChunkScheduler {
         self.end_batch(remeshed);
     }
 
+    /// Notes chunks that are as nobody had touched them.
+    pub(crate) fn emptied(&mut self, chunks: &[ChunkCoord]) {
+        for coord in chunks {
+            self.edited.remove(coord);
+        }
+    }
+
     /// Notes that the borders of chunks have changed with a finished batch, but not their surface.
     pub(crate) fn borders_changed(&mut self, bordering: &[ChunkCoord], revision: u64) {
         for coord in bordering {

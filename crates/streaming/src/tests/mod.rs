@@ -8,6 +8,7 @@
 
 mod cone;
 mod damaged;
+mod earthworks;
 mod editing;
 mod failing;
 mod kinds;
@@ -25,11 +26,11 @@ use std::time::Duration;
 
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_storage::{Batch, ChunkKey, RecordChanges};
-use antipode_terrain::{Field, Samples, Stroke};
+use antipode_terrain::{Earth, Field, Samples, Stroke};
 use crossbeam_channel::{Receiver, Sender, bounded};
 use glam::{DVec3, IVec3};
 
-use crate::api::{Chunk, Config, Until, Update, Wish};
+use crate::api::{Chunk, Config, NotUndone, Until, Update, Wish};
 use crate::edit_backend::{EditBackend, Failure, ReadFault, Stored};
 use crate::shared::{Step, Watch};
 use crate::streamer::Streamer;
@@ -145,6 +146,8 @@ impl Game {
                         "{coord:?} was unloaded but never there"
                     );
                 }
+                Update::Moved { earth, .. } => seen.earth.add(&earth),
+                Update::Undone(end) => seen.undone.push(end),
                 Update::Saved => self.saved += 1,
                 Update::Problem(problem) => self.problems.push(problem),
                 Update::SaveFailed(why) => self.problems.push(why.to_string()),
@@ -177,6 +180,8 @@ struct Seen {
     batches: Vec<Vec<ChunkCoord>>,
     unloaded: Vec<ChunkCoord>,
     solid: Vec<(ChunkCoord, bool)>,
+    earth: Earth,
+    undone: Vec<Result<Earth, NotUndone>>,
 }
 
 fn stroke(at: DVec3, amount: f32) -> Stroke {
@@ -285,10 +290,9 @@ impl EditBackend for Memory {
             .push((batch.meta.is_some(), !batch.records.is_empty(), keys));
         self.records.lock().unwrap().push(batch.records.clone());
         self.kinds.lock().unwrap().extend(batch.kinds.clone());
-        self.chunks
-            .lock()
-            .unwrap()
-            .extend(batch.chunks.iter().cloned());
+        let mut chunks = self.chunks.lock().unwrap();
+        chunks.extend(batch.chunks.iter().cloned());
+        chunks.retain(|_, units| !units.is_empty());
         Ok(())
     }
 }

@@ -3,9 +3,9 @@
 use std::f32::consts::TAU;
 
 use antipode_language::{Texts, Value};
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
+use egui::{Align2, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
 
-use super::{CurvatureView, DialKind, HudModel, plate::plate};
+use super::{BrushModel, CurvatureView, DialKind, HudModel, brush, plate::plate};
 use crate::theme::{ACCENT, GRID, LINE, PLATE, TEXT, small};
 
 /// Side of an instrument without its caption, in points.
@@ -49,9 +49,12 @@ pub(super) fn show(
         let dial = |centre| speed_dial(painter, centre, speed_km_h);
         instrument(painter, screen, left, Align2::LEFT_BOTTOM, &words, dial);
     } else if let Some(radius_m) = model.brush_radius_m {
-        let values = [("radius", Value::decimals(radius_m, 1))];
-        let words = texts.say_with("display-brush", &values);
-        let ring = |centre| brush_ring(painter, centre, radius_m);
+        let ring = |centre| brush_ring(painter, centre, radius_m, &model.brush);
+        let words = if model.brush.words.is_empty() {
+            texts.say_with("display-brush", &[("radius", Value::decimals(radius_m, 1))])
+        } else {
+            model.brush.words.clone()
+        };
         instrument(painter, screen, left, Align2::LEFT_BOTTOM, &words, ring);
     }
     covered
@@ -179,20 +182,15 @@ fn hemisphere_ball(painter: &Painter, centre: Pos2, hemisphere: char) {
     painter.add(Shape::line(equator.collect(), Stroke::new(1.5, TEXT)));
 }
 
-/// A ring that grows with the brush, 1 to 10 m.
-fn brush_ring(painter: &Painter, centre: Pos2, radius_m: f64) {
+/// The brush's form, which grows with it, 1 to 10 m, in the colour of what it builds.
+fn brush_ring(painter: &Painter, centre: Pos2, radius_m: f64, brush: &BrushModel) {
     let widest = 0.5 * SIDE - 6.0;
     let part = if radius_m.is_finite() {
         (radius_m / 10.0).clamp(0.1, 1.0) as f32
     } else {
         0.1
     };
-    painter.circle(
-        centre,
-        part * widest,
-        Color32::from_white_alpha(30),
-        Stroke::new(2.0, ACCENT),
-    );
+    brush::form(painter, centre, part * widest, brush.form, brush.tint);
     painter.circle_filled(centre, 1.5, TEXT);
 }
 

@@ -1,5 +1,6 @@
 //! The heads-up display over the world or the room, painted and never clickable.
 
+mod brush;
 mod compass;
 mod damage;
 mod figures;
@@ -22,6 +23,7 @@ use crate::layout::inset;
 use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
 use plate::{Lines, plate};
 
+pub use brush::{BrushForm, BrushModel, BrushRow, HeapModel, Tint};
 pub use compass::{CompassModel, EquatorView, FlagView};
 pub use damage::DamageModel;
 pub use figures::FigureModel;
@@ -90,6 +92,8 @@ pub struct HudModel {
     pub geometry: String,
     /// Radius of the brush in metres, while a tool with one is in hand.
     pub brush_radius_m: Option<f64>,
+    /// The rest of that brush.
+    pub brush: BrushModel,
     /// Speed of the car that the player drives, km/h; in the brush's place.
     pub speed_km_h: Option<f64>,
     /// Whether the picture has a rear mirror: [`mirror_place`].
@@ -161,6 +165,7 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
         return Rect::NOTHING;
     }
     let bar = hotbar::show(&painter, screen, model);
+    let bar = brush::row(&painter, screen, bar, &model.brush);
     // Beside so much to read the instruments keep below it.
     let ceiling = if model.figures.is_some() {
         figures.max.y
@@ -199,6 +204,7 @@ fn about_the_aim(painter: &Painter, whole: Rect, model: &HudModel) {
     if model.show_crosshair {
         crosshair(painter, whole.center());
     }
+    brush::heaps(painter, whole, whole.center(), &model.brush);
     if model.struck {
         damage::struck(painter, whole.center());
     }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use antipode_items::Item;
 use antipode_language::{Language, Texts};
 use antipode_ui::{
-    CompassModel, CurvatureView, DamageModel, DialKind, EquatorView, FigureModel, FlagView,
-    HintModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView, apply_theme,
-    show_hud, tints_of,
+    BrushModel, CompassModel, CurvatureView, DamageModel, DialKind, EquatorView, FigureModel,
+    FlagView, HintModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView,
+    apply_theme, show_hud, tints_of,
 };
 use egui::{Pos2, Rect, Vec2};
 use egui_kittest::Harness;
@@ -43,6 +43,7 @@ pub fn full_hud() -> HudModel {
         hemisphere: None,
         geometry: "hyperbolic".to_owned(),
         brush_radius_m: Some(5.0),
+        brush: BrushModel::default(),
         speed_km_h: None,
         mirror: true,
         against: None,
