@@ -123,6 +123,11 @@ pub fn comparable(probe: &Value) -> Value {
         for name in ["t", "fps", "memory_mb", "chunks", "adapter"] {
             fields.remove(name);
         }
+        // They are counted over a visit.
+        if let Some(terrain) = fields.get_mut("terrain").and_then(Value::as_object_mut) {
+            terrain.remove("dug");
+            terrain.remove("built");
+        }
     }
     probe
 }

@@ -228,6 +228,3 @@ impl RoomPictures {
         Ok(target.read(gpu)?)
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -85,7 +85,7 @@ impl Uploaded {
             texture: texture(device, side, textures.len().max(1) as u32),
         };
         let before = before.filter(|it| it.side == side);
-        let mut encoder = device.create_command_encoder(&Default::default());
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         for (layer, picture) in textures.iter().enumerate() {
             let known = before.and_then(|before| {
                 let at = before.pictures.iter().position(|it| is_same(it, picture));

@@ -1,6 +1,7 @@
 //! What a batch of strokes moves, told by the kinds of ground, and the way back from a press.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Metric};
@@ -65,17 +66,15 @@ pub(crate) fn undo(
     let mut changes: BTreeMap<ChunkCoord, Change> = BTreeMap::new();
     let mut end = Ok(());
     for (coord, layer) in done.back() {
-        let change = match changes.get_mut(&coord) {
-            Some(known) => known,
-            None => match shared.edit_store.edits(coord, problems) {
-                Some(before) => changes
-                    .entry(coord)
-                    .or_insert_with(|| Change::of(coord, before)),
-                None => {
+        let change = match changes.entry(coord) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => {
+                let Some(before) = shared.edit_store.edits(coord, problems) else {
                     end = Err(NotUndone::Unreadable);
                     break;
-                }
-            },
+                };
+                new.insert(Change::of(coord, before))
+            }
         };
         change.visible = true;
         if !change.edits_mut().take_back(layer) {

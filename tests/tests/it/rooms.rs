@@ -94,7 +94,7 @@ fn what_makes_no_sense_is_told_with_its_line() {
     for (script, said) in [
         ("room load nothing", "no room \"nothing\""),
         ("add box name=a size=1,1,1", "no room is open"),
-        ("new euclidean\nundo", "no room is open"),
+        ("new euclidean\nredo", "no room is open"),
         ("room new\ngive lamp 1", "\"give\" is for worlds"),
         ("room new\nset time 150", "\"set\" is for worlds"),
         ("room new\nadd box name=a", "say its size"),

@@ -56,12 +56,11 @@ impl Writing<'_> {
     pub fn write(&mut self, gpu: &Gpu, board: SignBoard) -> Result<Arc<RgbaImage>, Failure> {
         let all = self.kept.iter().chain(&self.known);
         let known = all.into_iter().find(|(it, _)| *it == board);
-        let picture = match known {
-            Some((_, picture)) => picture.clone(),
-            None => {
-                let overlay = (self.overlay).get_or_insert_with(|| Overlay::new(gpu, SIGN_FORMAT));
-                Arc::new(write_sign(gpu, overlay, &board)?)
-            }
+        let picture = if let Some((_, picture)) = known {
+            picture.clone()
+        } else {
+            let overlay = (self.overlay).get_or_insert_with(|| Overlay::new(gpu, SIGN_FORMAT));
+            Arc::new(write_sign(gpu, overlay, &board)?)
         };
         self.kept.push((board, picture.clone()));
         Ok(picture)
@@ -127,6 +126,8 @@ fn colours(board: Colour) -> (Color32, Color32) {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+
     use antipode_render::AdapterChoice;
 
     use super::*;

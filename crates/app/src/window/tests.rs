@@ -23,7 +23,6 @@ mod workshop;
 mod workshop_lists;
 mod workshop_newcomers;
 mod workshop_pictures;
-mod workshop_speed;
 
 use std::fs;
 use std::path::{Path, PathBuf};

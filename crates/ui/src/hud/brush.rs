@@ -107,14 +107,11 @@ pub(super) fn row(painter: &Painter, screen: Rect, bar: Rect, model: &BrushModel
 
 /// A colour of ground; what is found at each place is crossed out.
 fn swatch(painter: &Painter, field: Rect, tint: Option<Tint>) {
-    match tint {
-        Some(tint) => {
-            painter.rect_filled(field, 4, colour(tint));
-        }
-        None => {
-            let stroke = Stroke::new(1.5, TEXT);
-            painter.line_segment([field.left_bottom(), field.right_top()], stroke);
-        }
+    if let Some(tint) = tint {
+        painter.rect_filled(field, 4, colour(tint));
+    } else {
+        let stroke = Stroke::new(1.5, TEXT);
+        painter.line_segment([field.left_bottom(), field.right_top()], stroke);
     }
 }
 

@@ -282,9 +282,10 @@ impl Workshop {
             hides_walls: scene.leaves_out_walls(),
             ..self.bar
         };
-        let status = match visit.is_late {
-            true => texts.say("workshop-status-late"),
-            false => self.status(texts, scene),
+        let status = if visit.is_late {
+            texts.say("workshop-status-late")
+        } else {
+            self.status(texts, scene)
         };
         let lesson = visit.lesson.as_ref();
         let lesson = lesson.map(|it| it.model(texts, scene.room()));
