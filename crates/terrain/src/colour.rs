@@ -35,8 +35,8 @@ const STRATA_BEND_RAD: f32 = 2.0;
 
 /// What hollows keep of the light from all around, which is most of what an eye goes by at noon: they are darker by so much per
 /// 1/m of the Laplacian, at most by so much, and ridges lighter at most by so much.
-const HOLLOW_SHARE_M: f32 = 0.30;
-const HOLLOW_MOST: f32 = 0.42;
+const HOLLOW_SHARE_M: f32 = 0.28;
+const HOLLOW_MOST: f32 = 0.32;
 const RIDGE_MOST: f32 = 0.14;
 
 /// Paints the ground of one field.

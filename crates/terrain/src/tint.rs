@@ -20,16 +20,16 @@ impl Kind {
     /// The kind's colour in linear light, 0 to 1, and the share of that, 0 to 1; the rest is the biome's.
     pub const fn tint(self) -> [f32; 4] {
         match self {
-            Self::Grass => [0.105, 0.190, 0.042, 0.28],
-            Self::Soil => [0.105, 0.066, 0.042, 0.26],
+            Self::Grass => [0.125, 0.222, 0.050, 0.36],
+            Self::Soil => [0.170, 0.108, 0.068, 0.30],
             Self::Sand => [0.560, 0.400, 0.220, 0.45],
             Self::Gravel => [0.235, 0.215, 0.200, 0.50],
-            Self::Rock => [0.215, 0.195, 0.180, 0.35],
+            Self::Rock => [0.225, 0.205, 0.190, 0.35],
             Self::Ash => [0.085, 0.080, 0.085, 0.60],
             Self::Snow => [0.780, 0.830, 0.900, 0.93],
-            Self::Moss => [0.070, 0.150, 0.026, 0.50],
+            Self::Moss => [0.090, 0.178, 0.038, 0.45],
             Self::Clay => [0.330, 0.165, 0.095, 0.50],
-            Self::Basalt => [0.050, 0.048, 0.054, 0.65],
+            Self::Basalt => [0.056, 0.053, 0.060, 0.60],
             Self::Slate => [0.095, 0.112, 0.138, 0.90],
             Self::Coal => [0.004, 0.004, 0.007, 1.0],
             Self::Copper => [0.190, 0.150, 0.115, 1.0],
