@@ -23,7 +23,7 @@ const SHADED: f32 = 8.0;
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) facing: vec3<f32>,     // what land_light says of the light, and
-    @location(1) albedo: vec3<f32>,
+    @location(1) @interpolate(perspective, centroid) albedo: vec3<f32>, // a sliver at an edge would lead it below nothing
     @location(2) grain: vec3<f32>,      // where grain is read
     @location(3) veil: vec3<f32>,       // the fog's share of the colour, and the land's in the light of far lamps
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m

@@ -123,7 +123,7 @@ fn the_cheap_preset_has_the_colours_of_the_other(worlds: usize, views: usize) {
 }
 
 #[test]
-#[ignore = "not reached: pictures for processors do not show kinds of ground yet"]
+#[ignore = "not reached in closed worlds: near patterns of kinds are lighter or darker than their tints"]
 fn the_cheap_preset_has_the_colours_of_the_other_in_twenty_scenes() {
     the_cheap_preset_has_the_colours_of_the_other(WORLDS.len(), VIEWS.len());
 }
