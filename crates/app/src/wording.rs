@@ -226,15 +226,19 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::WaitsToTalk => texts.say("hint-waits-to-talk"),
         Hint::InTheWay => texts.say("hint-in-the-way"),
         Hint::Undone => texts.say("hint-undone"),
-        Hint::NotUndone(why) => texts.say(match why {
-            NotUndone::NoneLeft => "hint-undo-none-left",
-            NotUndone::Away => "hint-undo-away",
-            NotUndone::Changed => "hint-undo-changed",
-            NotUndone::Unreadable => "hint-undo-unreadable",
-        }),
+        Hint::NotUndone(why) => not_undone(texts, why),
         Hint::Said { greets, line } => said(texts, greets, line),
         Hint::BeenRound(metres) => texts.say_with("hint-been-round", &[("metres", metres.into())]),
     }
+}
+
+fn not_undone(texts: &Texts, why: NotUndone) -> String {
+    texts.say(match why {
+        NotUndone::NoneLeft => "hint-undo-none-left",
+        NotUndone::Away => "hint-undo-away",
+        NotUndone::Changed => "hint-undo-changed",
+        NotUndone::Unreadable => "hint-undo-unreadable",
+    })
 }
 
 /// What is against a place, in a few words for the middle of the screen.

@@ -105,16 +105,7 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
             *spawned,
             ChartPoint::new(*chart, DVec3::from_array(*place)),
         ),
-        Order::Edit(words) if undoes(words) && host.room().is_none() => {
-            let count = words.get(1).map_or(Ok(1), |it| it.parse::<u32>());
-            let count = count
-                .map_err(|_| Failure::Usage(format!("\"{}\" is no number of strokes", words[1])))?;
-            for _ in 0..count.min(MOST_UNDONE) {
-                host.scene()?.undo_stroke();
-                host.step()?;
-            }
-            Ok(())
-        }
+        Order::Edit(words) if undoes(words) && host.room().is_none() => undo(host, words),
         Order::New(_)
         | Order::Load(_)
         | Order::Save
@@ -138,6 +129,18 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
 /// Whether the words of an order take back what was done last.
 fn undoes(words: &[String]) -> bool {
     words.first().is_some_and(|name| name == "undo")
+}
+
+/// Takes back the last strokes of a world, as many as the words say.
+fn undo<H: Host + ?Sized>(host: &mut H, words: &[String]) -> Result<(), Failure> {
+    let count = words.get(1).map_or(Ok(1), |it| it.parse::<u32>());
+    let count =
+        count.map_err(|_| Failure::Usage(format!("\"{}\" is no number of strokes", words[1])))?;
+    for _ in 0..count.min(MOST_UNDONE) {
+        host.scene()?.undo_stroke();
+        host.step()?;
+    }
+    Ok(())
 }
 
 fn press<H: Host + ?Sized>(host: &mut H, input: Input, is_down: bool) {

@@ -1,3 +1,5 @@
+//! Pictures of parts are there, are not blank, and are what the game draws.
+
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use std::path::Path;
