@@ -29,7 +29,7 @@ pub struct Vertex {
     pub units: [u16; 3],
     /// What is left of it in 1/32768 m: five bits for each axis, x lowest. Exact in `f32` too.
     pub parts: u16,
-    /// Unit normal in the chart, toward the air, as [`octahedral`] gives it.
+    /// Unit normal in the chart, toward the air, as a point of the unfolded octahedron (see `octahedral`).
     pub octahedral: [i16; 2],
     /// Colour, sRGB. The fourth has in its five lowest bits the number of the kind of ground at the solid end of the vertex's
     /// edge, 31 for none; above them 7 where that is the skin of untouched land, which shows rock where it is steep, or else
