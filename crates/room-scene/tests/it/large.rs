@@ -211,3 +211,26 @@ fn an_edited_room_is_met_as_the_same_room_opened_anew_is() {
         }
     }
 }
+
+/// Aberrations are known by their places among the objects, and these move up where one before them goes.
+#[test]
+fn what_goes_before_an_aberration_leaves_it_its_name() {
+    let text = "(version: 1, name: \"Two\", objects: [\
+        (name: \"post\", at: (90, 2, 0), what: Box(size: (1, 1, 1))), \
+        (name: \"hall\", at: (0, 2, 0), what: Aberration(half: (2, 3, 3), axis: Z, felt: 30, sides: Walls)), \
+        (name: \"stone\", at: (0, 2, 90), what: Box(size: (1, 1, 1)))])";
+    let room: Room = read(ROOM_FILE, text.as_bytes()).unwrap();
+    let mut scene = RoomScene::of(Document::new(room), Assets::default());
+    scene.teleport(DVec3::new(-6.0, 2.0, 0.0)).unwrap();
+    scene.aim(0.0, 0.0);
+    let before = scene.pick();
+    assert_eq!(before.object.as_deref(), Some("hall"));
+    let spaces = scene.remade().spaces;
+    let plan = scene
+        .document()
+        .plan(&Edit::Remove(vec!["post".to_owned()]))
+        .unwrap();
+    scene.make(plan, none).unwrap();
+    assert_eq!(scene.remade().spaces, spaces, "its space is kept");
+    assert_eq!(scene.pick(), before);
+}
