@@ -40,6 +40,26 @@ fn kept(probe: &Value) -> Value {
 }
 
 #[test]
+fn a_stroke_is_counted_and_undone() {
+    for space in SPACES {
+        let saves = tempfile::tempdir().unwrap();
+        let script = format!(
+            "new {space} seed=11\nset npcs off\nwait 0.5\naim -60 -50\ntap Digit4\nhold LEFT 0.5\nwait 1.5\nprobe\n\
+             undo\nwait 1.5\nprobe\nundo\nwait 0.5\nprobe"
+        );
+        let run = run(saves.path(), &script);
+        let dug = field(run.probe(0), "terrain.dug").as_object().unwrap();
+        let total: f64 = dug.values().filter_map(Value::as_f64).sum();
+        assert!(total > 1.0, "{space}: {dug:?}");
+        assert!(number(run.probe(0), "chunks.edited") >= 1.0, "{space}");
+        for undone in [run.probe(1), run.probe(2)] {
+            assert_eq!(number(undone, "chunks.edited"), 0.0, "{space}");
+            assert!(undone["terrain"].get("dug").is_none(), "{space}: {undone}");
+        }
+    }
+}
+
+#[test]
 fn a_new_player_has_ground_in_reach_under_the_crosshair() {
     for space in SPACES {
         for seed in [1, 3, 7, 9, 12] {
