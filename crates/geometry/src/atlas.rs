@@ -173,6 +173,7 @@ impl SquareFrame {
     }
 
     /// A place of the chart in that space.
+    #[inline]
     pub fn placed(self, pos: DVec3) -> DVec3 {
         self.turned(pos) + DVec3::new(self.centre_m.x, 0.0, self.centre_m.y)
     }

@@ -13,7 +13,7 @@ use crate::biome::Palette;
 use crate::field::Field;
 use crate::light::{LightTables, linear};
 use crate::memo::{Places, Waves};
-use crate::tint::tint_of;
+use crate::tint::{self, tint_of};
 
 /// Half width of the border between two kinds of ground, metres of height.
 const BLEND_M: f32 = 2.5;
@@ -49,8 +49,9 @@ pub(crate) struct Painter<'a> {
     high: Vec4,
     rock: Vec4,
     strata: Vec4,
-    /// Heights of the borders between low, middle and high ground, metres in flat worlds.
-    borders_m: [f32; 2],
+    /// Where middle ground, high ground, rock and the steep tint begin to show: heights in metres in flat worlds, and
+    /// `1 - normal.y`.
+    from: Vec4,
     /// A height becomes `(y - offset_m) * scale` in the biome's own heights.
     offset_m: f64,
     scale: f64,
@@ -73,6 +74,8 @@ pub(crate) struct Shares {
     pub high: f32,
     /// Of rock over all.
     pub rock: f32,
+    /// Of what the skin shows where it is steep.
+    steep: f32,
 }
 
 impl<'a> Painter<'a> {
@@ -96,7 +99,12 @@ impl<'a> Painter<'a> {
             high: linear(top),
             rock: linear(rock),
             strata: linear(strata),
-            borders_m: [biome.middle_m() as f32, biome.top_m() as f32],
+            from: Vec4::new(
+                biome.middle_m() as f32 - BLEND_M,
+                biome.top_m() as f32 - BLEND_M,
+                STEEP.0,
+                tint::STEEP,
+            ),
             offset_m: lowest,
             scale,
             strata_rad_per_m: STRATA_RAD_PER_M / scale as f32,
@@ -122,7 +130,7 @@ impl<'a> Painter<'a> {
             ground
         };
         let biome = colour * (1.0 + MOTTLE_SHARE * at.mottle);
-        let tint = tint_of(kind, normal.y);
+        let tint = tint_of(kind, at.steep);
         let worn = 1.0 - (HOLLOW_SHARE_M * hollow).clamp(-RIDGE_MOST, HOLLOW_MOST);
         let [r, g, b, _] = self.light.bytes((biome * (1.0 - tint.w) + tint) * worn);
         [r, g, b, kind]
@@ -138,25 +146,39 @@ impl<'a> Painter<'a> {
         let height = ((point.pos.y - self.offset_m) * self.scale) as f32;
 
         let level = height + WANDER_M * wander;
-        let [middle, high] = self
-            .borders_m
-            .map(|border| rises(border - BLEND_M, 0.5 / BLEND_M, level));
-
-        let steepness = 1.0 - normal.y + 0.1 * mottle;
+        let steepness = 1.0 - normal.y;
+        let x = Vec4::new(level, level, steepness + 0.1 * mottle, steepness);
+        let shown = rise(self.from, RISE, x);
         Shares {
             height,
             wander,
             mottle,
-            middle,
-            high,
-            rock: rises(STEEP.0, 1.0 / (STEEP.1 - STEEP.0), steepness),
+            middle: shown.x,
+            high: shown.y,
+            rock: shown.z,
+            steep: shown.w,
         }
     }
 }
 
+/// By how much more of each nothing else shows, one over that: see [`Painter::from`].
+const RISE: Vec4 = Vec4::new(
+    0.5 / BLEND_M,
+    0.5 / BLEND_M,
+    1.0 / (STEEP.1 - STEEP.0),
+    tint::PER_STEEPER,
+);
+
+/// 0 up to `from`, 1 from `1 / slope` after it on, smooth between; of four.
+#[inline]
+fn rise(from: Vec4, slope: Vec4, x: Vec4) -> Vec4 {
+    let t = ((x - from) * slope).clamp(Vec4::ZERO, Vec4::ONE);
+    t * t * (3.0 - 2.0 * t)
+}
+
 /// 0 up to `from`, 1 from `1 / slope` after it on, smooth between.
 #[inline]
-pub(crate) fn rises(from: f32, slope: f32, x: f32) -> f32 {
+fn rises(from: f32, slope: f32, x: f32) -> f32 {
     let t = ((x - from) * slope).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }

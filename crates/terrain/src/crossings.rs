@@ -4,7 +4,7 @@
 //! a vertex is found by counting the bits before its own: no table of a chunk's edges is needed.
 
 use antipode_geometry::{ChunkCoord, Domain};
-use glam::DVec2;
+use glam::{DVec2, Vec3Swizzles};
 
 use crate::field::{Field, RIM_REACH_M};
 use crate::level::Level;
@@ -51,6 +51,7 @@ impl Signs {
     }
 
     /// The edges along x, y and z from the corners of column `(i, k)` whose ends differ.
+    #[inline]
     pub(crate) fn crossed(&self, i: usize, k: usize) -> [u64; 3] {
         let here = self.column(i, k);
         let all = (1 << self.corners) - 1;
@@ -73,6 +74,7 @@ impl Signs {
     }
 
     /// The four columns around the column of cells `(i, k)`, x first.
+    #[inline]
     pub(crate) fn around(&self, i: usize, k: usize) -> [u64; 4] {
         [
             self.column(i, k),
@@ -83,6 +85,7 @@ impl Signs {
     }
 
     /// The cells between four columns that are neither all solid nor all air, as bits.
+    #[inline]
     pub(crate) fn crossed_cells(&self, columns: [u64; 4]) -> u64 {
         let any = columns.iter().fold(0, |a, &b| a | b);
         let all = columns.iter().fold(u64::MAX, |a, &b| a & b);
@@ -137,8 +140,11 @@ pub(crate) struct Reach {
 impl Reach {
     pub(crate) fn new(field: &Field, coord: ChunkCoord, level: Level) -> Self {
         let origin = coord.origin();
+        let domain = field.domain(coord.chart);
+        let is_whole = domain.most_outside_m(coord.min().xz(), coord.max().xz()) <= RIM_REACH_M;
         Self {
-            domain: field.domain(coord.chart),
+            // What has every column need not ask for any.
+            domain: if is_whole { Domain::Everywhere } else { domain },
             origin: DVec2::new(origin.x, origin.z),
             step_m: f64::from(level.step_m()),
             cells: level.cells(),
@@ -146,6 +152,7 @@ impl Reach {
     }
 
     /// Whether the column of cells `(i, k)` is meshed.
+    #[inline]
     pub(crate) fn has_cell(&self, i: usize, k: usize) -> bool {
         let low = self.origin + DVec2::new(i as f64, k as f64) * self.step_m;
         self.domain.least_outside_m(low, low + self.step_m) <= RIM_REACH_M
@@ -153,6 +160,7 @@ impl Reach {
 
     /// Whether edges along x, y and z from the corners of column `(i, k)` belong to cells that
     /// are meshed.
+    #[inline]
     pub(crate) fn has_edges(&self, i: usize, k: usize) -> [bool; 3] {
         if self.domain == Domain::Everywhere {
             return [true; 3];

@@ -108,10 +108,11 @@ impl Kind {
 
     /// What a steep face of untouched land shows in its place.
     #[must_use]
-    pub fn where_steep(self) -> Self {
+    pub const fn where_steep(self) -> Self {
         match self {
-            Self::Snow | Self::Basalt => self,
-            kind if kind.is_deep() => kind,
+            Self::Snow | Self::Basalt | Self::Slate | Self::Coal | Self::Copper | Self::Crystal => {
+                self
+            }
             _ => Self::Rock,
         }
     }

@@ -13,7 +13,7 @@ use crate::maker::Maker;
 use crate::mesh::{ChunkMesh, Vertex};
 use crate::samples::Samples;
 use crate::seam::SeamMesher;
-use crate::tables::{EDGES, TRIANGLES, TURNS, Turn};
+use crate::tables::{Slot, TRIANGLES, TURNS, Turn};
 
 /// Columns of cells side by side in a strip: as many as leave two rows of their vertices in the
 /// cache of a GPU.
@@ -125,15 +125,13 @@ impl Mesher {
                     if crossed == 0 || !reach.has_cell(i, k) {
                         continue;
                     }
-                    let around = self.lines_around(i, k, cells + 1).named(turn);
+                    let around = self.lines_around(i, k, cells + 1, turn);
                     while crossed != 0 {
                         let j = crossed.trailing_zeros() as usize;
                         crossed &= crossed - 1;
                         let row = TRIANGLES[usize::from(turn.cases[case(columns, j)])];
-                        for edges in row.as_chunks::<3>().0 {
-                            self.indices
-                                .extend_from_slice(&edges.map(|edge| around.vertex(edge, j)));
-                        }
+                        self.indices
+                            .extend(row.iter().map(|&edge| around.vertex(edge, j)));
                     }
                 }
             }
@@ -142,48 +140,42 @@ impl Mesher {
 
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    fn lines_around(&self, i: usize, k: usize, corners: usize) -> Around {
+    fn lines_around<'a>(&self, i: usize, k: usize, corners: usize, turn: &'a Turn) -> Around<'a> {
         let at = i * corners + k;
-        let columns = [at, at + corners, at + 1, at + corners + 1].map(|n| &self.lines[n]);
-        let mut around = Around([(0, 0); 16]);
-        for (to, edge) in around.0.iter_mut().zip(EDGES) {
-            let column = edge.corner & 1 | edge.corner >> 1 & 2;
-            let upper = edge.corner >> 1 & 1;
-            let Lines { masks, first } = *columns[column];
-            // The vertex below the first corner of an edge half way up is counted always.
-            let below = masks[edge.axis] & upper as u64;
-            *to = (
-                (masks[edge.axis] >> upper) as u32,
-                first[edge.axis] + below as u32,
-            );
+        let mut around = Around {
+            lines: [(0, 0); 16],
+            slots: &turn.slots,
+        };
+        let columns = [at, at + corners, at + 1, at + corners + 1];
+        for (to, column) in around.lines.as_chunks_mut::<4>().0.iter_mut().zip(columns) {
+            let Lines { masks, first } = self.lines[column];
+            *to = [
+                (masks[0], first[0]),
+                (masks[1], first[1]),
+                (masks[2], first[2]),
+                (0, 0),
+            ];
         }
         around
     }
 }
 
-/// Of each of a cell's [`EDGES`] over a column of cells, the corners that have a vertex, as bits by the
-/// number of their cell, and the vertex of the lowest. Sixteen, so that no edge is out of bounds.
-struct Around([(u32, u32); 16]);
+/// The edges over a column of cells.
+struct Around<'a> {
+    /// By [`Slot::line`] the corners that have a vertex, as bits, and the vertex of the lowest.
+    lines: [(u64, u32); 16],
+    /// Where the edges are that a turn's rows name.
+    slots: &'a [Slot; 16],
+}
 
-impl Around {
-    /// The same by the names that a turn's rows have for them.
-    #[inline]
-    fn named(self, turn: &Turn) -> Self {
-        if turn.is_none() {
-            return self;
-        }
-        let mut named = self.0;
-        for (to, edge) in named.iter_mut().zip(turn.edges) {
-            *to = self.0[usize::from(edge)];
-        }
-        Self(named)
-    }
-
+impl Around<'_> {
     /// The vertex on one of the edges of cell `j`.
     #[inline]
     fn vertex(&self, edge: u8, j: usize) -> u32 {
-        let (mask, first) = self.0[usize::from(edge & 15)];
-        first + (mask & ((1 << j) - 1)).count_ones()
+        let Slot { line, upper } = self.slots[usize::from(edge & 15)];
+        let (mask, first) = self.lines[usize::from(line & 15)];
+        let below = (1 << (j & 31) << upper) - 1;
+        first + (mask & below).count_ones()
     }
 }
 

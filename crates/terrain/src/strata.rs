@@ -20,20 +20,9 @@ use crate::memo::{Places, Waves};
 const DEPTH_STEPS: f32 = 255.0;
 /// Metres from corner to corner of the lattice of waves.
 const SPACING_M: i32 = 16;
-/// The lattice's corners along an edge of a chunk.
-const NODES: i32 = CHUNK_CELLS / SPACING_M + 1;
-const COUNT: usize = NODES.pow(3) as usize;
-/// How far apart the corners of a cell of the lattice are: x is the slowest, z the next.
-const CORNERS: [usize; 8] = [
-    0,
-    NODES as usize,
-    1,
-    NODES as usize + 1,
-    NODES.pow(2) as usize,
-    NODES.pow(2) as usize + NODES as usize,
-    NODES.pow(2) as usize + 1,
-    NODES.pow(2) as usize + NODES as usize + 1,
-];
+/// The lattice's cells along an edge of a chunk.
+const ACROSS: i32 = CHUNK_CELLS / SPACING_M;
+const CELLS: usize = ACROSS.pow(3) as usize;
 /// Frequency of the wave that moves the borders between heights.
 const WANDER_FREQUENCY: f64 = 0.37;
 /// How far it moves them, metres.
@@ -92,10 +81,8 @@ struct Memo {
     places: Places,
     waves: Waves,
     veins: Waves,
-    /// Not numbers where nobody has asked yet.
-    nodes: Box<[Node; COUNT]>,
-    /// Whether all corners of the cell above a corner are known.
-    known: [bool; COUNT],
+    /// The corners of each cell, x the slowest and z the next; not numbers where nobody has asked yet.
+    cells: Box<[[Node; 8]; CELLS]>,
 }
 
 impl<'a> Strata<'a> {
@@ -115,8 +102,7 @@ impl<'a> Strata<'a> {
                 places: Places::new(),
                 waves: Waves::new([WANDER_FREQUENCY, PATCH_FREQUENCY]),
                 veins: Waves::new(VEIN_FREQUENCIES),
-                nodes: Box::new([Vec4::NAN; COUNT]),
-                known: [false; COUNT],
+                cells: Box::new([[Vec4::NAN; 8]; CELLS]),
             }),
         }
     }
@@ -167,35 +153,28 @@ impl<'a> Strata<'a> {
     #[inline(always)]
     fn waves(&self, sample: IVec3) -> Node {
         // What is drawn between two corners is exact at both, so that chunks agree where they meet.
-        let cell = (sample >> SPACING_M.trailing_zeros()).min(IVec3::splat(NODES - 2));
+        let cell = (sample >> SPACING_M.trailing_zeros()).min(IVec3::splat(ACROSS - 1));
         let part = (sample - cell * SPACING_M).as_vec3() * (1.0 / SPACING_M as f32);
-        let at = ((cell.x * NODES + cell.z) * NODES + cell.y) as usize % COUNT;
+        let at = ((cell.x * ACROSS + cell.z) * ACROSS + cell.y) as usize % CELLS;
         let memo = &mut *self.memo.borrow_mut();
-        if !memo.known[at] {
-            self.enter(memo, cell, at);
+        if memo.cells[at][0].x.is_nan() {
+            memo.cells[at] = self.corners(memo, cell);
         }
-        let corner = |n: usize| memo.nodes[(at + CORNERS[n]) % COUNT];
-        let lower = corner(0).lerp(corner(4), part.x);
-        let lower = lower.lerp(corner(1).lerp(corner(5), part.x), part.z);
-        let upper = corner(2).lerp(corner(6), part.x);
-        let upper = upper.lerp(corner(3).lerp(corner(7), part.x), part.z);
+        let [a, b, c, d, e, f, g, h] = memo.cells[at];
+        let lower = a.lerp(e, part.x).lerp(c.lerp(g, part.x), part.z);
+        let upper = b.lerp(f, part.x).lerp(d.lerp(h, part.x), part.z);
         lower.lerp(upper, part.y)
     }
 
-    /// Works out the corners of a cell of the lattice that nobody has asked for yet.
+    /// The corners of a cell of the lattice.
     #[cold]
     #[inline(never)]
-    fn enter(&self, memo: &mut Memo, cell: IVec3, at: usize) {
-        for (n, offset) in CORNERS.into_iter().enumerate() {
-            let at = (at + offset) % COUNT;
-            if memo.nodes[at].x.is_nan() {
-                let n = n as i32;
-                let node = cell + IVec3::new(n >> 2, n >> 1 & 1, n & 1);
-                let pos = self.coord.origin() + (node * SPACING_M).as_dvec3();
-                memo.nodes[at] = self.wave(memo, pos);
-            }
-        }
-        memo.known[at] = true;
+    fn corners(&self, memo: &mut Memo, cell: IVec3) -> [Node; 8] {
+        std::array::from_fn(|n| {
+            let n = n as i32;
+            let node = cell + IVec3::new(n >> 2, n & 1, n >> 1 & 1);
+            self.wave(memo, self.coord.origin() + (node * SPACING_M).as_dvec3())
+        })
     }
 
     fn wave(&self, memo: &mut Memo, pos: DVec3) -> Node {

@@ -305,15 +305,17 @@ pub(crate) static TRIANGLES: [&[u8]; 256] = [
 pub(crate) struct Turn {
     /// The case of a cell once it is turned into the space, by its case in the chart.
     pub cases: [u8; 256],
-    /// What the edges that the rows name are called in the chart.
-    pub edges: [u8; 12],
+    /// Where in the chart the edges are that the rows name. Sixteen, so that no edge is out of bounds.
+    pub slots: [Slot; 16],
 }
 
-impl Turn {
-    /// Whether charts are turned by nothing: every name is its own.
-    pub(crate) fn is_none(&self) -> bool {
-        self.edges[0] == 0
-    }
+/// Where among those of a column of cells an edge of a cell is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Slot {
+    /// The edges along an axis from one of the four columns of corners, x first: `4 * column + axis`.
+    pub line: u8,
+    /// 1 for the edges above the cell's lower corners, otherwise 0.
+    pub upper: u8,
 }
 
 /// By quarter turns of the chart, as [`antipode_geometry::SquareFrame`] counts them.
@@ -341,6 +343,23 @@ const fn turn(quarter_turns: usize) -> Turn {
         }
         case += 1;
     }
+    let edges = turned_edges(quarter_turns);
+    let mut slots = [Slot { line: 0, upper: 0 }; 16];
+    let mut n = 0;
+    while n < edges.len() {
+        let Edge { corner, axis } = EDGES[edges[n]];
+        let column = corner & 1 | corner >> 1 & 2;
+        slots[n] = Slot {
+            line: (4 * column + axis) as u8,
+            upper: (corner >> 1 & 1) as u8,
+        };
+        n += 1;
+    }
+    Turn { cases, slots }
+}
+
+/// What the edges that the rows name are called in the chart.
+const fn turned_edges(quarter_turns: usize) -> [usize; 12] {
     let mut edges = [0; 12];
     let mut n = 0;
     while n < 12 {
@@ -348,12 +367,12 @@ const fn turn(quarter_turns: usize) -> Turn {
         let back = 4 - quarter_turns;
         let (a, b) = (turned(corner, back), turned(corner | 1 << axis, back));
         let (lower, along) = (a & b, (a ^ b).trailing_zeros() as usize);
-        while EDGES[edges[n] as usize].corner != lower || EDGES[edges[n] as usize].axis != along {
+        while EDGES[edges[n]].corner != lower || EDGES[edges[n]].axis != along {
             edges[n] += 1;
         }
         n += 1;
     }
-    Turn { cases, edges }
+    edges
 }
 
 #[cfg(test)]
@@ -364,10 +383,11 @@ mod tests {
     #[test]
     fn turned_cells_have_the_triangles_of_the_space() {
         for (quarter_turns, turn) in TURNS.iter().enumerate() {
+            let edges = turned_edges(quarter_turns);
             for case in 0..256 {
                 let row = TRIANGLES[usize::from(turn.cases[case])];
                 for &named in row {
-                    let both: [_; 2] = ends(turn.edges[usize::from(named)]).into();
+                    let both: [_; 2] = ends(edges[usize::from(named)] as u8).into();
                     assert_ne!(case >> both[0] & 1, case >> both[1] & 1, "{case} {named}");
                     let (a, b) = ends(named);
                     let mut there = both.map(|end| turned(end, quarter_turns));

@@ -5,16 +5,15 @@
 
 use glam::Vec4;
 
-use crate::colour::rises;
 use crate::kind::{Kind, SKIN, number_of};
 
 /// `1 - normal.y` where the skin of untouched land begins to show the rock below it, and one by how much more it shows
 /// nothing else: 42 and 57 degrees.
-const STEEP: f32 = 0.26;
-const PER_STEEPER: f32 = 5.0;
+pub(crate) const STEEP: f32 = 0.26;
+pub(crate) const PER_STEEPER: f32 = 5.0;
 
-/// By numbers of kinds, colours times their shares, and the shares.
-static TINTS: [Vec4; 32] = tints();
+/// By numbers of kinds, colours times their shares, and the shares; and the same of what a steep face shows in their place.
+static TINTS: [[Vec4; 2]; 32] = tints();
 
 impl Kind {
     /// The kind's colour in linear light, 0 to 1, and the share of that, 0 to 1; the rest is the biome's.
@@ -31,41 +30,38 @@ impl Kind {
             Self::Clay => [0.330, 0.165, 0.095, 0.50],
             Self::Basalt => [0.056, 0.053, 0.060, 0.60],
             Self::Slate => [0.095, 0.112, 0.138, 0.90],
-            Self::Coal => [0.004, 0.004, 0.007, 1.0],
-            Self::Copper => [0.190, 0.150, 0.115, 1.0],
-            Self::Crystal => [0.180, 0.330, 0.480, 1.0],
+            Self::Coal => [0.005, 0.005, 0.008, 1.0],
+            Self::Copper => [0.268, 0.203, 0.131, 1.0],
+            Self::Crystal => [0.212, 0.337, 0.720, 1.0],
         }
     }
 }
 
-const fn tints() -> [Vec4; 32] {
-    let mut tints = [Vec4::ZERO; 32];
+const fn tints() -> [[Vec4; 2]; 32] {
+    let mut tints = [[Vec4::ZERO; 2]; 32];
     let mut n = 0;
     while n < Kind::ALL.len() {
-        let [r, g, b, share] = Kind::ALL[n].tint();
-        tints[n + 1] = Vec4::new(r * share, g * share, b * share, share);
+        let kind = Kind::ALL[n];
+        tints[kind.byte() as usize] = [weighted(kind), weighted(kind.where_steep())];
         n += 1;
     }
     tints
 }
 
-/// The tint of a kind as the fourth byte of vertices says it, on ground with a unit normal of this height: its colour times
-/// its share, and its share.
+const fn weighted(kind: Kind) -> Vec4 {
+    let [r, g, b, share] = kind.tint();
+    Vec4::new(r * share, g * share, b * share, share)
+}
+
+/// The tint of a kind as the fourth byte of vertices says it, on ground that is so steep, 0 to 1
+/// ([`STEEP`]): its colour times its share, and its share.
 #[inline]
-pub(crate) fn tint_of(byte: u8, normal_y: f32) -> Vec4 {
-    let of = |number: u8| TINTS[usize::from(number) % TINTS.len()];
-    let number = number_of(byte);
-    let own = of(number);
+pub(crate) fn tint_of(byte: u8, steep: f32) -> Vec4 {
+    let [own, rock] = TINTS[usize::from(number_of(byte)) % TINTS.len()];
     if byte < SKIN {
         return own;
     }
-    let steep = rises(STEEP, PER_STEEPER, 1.0 - normal_y);
-    own.lerp(of(steeps_to(number)), steep)
-}
-
-/// The number of what a steep face of a kind shows.
-fn steeps_to(number: u8) -> u8 {
-    Kind::of_byte(number).map_or(number, |kind| kind.where_steep().byte())
+    own.lerp(rock, steep)
 }
 
 #[cfg(test)]
@@ -75,12 +71,12 @@ mod tests {
     #[test]
     fn level_ground_has_its_kinds_tint_and_steep_skin_that_of_rock() {
         for kind in Kind::ALL {
-            let own = tint_of(kind.byte(), 0.1);
-            assert_eq!(own, TINTS[usize::from(kind.byte())], "laid: {kind:?}");
-            assert_eq!(tint_of(kind.byte() | SKIN, 0.95), own, "level: {kind:?}");
-            let steep = tint_of(kind.byte() | SKIN, 0.5);
-            assert_eq!(steep, TINTS[usize::from(kind.where_steep().byte())]);
+            let own = tint_of(kind.byte(), 0.9);
+            assert_eq!(own, weighted(kind), "laid: {kind:?}");
+            assert_eq!(tint_of(kind.byte() | SKIN, 0.0), own, "level: {kind:?}");
+            let steep = tint_of(kind.byte() | SKIN, 1.0);
+            assert_eq!(steep, weighted(kind.where_steep()));
         }
-        assert_eq!(tint_of(0, 1.0), Vec4::ZERO);
+        assert_eq!(tint_of(0, 0.0), Vec4::ZERO);
     }
 }
