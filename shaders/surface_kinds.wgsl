@@ -17,7 +17,8 @@ struct Spot {
     wide_m: f32,        // what the pixel spans
 }
 
-// How much is left of a pattern of a length where a pixel spans so much.
+// How much is left of a pattern of a length where a pixel spans so much. What fades, fades to its own mean, so that no kind
+// changes its colour with the distance; the means stand beside the patterns, and a test measures them.
 fn left_of(spot: Spot, length_m: f32) -> f32 {
     return 1.0 - smoothstep(0.22, 0.5, spot.wide_m / length_m);
 }
@@ -96,6 +97,13 @@ struct Stones {
     slope: vec3<f32>,
     gap: f32,           // 1 between them
     own: f32,
+    number: f32,        // as `own`, but not faded, and
+    left: f32,          // what is left of all
+}
+
+// Those of the greatest numbers alone, which are this share of the ground in the mean.
+fn few(stones: Stones, above: f32, mean: f32) -> f32 {
+    return mix(mean, step(above, stones.number) * (1.0 - stones.gap), stones.left);
 }
 
 fn stones(spot: Spot, frequency: f32) -> Stones {
@@ -107,7 +115,7 @@ fn stones(spot: Spot, frequency: f32) -> Stones {
     // Metres: a stone is a third as high as it is wide.
     let slope = -cell.way * (0.7 / (radius * radius)) * step(share, 0.999);
     let gap = smoothstep(0.55, 1.0, share);
-    return Stones(mix(0.55, height, left), slope * left, gap * left, mix(0.5, cell.own, left));
+    return Stones(mix(0.24, height, left), slope * left, mix(0.70, gap, left), mix(0.5, cell.own, left), cell.own, left);
 }
 
 fn grass(spot: Spot) -> Detail {
@@ -126,7 +134,7 @@ fn grass(spot: Spot) -> Detail {
     let dome = 1.0 - cell.near * cell.near * 1.6;
     var tone = vec3<f32>(1.0) + 0.22 * wide.x * vec3<f32>(1.0, 0.45, 0.3) * left_of(spot, 4.0);
     tone *= 1.0 + 0.20 * mid.x * left_of(spot, 0.6);
-    tone *= mix(1.0, 0.62 + 0.62 * dome, 0.8 * left) + 0.16 * (cell.own - 0.5) * left;
+    tone *= mix(0.97, 0.62 + 0.62 * dome, 0.8 * left) + 0.16 * (cell.own - 0.5) * left;
     tone *= 1.0 + (0.22 * blade + 0.22 * fine.x) * blades_left;
     // Dry tips.
     tone += vec3<f32>(0.42, 0.26, 0.02) * max(blade, 0.0) * step(0.72, cell.own) * blades_left;
@@ -148,7 +156,7 @@ fn soil(spot: Spot) -> Detail {
     var slope = lumps.yzw * (0.07 * left_of(spot, 0.3)) + crumbs.slope * 0.5 + wide.yzw * 0.10;
     var height = 0.35 + 0.25 * lumps.x + 0.25 * crumbs.height;
     // A stone here and there.
-    let is_stone = step(0.86, pebbles.own) * (1.0 - pebbles.gap);
+    let is_stone = few(pebbles, 0.86, 0.064);
     tone = mix(tone, vec3<f32>(1.9, 2.1, 2.3) * (0.8 + 0.4 * fine.x * fine_left), is_stone);
     slope = mix(slope, pebbles.slope, is_stone);
     height = mix(height, 0.9, is_stone);
@@ -229,13 +237,14 @@ fn rock(spot: Spot) -> Detail {
     let bed = beds(spot, thick, bend);
     let layer = beds(spot, thin, bend * 4.0);
     let thin_left = left_of(spot, 0.2);
-    let cracked = (1.0 - smoothstep(0.015, 0.05, crack.next - crack.near)) * left_of(spot, 0.5);
-    var tone = vec3<f32>(0.78 + 0.42 * bed_tone(spot, thick, bend.x) * left_of(spot, 0.8));
+    let cracked = mix(0.108, 1.0 - smoothstep(0.015, 0.05, crack.next - crack.near), left_of(spot, 0.5));
+    let thick_left = left_of(spot, 0.8);
+    var tone = vec3<f32>(0.78 + 0.42 * mix(0.5, bed_tone(spot, thick, bend.x), thick_left));
     tone *= 1.0 + 0.26 * (bed_tone(spot, thin, bend.x * 4.0) - 0.5) * thin_left;
-    tone *= (1.0 - 0.30 * bed.x * left_of(spot, 0.8)) * (1.0 - 0.22 * layer.x * thin_left);
+    tone *= (1.0 - 0.30 * mix(0.148, bed.x, thick_left)) * (1.0 - 0.22 * mix(0.148, layer.x, thin_left));
     tone *= 1.0 + 0.24 * mid.x * left_of(spot, 0.6) + 0.26 * rough.x * left_of(spot, 0.16) + 0.2 * fine.x * left_of(spot, 0.045);
     tone *= 1.0 - 0.5 * cracked;
-    let slope = bed.yzw * (-0.10 * left_of(spot, 0.8)) + layer.yzw * (-0.024 * thin_left) + mid.yzw * (0.07 * left_of(spot, 0.6))
+    let slope = bed.yzw * (-0.10 * thick_left) + layer.yzw * (-0.024 * thin_left) + mid.yzw * (0.07 * left_of(spot, 0.6))
         + rough.yzw * (0.022 * left_of(spot, 0.16)) + fine.yzw * (0.006 * left_of(spot, 0.045));
     return Detail(0.55 + 0.25 * mid.x + 0.2 * rough.x - 0.4 * cracked, slope, tone, 0.05, vec3<f32>(0.0));
 }
@@ -251,8 +260,8 @@ fn ash(spot: Spot) -> Detail {
     var tone = vec3<f32>(1.0 + 0.34 * wide.x + 0.24 * mid.x * left_of(spot, 1.0)) + 0.30 * (small.x - 0.4) * left_of(spot, 0.5);
     tone *= 1.0 + 0.20 * fine.x * fine_left;
     var slope = small.yzw * (0.035 * left_of(spot, 0.5)) + mid.yzw * 0.05 + fine.yzw * (0.002 * fine_left);
-    let is_cinder = step(0.70, cinders.own) * (1.0 - cinders.gap) * left_of(spot, 0.15);
-    let ruddy = vec3<f32>(1.1, 0.72, 0.62) * (0.35 + 0.5 * fract(cinders.own * 17.0));
+    let is_cinder = few(cinders, 0.70, 0.126);
+    let ruddy = vec3<f32>(1.1, 0.72, 0.62) * (0.35 + 0.5 * mix(0.5, fract(cinders.number * 17.0), cinders.left));
     tone = mix(tone, ruddy, is_cinder);
     slope = mix(slope, cinders.slope + fine.yzw * 0.006 * fine_left, is_cinder);
     return Detail(0.3 + 0.3 * small.x + 0.4 * is_cinder, slope, tone, 0.0, vec3<f32>(0.0));
@@ -266,7 +275,7 @@ fn snow(spot: Spot) -> Detail {
     let drift = ripples(spot, vec3<f32>(150.0, 40.0, 96.0), wide * 6.0 + mid * 1.4);
     let drift_left = left_of(spot, 1.3);
     let hollow = 0.5 - 0.5 * (0.6 * mid.x + 0.4 * small.x * left_of(spot, 0.15));
-    var tone = vec3<f32>(1.0) - vec3<f32>(0.16, 0.10, 0.02) * hollow - vec3<f32>(0.10, 0.07, 0.02) * (1.0 - drift.x) * drift_left;
+    var tone = vec3<f32>(1.0) - vec3<f32>(0.16, 0.10, 0.02) * hollow - vec3<f32>(0.10, 0.07, 0.02) * mix(0.62, 1.0 - drift.x, drift_left);
     let spark = smoothstep(0.80, 0.96, fine.x) * left_of(spot, 0.016);
     tone += 0.5 * spark;
     let slope = drift.yzw * (0.06 * drift_left) + mid.yzw * 0.06 + small.yzw * (0.010 * left_of(spot, 0.15));
@@ -280,8 +289,9 @@ fn moss(spot: Spot) -> Detail {
     let mid = grain_noise(spot, 8.0);
     var tone = vec3<f32>(0.55, 0.62, 0.6) + cushions.height * vec3<f32>(0.65, 0.5, 0.25);
     tone += 0.24 * wide.x * vec3<f32>(1.0, 0.5, 0.2);
-    tone *= 1.0 + 0.35 * (tufts.height - 0.55) + 0.24 * (tufts.own - 0.5) + 0.16 * mid.x * left_of(spot, 0.15);
-    tone *= 1.0 - 0.45 * cushions.gap;
+    tone *= 1.0 + 0.35 * (tufts.height - 0.24) + 0.24 * (tufts.own - 0.5) + 0.16 * mid.x * left_of(spot, 0.15);
+    // Less than the mean of gaps, since cushions are low there.
+    tone *= 1.0 - 0.45 * mix(0.58, cushions.gap, cushions.left);
     let slope = cushions.slope * 0.8 + tufts.slope * 0.45 + mid.yzw * (0.012 * left_of(spot, 0.15));
     return Detail(0.2 + 0.7 * cushions.height, slope, tone, 0.0, vec3<f32>(0.0));
 }
@@ -295,11 +305,11 @@ fn clay(spot: Spot) -> Detail {
     let left = left_of(spot, 0.35);
     let chip_left = left_of(spot, 0.1);
     let edge = plate.next - plate.near;
-    let crack = (1.0 - smoothstep(0.03, 0.09, edge)) * left;
-    let small = (1.0 - smoothstep(0.02, 0.08, chip.next - chip.near)) * chip_left * 0.6;
+    let crack = mix(0.195, 1.0 - smoothstep(0.03, 0.09, edge), left);
+    let small = mix(0.098, 0.6 - 0.6 * smoothstep(0.02, 0.08, chip.next - chip.near), chip_left);
     // Plates curl up at their edges.
-    let curl = smoothstep(0.30, 0.06, edge) * (1.0 - crack);
-    var tone = vec3<f32>(1.0 + 0.22 * (plate.own - 0.5) * left + 0.16 * wide.x) + 0.16 * curl * left;
+    let curl = mix(0.306, smoothstep(0.30, 0.06, edge) * (1.0 - crack), left);
+    var tone = vec3<f32>(1.0 + 0.22 * (plate.own - 0.5) * left + 0.16 * wide.x) + 0.16 * curl;
     tone *= (1.0 - 0.68 * crack) * (1.0 - 0.40 * small) * (1.0 + 0.14 * mid.x * left_of(spot, 0.3) + 0.12 * fine.x * left_of(spot, 0.04));
     let slope = plate.way * (0.42 * curl * left) + mid.yzw * (0.02 * left_of(spot, 0.3)) + fine.yzw * (0.003 * left_of(spot, 0.04));
     return Detail(0.7 - 0.6 * crack, slope, tone, 0.10, vec3<f32>(0.0));
@@ -314,15 +324,16 @@ fn basalt(spot: Spot) -> Detail {
     let column = cell_at(across * 2.0, 2.0);
     let left = left_of(spot, 0.35);
     let edge = column.next - column.near;
-    let joint = (1.0 - smoothstep(0.03, 0.12, edge)) * left;
-    let bevel = smoothstep(0.34, 0.05, edge) * left;
-    var tone = vec3<f32>(0.75 + 0.75 * column.own * left + 0.3 * wide.x);
+    let joint = mix(0.285, 1.0 - smoothstep(0.03, 0.12, edge), left);
+    let bevel = smoothstep(0.34, 0.05, edge);
+    let own = mix(0.5, column.own, left);
+    var tone = vec3<f32>(0.75 + 0.75 * own + 0.3 * wide.x);
     tone *= (1.0 - 0.72 * joint) * (1.0 + 0.28 * rough.x * left_of(spot, 0.15));
-    tone *= 1.0 - 0.5 * (1.0 - pores.gap) * step(0.72, pores.own) * left_of(spot, 0.03);
-    tone += bevel * (1.0 - joint) * 0.35;
+    tone *= 1.0 - 0.5 * few(pores, 0.72, 0.119);
+    tone += 0.35 * mix(0.290, bevel * (1.0 - joint), left);
     let tilt = (vec3<f32>(column.own, fract(column.own * 7.0), fract(column.own * 13.0)) - 0.5) * 0.5 * left;
-    let slope = level_of(spot, -column.way) * (1.1 * bevel) + tilt + rough.yzw * (0.018 * left_of(spot, 0.15));
-    return Detail(0.3 + 0.6 * column.own - 0.5 * joint, slope, tone, 0.14, vec3<f32>(0.0));
+    let slope = level_of(spot, -column.way) * (1.1 * bevel * left) + tilt + rough.yzw * (0.018 * left_of(spot, 0.15));
+    return Detail(0.3 + 0.6 * own - 0.5 * joint, slope, tone, 0.14, vec3<f32>(0.0));
 }
 
 fn slate(spot: Spot) -> Detail {
@@ -333,9 +344,9 @@ fn slate(spot: Spot) -> Detail {
     let bend = wide * 2.4 + mid * 0.35;
     let leaf = beds(spot, way, bend);
     let left = left_of(spot, 0.11);
-    let own = bed_tone(spot, way, bend.x);
-    var tone = vec3<f32>(0.85 + 0.4 * wide.x) + (own - 0.5) * vec3<f32>(0.45, 0.5, 0.6) * left;
-    tone *= (1.0 - 0.5 * leaf.x * left) * (1.0 + 0.2 * mid.x * left_of(spot, 0.3) + 0.16 * fine.x * left_of(spot, 0.04));
+    let own = mix(0.5, bed_tone(spot, way, bend.x), left);
+    var tone = vec3<f32>(0.85 + 0.4 * wide.x) + (own - 0.5) * vec3<f32>(0.45, 0.5, 0.6);
+    tone *= (1.0 - 0.5 * mix(0.148, leaf.x, left)) * (1.0 + 0.2 * mid.x * left_of(spot, 0.3) + 0.16 * fine.x * left_of(spot, 0.04));
     let slope = leaf.yzw * (-0.022 * left) + mid.yzw * (0.03 * left_of(spot, 0.3)) + fine.yzw * (0.003 * left_of(spot, 0.04));
     return Detail(0.4 + 0.3 * own, slope, tone, 0.30, vec3<f32>(0.0));
 }
@@ -349,10 +360,14 @@ fn coal(spot: Spot) -> Detail {
     let mid = grain_noise(spot, 2.0);
     let lump = cell_at(spot.p * 8.0, 8.0);
     let left = left_of(spot, 0.12);
-    let seam = (1.0 - smoothstep(0.02, 0.10, lump.next - lump.near)) * left;
-    let tone = vec3<f32>(0.7 + 1.3 * lump.own * left + 0.5 * mid.x) * (1.0 - 0.6 * seam);
-    return Detail(0.4 + 0.4 * lump.own, lean(lump) * (1.5 * left), tone, 0.75 * (1.0 - seam), vec3<f32>(0.0));
+    let seam = mix(0.195, 1.0 - smoothstep(0.02, 0.10, lump.next - lump.near), left);
+    let own = mix(0.5, lump.own, left);
+    let tone = vec3<f32>(0.7 + 1.3 * own + 0.5 * mid.x * left_of(spot, 0.5)) * (1.0 - 0.6 * seam);
+    return Detail(0.4 + 0.4 * own, lean(lump) * (1.5 * left), tone, 0.75 * (1.0 - seam), vec3<f32>(0.0));
 }
+
+// Its mean, from where veins are too narrow to be seen.
+const COPPER_TONE: vec3<f32> = vec3<f32>(1.41, 1.35, 1.14);
 
 fn copper(spot: Spot) -> Detail {
     var base = rock(spot);
@@ -363,7 +378,8 @@ fn copper(spot: Spot) -> Detail {
     let patina = (1.0 - smoothstep(0.13, 0.34, near)) * (1.0 - vein);
     base.tone = mix(base.tone, vec3<f32>(0.55, 2.3, 2.1), 0.85 * patina);
     base.tone = mix(base.tone, vec3<f32>(4.2, 2.0, 1.05), vein);
-    base.gloss = mix(base.gloss, 0.9, vein);
+    base.tone = mix(COPPER_TONE, base.tone, left_of(spot, 0.5));
+    base.gloss = mix(base.gloss, 0.9, vein * left_of(spot, 0.5));
     base.height += 0.3 * vein;
     return base;
 }
@@ -373,9 +389,10 @@ fn crystal(spot: Spot) -> Detail {
     let facet = cell_at(spot.p * 4.0, 4.0);
     let small = cell_at(spot.p * 16.0, 16.0);
     let left = left_of(spot, 0.25);
-    let edge = (1.0 - smoothstep(0.02, 0.09, facet.next - facet.near)) * left;
-    let hue = mix(vec3<f32>(0.6, 1.1, 1.3), vec3<f32>(1.5, 0.7, 1.5), facet.own);
-    var tone = hue * (0.55 + 0.8 * fract(facet.own * 5.0) * left + 0.3 * mid.x);
+    let edge = mix(0.179, 1.0 - smoothstep(0.02, 0.09, facet.next - facet.near), left);
+    let own = mix(0.5, facet.own, left);
+    let hue = mix(vec3<f32>(0.6, 1.1, 1.3), vec3<f32>(1.5, 0.7, 1.5), own);
+    var tone = hue * (0.55 + 0.8 * mix(0.5, fract(facet.own * 5.0), left) + 0.3 * mid.x);
     tone = tone * (1.0 + 0.3 * (small.own - 0.5) * left_of(spot, 0.06)) + edge * 0.9;
     let glow = hue * vec3<f32>(0.020, 0.040, 0.055) * (1.0 - facet.near) * (0.6 + 0.4 * mid.x);
     return Detail(0.8, lean(facet) * (2.0 * left), tone, 1.0, glow);

@@ -64,22 +64,45 @@ struct Surface {
     glow: vec3<f32>,    // light of its own
 }
 
+// A kind's detail with the mean of its tones taken to one, so that the mean of its colours is what the table of tints says,
+// which meshes and far land show.
+fn levelled(detail: Detail, mean: vec3<f32>) -> Detail {
+    var level = detail;
+    level.tone = max(detail.tone, vec3<f32>(0.0)) / mean;
+    return level;
+}
+
 fn detail_of(kind: u32, spot: Spot) -> Detail {
     switch kind {
-        case 1u: { return grass(spot); }
-        case 3u: { return sand(spot); }
-        case 4u: { return gravel(spot); }
-        case 5u: { return rock(spot); }
-        case 6u: { return ash(spot); }
-        case 7u: { return snow(spot); }
-        case 8u: { return moss(spot); }
-        case 9u: { return clay(spot); }
-        case 10u: { return basalt(spot); }
-        case 11u: { return slate(spot); }
-        case 12u: { return coal(spot); }
-        case 13u: { return copper(spot); }
-        case 14u: { return crystal(spot); }
-        default: { return soil(spot); }
+        case 1u: { return levelled(grass(spot), vec3<f32>(0.985)); }
+        case 3u: { return levelled(sand(spot), vec3<f32>(0.990)); }
+        case 4u: { return levelled(gravel(spot), vec3<f32>(0.740)); }
+        case 5u: { return levelled(rock(spot), vec3<f32>(0.870)); }
+        case 6u: { return levelled(ash(spot), vec3<f32>(0.955, 0.927, 0.920)); }
+        case 7u: { return levelled(snow(spot), vec3<f32>(0.860, 0.910, 0.980)); }
+        case 8u: { return levelled(moss(spot), vec3<f32>(0.520, 0.535, 0.465)); }
+        case 9u: { return levelled(clay(spot), vec3<f32>(0.877)); }
+        case 10u: { return levelled(basalt(spot), vec3<f32>(0.950)); }
+        case 11u: { return levelled(slate(spot), vec3<f32>(0.785)); }
+        case 12u: { return levelled(coal(spot), vec3<f32>(1.185)); }
+        case 13u: { return levelled(copper(spot), vec3<f32>(1.410, 1.350, 1.140)); }
+        case 14u: { return levelled(crystal(spot), vec3<f32>(1.180, 1.020, 1.500)); }
+        default: { return levelled(soil(spot), vec3<f32>(0.760, 0.770, 0.780)); }
+    }
+}
+
+// The widest of a kind's patterns, as vertices can show it: what its colour is multiplied by. Slow enough that a vertex more
+// or less, where edges are halved, does not change the picture.
+fn coarse_tone(kind: u32, p: vec3<f32>) -> vec3<f32> {
+    let spot = Spot(p, vec3<f32>(0.0), 0.0);
+    let is_slow = kind == GRASS || kind == ASH || kind == ROCK;
+    let wide = grain_noise(spot, select(0.5, 0.25, is_slow)).x;
+    switch kind {
+        case 1u: { return 1.0 + wide * vec3<f32>(0.22, 0.10, 0.07); }
+        case 3u, 5u, 7u: { return vec3<f32>(1.0 + 0.08 * wide); }
+        case 6u, 10u, 11u: { return vec3<f32>(1.0 + 0.34 * wide); }
+        case 8u: { return 1.0 + wide * vec3<f32>(0.46, 0.23, 0.10); }
+        default: { return vec3<f32>(1.0 + 0.20 * wide); }
     }
 }
 
@@ -132,7 +155,7 @@ fn surface_at(weights: mat4x4<f32>, ground: vec3<f32>, p: vec3<f32>, wide_m: f32
     let most = most_of(weights);
     let one = detail_of(most.kinds.x, spot);
     if most.weights.y < 0.02 {
-        return Surface(ground * max(one.tone, vec3<f32>(0.0)), one.slope, one.gloss, one.glow);
+        return Surface(ground * one.tone, one.slope, one.gloss, one.glow);
     }
     let two = detail_of(most.kinds.y, spot);
     let scores = most.weights * (vec2<f32>(0.4) + vec2<f32>(one.height, two.height));
@@ -140,7 +163,7 @@ fn surface_at(weights: mat4x4<f32>, ground: vec3<f32>, p: vec3<f32>, wide_m: f32
     let share = heights.y / (heights.x + heights.y);
     let colours = parted(ground, most.kinds, most.weights / (most.weights.x + most.weights.y));
     return Surface(
-        mix(colours[0] * max(one.tone, vec3<f32>(0.0)), colours[1] * max(two.tone, vec3<f32>(0.0)), share),
+        mix(colours[0] * one.tone, colours[1] * two.tone, share),
         mix(one.slope, two.slope, share),
         mix(one.gloss, two.gloss, share),
         mix(one.glow, two.glow, share),

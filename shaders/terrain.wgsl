@@ -79,9 +79,6 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let ground = kind_of(in.colour.a, authored.y);
     let world = in.world.xyz + in_common_axes(position_of(in.units));
     let grain = grain_point(world, p);
-    // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
-    let patches = value_noise(grain * 0.125, 31u) - 0.5;
-    let tufts = value_noise(grain * 0.25 + 3.5, 63u) - 0.5;
     let space = space_of_chart();
     let fog = fog_at(eye_distance(space, view));
     // What a pixel spans grows with this in every space: the distance in a flat one, and as land overhead in a
@@ -102,7 +99,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
         out.kinds_c = weights[2];
         out.kinds_d = weights[3];
     } else {
-        out.albedo = own * (1.0 + 0.34 * patches + 0.38 * tufts);
+        out.albedo = own * mix(coarse_tone(u32(ground.x), grain), coarse_tone(ROCK, grain), ground.y);
     }
     out.grain = grain;
     out.veil = haze_before(view) * fog;
@@ -222,11 +219,11 @@ fn plain_tone(in: VertexOut) -> f32 {
     let near = 1.0 - clamp(in.land.y * (1.0 / 44.0), 0.0, 1.0);
     let dapple = smoothstep(0.24, 0.76, value_noise(in.grain * 8.0, 2047u)) - 0.5;
     let tone = 1.0 + dapple * (0.18 * near * near);
-    // Cuts show layers, about 1.1 m apart; whole over the 256 m after which heights wrap.
+    // Cuts show layers, about 1.1 m apart; whole over the 256 m after which heights wrap. In the mean they are no darker.
     let height = in.land.w;
     let cut = smoothstep(0.62, 0.86, in.land.z);
     let layer = abs(fract(height * 0.8984375) - 0.5) + 0.7 * abs(fract(height * 0.37109375) - 0.5);
-    return tone * (1.0 - cut * (0.42 * layer));
+    return tone * (1.0 - cut * (0.42 * (layer - 0.425)));
 }
 
 // What dims any land: contour bands and the shade of figures.
@@ -249,7 +246,10 @@ fn surface_light(in: VertexOut, share: f32, steps: Steps) -> vec3<f32> {
     let weights = mat4x4<f32>(in.kinds_a, in.kinds_b, in.kinds_c, in.kinds_d);
     let surface = surface_at(weights, in.albedo, in.grain, wide_m);
     let tilt = tilted(normalize(in.facing), in.frame_normal, surface.slope, steps);
-    var lit = surface.albedo * daylight_on(in.view, tilt.normal, tilt.model_normal, share, in.dark.x);
+    // A normal n and a slope s have in the mean of all slopes the light of n, as long as n - s is not made one long: far off,
+    // where no slope is seen, it is no lighter. Two thirds of a slope in space lie along the ground.
+    let stretch = sqrt(1.0 + 0.67 * dot(surface.slope, surface.slope));
+    var lit = surface.albedo * stretch * daylight_on(in.view, tilt.normal, tilt.model_normal, share, in.dark.x);
     // Blinn's highlight of the key light.
     let half_way = normalize(scene.key_direction - direction_of(in.view.xyz));
     let shine = pow(max(dot(seen_normal(in.view, tilt.normal, tilt.model_normal), half_way), 0.0), 36.0);

@@ -89,6 +89,41 @@ impl Gpu {
     pub(crate) fn for_test() -> Option<Self> {
         antipode_testing::needed("a graphics adapter", Self::headless(AdapterChoice::Auto))
     }
+
+    /// The function `kernel` of a text, to ask shaders by.
+    pub(crate) fn kernel(&self, source: String) -> wgpu::ComputePipeline {
+        let module = self
+            .device
+            .create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: None,
+                source: wgpu::ShaderSource::Wgsl(source.into()),
+            });
+        self.device
+            .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: None,
+                layout: None,
+                module: &module,
+                entry_point: Some("kernel"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                cache: None,
+            })
+    }
+
+    /// What a buffer of four numbers each holds.
+    pub(crate) fn read_back(&self, from: &wgpu::Buffer) -> Vec<[f32; 4]> {
+        let to = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: from.size(),
+            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let mut encoder = self.encoder();
+        encoder.copy_buffer_to_buffer(from, 0, &to, 0, from.size());
+        self.queue.submit([encoder.finish()]);
+        to.slice(..).map_async(wgpu::MapMode::Read, |_| {});
+        self.wait().unwrap();
+        bytemuck::cast_slice(&to.slice(..).get_mapped_range().unwrap()).to_vec()
+    }
 }
 
 impl Gpu {

@@ -153,6 +153,8 @@ pub fn accepted<T>(device: &wgpu::Device, make: impl FnOnce() -> T) -> Result<T,
 }
 
 #[cfg(test)]
+mod kinds;
+#[cfg(test)]
 pub mod tests {
     #![allow(
         clippy::unwrap_used,

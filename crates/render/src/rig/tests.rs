@@ -150,21 +150,6 @@ fn kernel(@builtin(global_invocation_id) id: vec3<u32>) {
     found[id.x] = vec4<f32>(bend(stance, SkinIn(it.weights, it.joints), 3u).place, 1.0);
 }";
 
-fn read_back(gpu: &Gpu, from: &wgpu::Buffer) -> Vec<[f32; 4]> {
-    let to = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: None,
-        size: from.size(),
-        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    let mut encoder = gpu.encoder();
-    encoder.copy_buffer_to_buffer(from, 0, &to, 0, from.size());
-    gpu.queue.submit([encoder.finish()]);
-    to.slice(..).map_async(wgpu::MapMode::Read, |_| {});
-    gpu.wait().unwrap();
-    bytemuck::cast_slice(&to.slice(..).get_mapped_range().unwrap()).to_vec()
-}
-
 /// The shader carries every vertex where the processor does, from another figure's place in the batch.
 #[test]
 fn the_adapter_bends_as_the_processor_does() {
@@ -192,22 +177,7 @@ fn the_adapter_bends_as_the_processor_does() {
         })
     };
     let source = FIGURE.source(Some(&antipode_geometry::shader::FLAT)) + KERNEL;
-    let module = gpu
-        .device
-        .create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: None,
-            source: wgpu::ShaderSource::Wgsl(source.into()),
-        });
-    let pipeline = gpu
-        .device
-        .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: None,
-            layout: None,
-            module: &module,
-            entry_point: Some("kernel"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            cache: None,
-        });
+    let pipeline = gpu.kernel(source);
     let asked = buffer(bytemuck::cast_slice(&given), Usage::STORAGE);
     let found = buffer(&vec![0; 16 * given.len()], Usage::STORAGE | Usage::COPY_SRC);
     for posture in postures() {
@@ -242,7 +212,7 @@ fn the_adapter_bends_as_the_processor_does() {
             pass.dispatch_workgroups(given.len().div_ceil(64) as u32, 1, 1);
         }
         gpu.queue.submit([encoder.finish()]);
-        let found = read_back(&gpu, &found);
+        let found = gpu.read_back(&found);
         for (place, [x, y, z, _]) in places(&posed, &shape).into_iter().zip(found) {
             assert!(
                 place.distance(Vec3::new(x, y, z)) < 2e-6,
