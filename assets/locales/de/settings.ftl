@@ -14,7 +14,10 @@ settings-group-comfort = Sprache, Lesbarkeit und Behagen
 # { $value } is a number.
 unit-degrees = { $value }°
 unit-degrees-per-pixel = { $value }° je Pixel
-unit-chunks = { $value } Stücke
+unit-chunks = { $value ->
+    [0] Automatisch
+   *[other] { $value } Stücke
+}
 unit-notch = { $value } je Raste
 unit-times = { $value } ×
 
@@ -37,7 +40,7 @@ setting-quality-fast = Schnell
 setting-quality-balanced = Ausgewogen
 setting-quality-exact = Genau
 setting-view-distance = Sichtweite
-setting-view-distance-about = Wie weit um dich herum Land gemacht wird; ein Stück hat 32 Meter. Jeder Schritt weiter kostet Speicher und Zeit.
+setting-view-distance-about = Wie weit um dich herum Land gemacht wird; ein Stück hat 32 Meter. Automatisch reicht es mit einer Grafikkarte über 300 Meter weit. Jeder Schritt weiter kostet Speicher und Zeit.
 setting-render-scale = Auflösung der Welt
 setting-render-scale-about = Der Anteil der Fensterauflösung, in dem die Welt gezeichnet wird. Texte bleiben scharf. Automatisch: die ganze mit einer Grafikkarte, die halbe ohne.
 setting-render-scale-auto = Automatisch

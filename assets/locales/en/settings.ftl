@@ -14,7 +14,10 @@ settings-group-comfort = Language, reading and comfort
 # { $value } is a number.
 unit-degrees = { $value }°
 unit-degrees-per-pixel = { $value }° a pixel
-unit-chunks = { $value } chunks
+unit-chunks = { $value ->
+    [0] Automatic
+   *[other] { $value } chunks
+}
 unit-notch = { $value } a notch
 unit-times = { $value } ×
 
@@ -37,7 +40,7 @@ setting-quality-fast = Fast
 setting-quality-balanced = Balanced
 setting-quality-exact = Exact
 setting-view-distance = View distance
-setting-view-distance-about = How far the land around you reaches; a chunk is 32 metres. A larger distance costs memory and time.
+setting-view-distance-about = How far the land around you reaches; a chunk is 32 metres. Automatic is more than 300 metres with a graphics card. A larger distance costs memory and time.
 setting-render-scale = Resolution of the world
 setting-render-scale-about = The resolution of the world, as a share of the window's. Text stays sharp. Automatic means 100 % with a graphics card and 50 % without one.
 setting-render-scale-auto = Automatic

@@ -14,7 +14,10 @@ settings-group-comfort = Język, czytelność i wygoda
 # { $value } is a number.
 unit-degrees = { $value }°
 unit-degrees-per-pixel = { $value }° na piksel
-unit-chunks = kawałki: { $value }
+unit-chunks = { $value ->
+    [0] Automatycznie
+   *[other] kawałki: { $value }
+}
 unit-notch = { $value } na ząbek
 unit-times = { $value } ×
 
@@ -37,7 +40,7 @@ setting-quality-fast = Szybka
 setting-quality-balanced = Wyważona
 setting-quality-exact = Dokładna
 setting-view-distance = Zasięg widoku
-setting-view-distance-about = Jak daleko wokół ciebie tworzony jest teren; kawałek ma 32 metry. Każdy krok dalej kosztuje pamięć i czas.
+setting-view-distance-about = Jak daleko wokół ciebie tworzony jest teren; kawałek ma 32 metry. Automatyczny zasięg to z kartą graficzną ponad 300 metrów. Każdy krok dalej kosztuje pamięć i czas.
 setting-render-scale = Rozdzielczość świata
 setting-render-scale-about = W jakiej części rozdzielczości okna rysowany jest świat. Teksty pozostają ostre. Automatycznie: cała na karcie graficznej, połowa bez niej.
 setting-render-scale-auto = Automatycznie

@@ -14,7 +14,10 @@ settings-group-comfort = 语言、阅读与舒适
 # { $value } is a number.
 unit-degrees = { $value }°
 unit-degrees-per-pixel = 每像素 { $value }°
-unit-chunks = { $value } 个区块
+unit-chunks = { $value ->
+    [0] 自动
+   *[other] { $value } 个区块
+}
 unit-notch = 每格 { $value }
 unit-times = { $value } ×
 
@@ -37,7 +40,7 @@ setting-quality-fast = 快速
 setting-quality-balanced = 均衡
 setting-quality-exact = 精确
 setting-view-distance = 视距
-setting-view-distance-about = 在你周围多远的范围内生成地形；一个区块为 32 米。每增加一级都要占用内存和时间。
+setting-view-distance-about = 在你周围多远的范围内生成地形；一个区块为 32 米。选“自动”且使用显卡时超过 300 米。每增加一级都要占用内存和时间。
 setting-render-scale = 世界的分辨率
 setting-render-scale-about = 以窗口分辨率的多大比例绘制世界。文字始终清晰。自动：有显卡时为全部，没有时为一半。
 setting-render-scale-auto = 自动

@@ -336,7 +336,7 @@ static FIELDS: [Field; 35] = [
         id: "view-distance",
         group: Group::Picture,
         kind: Kind::Slider {
-            min: 1.0,
+            min: 0.0,
             max: 16.0,
             step: 1.0,
             unit_key: "unit-chunks",

@@ -14,7 +14,7 @@ pub struct Settings {
     pub invert_look: bool,
     /// Vertical field of view, degrees.
     pub field_of_view_deg: f64,
-    /// How far land is loaded, in chunks of 32 m.
+    /// How far land is loaded, in chunks of 32 m; 0 leaves it to [`Settings::view_distance`].
     pub view_distance_chunks: u32,
     /// For what pictures are made.
     pub preset: Preset,
@@ -86,7 +86,7 @@ impl Default for Settings {
             mouse_sensitivity_deg_per_px: 0.12,
             invert_look: false,
             field_of_view_deg: 75.0,
-            view_distance_chunks: 4,
+            view_distance_chunks: 0,
             preset: Preset::default(),
             quality: Quality::default(),
             frame_cap: FrameCap::default(),
@@ -122,7 +122,20 @@ impl Default for Settings {
     }
 }
 
+/// How far land reaches by itself, chunks: where the processor draws, and where a card does, more than 300 m.
+const VIEW_DISTANCE_CHUNKS: (u32, u32) = (4, 10);
+
 impl Settings {
+    /// How far land reaches, chunks; `software`: whether the processor draws.
+    pub fn view_distance(&self, software: bool) -> u32 {
+        let (near, far) = VIEW_DISTANCE_CHUNKS;
+        match self.view_distance_chunks {
+            0 if self.preset.is_software(software) => near,
+            0 => far,
+            chunks => chunks,
+        }
+    }
+
     /// The value of a field.
     pub fn get(&self, field: &Field) -> Value {
         field.value(self)

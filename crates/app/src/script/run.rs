@@ -69,7 +69,8 @@ impl Runner {
         );
         worlds.set_map(options::map(&config.settings));
         if common.config.is_some() && common.view_distance.is_none() {
-            worlds.set_view_distance(config.settings.view_distance_chunks);
+            // What a script sees is the same on every machine.
+            worlds.set_view_distance(config.settings.view_distance(true));
         }
         let mut controls = Controls::default();
         controls.set_config(config);

@@ -57,11 +57,12 @@ impl Game {
     /// A game that shows the menu, or opens a world at once. `software` names the adapter if it draws in software.
     pub fn new(worlds: Worlds, software: Option<String>, first: Option<Request>) -> Self {
         let album = Album::at(worlds.saves().path().with_file_name("screenshots"));
+        let is_software = software.is_some();
         let mut game = Self {
             menus: Menus::new(worlds.clone(), software),
             play: Play::new(worlds),
             overlays: Overlays::default(),
-            options: Options::new(Config::default(), Keeper::idle(), None),
+            options: Options::new(Config::default(), Keeper::idle(), None, is_software),
             devices: Devices::default(),
             display: Display::default(),
             hints: Hints::default(),
@@ -89,7 +90,8 @@ impl Game {
 
     /// Takes over the settings to begin with, and tells what there is to tell of their file.
     pub fn begin_with(&mut self, opened: Opened, common: &Common) {
-        self.options = Options::new(opened.config, opened.keeper, Some(common));
+        let software = self.options.software;
+        self.options = Options::new(opened.config, opened.keeper, Some(common), software);
         let config = &self.options.config;
         self.hints.go_on(&config.learnt);
         self.menus.texts = crate::options::texts(&config.settings);

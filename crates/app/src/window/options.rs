@@ -22,17 +22,20 @@ pub struct Options {
     preset: Option<Preset>,
     quality: Option<Quality>,
     view_distance: Option<u32>,
+    /// Whether the processor draws.
+    pub(super) software: bool,
 }
 
 impl Options {
     /// Those of a file, below what the command line fixes.
-    pub fn new(config: Config, keeper: Keeper, common: Option<&Common>) -> Self {
+    pub fn new(config: Config, keeper: Keeper, common: Option<&Common>, software: bool) -> Self {
         Self {
             config,
             keeper,
             preset: common.and_then(|common| common.preset),
             quality: common.and_then(|common| common.quality),
             view_distance: common.and_then(|common| common.view_distance),
+            software,
         }
     }
 
@@ -86,7 +89,8 @@ impl Options {
         controls.set_config(&self.config);
         let settings = &self.config.settings;
         let quality = self.quality.unwrap_or_else(|| options::quality(settings));
-        let chunks = self.view_distance.unwrap_or(settings.view_distance_chunks);
+        let own = || self.of_pictures().view_distance(self.software);
+        let chunks = self.view_distance.unwrap_or_else(own);
         play.follow(settings, quality, chunks);
     }
 

@@ -81,3 +81,18 @@ fn commands_set_by_words() {
         assert!(settings.set_word(id, word).is_err(), "{id} took {word}");
     }
 }
+
+#[test]
+fn land_reaches_as_far_as_the_adapter_can_unless_somebody_chose() {
+    let mut settings = Settings::default();
+    assert_eq!(settings.view_distance(true), 4);
+    // The haze takes the last quarter of a chunk.
+    assert!((f64::from(settings.view_distance(false)) - 0.25) * 32.0 >= 300.0);
+    settings.preset = Preset::Software;
+    assert_eq!(settings.view_distance(false), 4);
+    settings.view_distance_chunks = 6;
+    assert_eq!(
+        (settings.view_distance(true), settings.view_distance(false)),
+        (6, 6)
+    );
+}

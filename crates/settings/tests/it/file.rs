@@ -121,7 +121,7 @@ fn the_file_says_one_thing_a_line_in_words() {
     for line in [
         "    schema: 1,",
         "        \"field-of-view\": 90.0,",
-        "        \"view-distance\": 4,",
+        "        \"view-distance\": 0,",
         "        \"quality\": \"exact\",",
         "        \"vsync\": true,",
         "            \"jump\": [\"Space\", \"pad-south\", \"Mouse4\"],",
