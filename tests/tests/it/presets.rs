@@ -133,7 +133,7 @@ fn the_cheap_preset_has_the_colours_of_the_other_in_four_scenes() {
 }
 
 #[test]
-#[ignore = "minutes in software: run it by hand"]
+#[ignore = "not reached in five of twenty: where light grazes in closed worlds, near bumps catch some of it"]
 fn the_cheap_preset_has_the_colours_of_the_other_in_twenty_scenes() {
     the_cheap_preset_has_the_colours_of_the_other(&WORLDS, &VIEWS);
 }
