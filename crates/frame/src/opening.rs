@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3, DVec4};
 
 use crate::View;
 
-/// What is seen through a leaf begins so far before the other one, metres: where the ground there lies higher than here, the
+/// Land that is seen through a leaf begins so far before the other one, metres: where the ground there lies higher than here, the
 /// sill shows that ground and no hole under it.
 const BEGINS_BEFORE_M: f64 = 0.4;
 
@@ -46,6 +46,8 @@ impl Opening {
         };
         let ahead = if is_before { 1.0 } else { -1.0 };
         view.cuts[0] = sheet(&view, &far, -ahead * BEGINS_BEFORE_M, ahead);
+        // Figures begin at the leaf: who stands before it is not there for who looks through.
+        view.figure_cut = sheet(&view, &far, 0.0, ahead);
         Self {
             leaf: near,
             view,

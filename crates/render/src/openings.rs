@@ -19,7 +19,7 @@ use crate::pipelines::Pipelines;
 const SQUARES: u16 = 10;
 /// How far behind the leaf the surface lies when the eye is in it, and when it is farther off than that, metres.
 const DEEPEST_M: f64 = 0.15;
-const LEAST_DEEP_M: f64 = 0.01;
+const LEAST_DEEP_M: f64 = 0.002;
 /// Openings in a picture.
 const MOST: usize = 2;
 /// Corners of one: those of the surface, and a rim of them on the leaf.
