@@ -77,7 +77,11 @@ impl OpeningDraws {
             self.charts.push(charts.number(leaf.foot.chart));
             let corner =
                 |local| -> [f32; 3] { offset_of(frame, leaf.place(local)).as_vec3().into() };
-            all.extend(corners(away_m(frame, leaf), &opening.sill_m).into_iter().map(corner));
+            all.extend(
+                corners(away_m(frame, leaf), &opening.sill_m)
+                    .into_iter()
+                    .map(corner),
+            );
         }
         if !all.is_empty() {
             queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&all));

@@ -104,7 +104,10 @@ fn what_stands_behind_the_far_door_is_seen_in_the_near_one_and_what_stands_behin
         for before_m in [1.0, 0.6, 0.45] {
             frame.content_mut().figures[0].point = far.place(DVec3::new(-before_m, 0.0, 0.0));
             let cut = shown(&frame, &mut studio);
-            assert!(cut < 0.02, "{geometry}: {before_m} m before the far one {cut}");
+            assert!(
+                cut < 0.02,
+                "{geometry}: {before_m} m before the far one {cut}"
+            );
         }
     }
 }
