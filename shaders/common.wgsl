@@ -92,6 +92,7 @@ struct Scene {
     ring_y: vec4<f32>,          // and along y and z
     ring_z: vec4<f32>,
     cuts: mat4x4<f32>,          // columns: covectors of view coordinates; what has a negative product with one is cut off
+    figure_cut: vec4<f32>,      // one that cuts figures only
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m
     lamps: array<Lamp, LAMPS>,
     beams: array<Beam, BEAMS>,

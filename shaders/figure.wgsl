@@ -268,6 +268,11 @@ fn ghost_light(in: VertexOut) -> vec3<f32> {
     return in.albedo.rgb * (1.15 - 0.6 * facing);
 }
 
+// Whether a sheet of the view or the figure's own cut takes it away.
+fn is_cut_off(in: VertexOut) -> bool {
+    return is_cut(in.view) || (CUTS && dot(scene.figure_cut, in.view) < 0.0) || in.kept_m < 0.0;
+}
+
 fn is_open(clip: vec4<f32>) -> bool {
     let at = vec2<u32>(clip.xy);
     return ((at.x + at.y) & 1u) == 1u;
@@ -277,7 +282,7 @@ fn is_open(clip: vec4<f32>) -> bool {
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     var light = figure_light(in, in.albedo.a);
     let is_ghost = in.glow < -0.5;
-    if is_cut(in.view) || in.kept_m < 0.0 || (is_ghost && is_open(in.clip)) {
+    if is_cut_off(in) || (is_ghost && is_open(in.clip)) {
         discard;
     }
     light = select(light, ghost_light(in), is_ghost);
@@ -289,7 +294,7 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
 fn fragment_clear(in: VertexOut) -> @location(0) vec4<f32> {
     let cover = in.albedo.a;
     let light = figure_light(in, 0.9) * in.veil.a + in.veil.rgb;
-    if is_cut(in.view) || in.kept_m < 0.0 {
+    if is_cut_off(in) {
         discard;
     }
     return vec4<f32>(light * cover, cover);

@@ -1,20 +1,25 @@
 //! A door in a picture: where it stands, and the view that is seen through it.
 
-use antipode_geometry::doorway::{HALF_WIDTH_M, HEIGHT_M};
+use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M, HEIGHT_M};
 use antipode_geometry::{Doorway, Leaf};
 use glam::{DMat3, DVec3, DVec4};
 
 use crate::View;
 
-/// What is seen through a leaf begins so far before the other one, metres: where the ground there lies higher than here, the
-/// sill shows that ground and no hole under it.
+/// Land that is seen through a leaf begins so far before the other one, metres: where the ground there lies higher than its sill,
+/// that ground is seen and no hole under it.
 const BEGINS_BEFORE_M: f64 = 0.4;
+/// Figures begin so far behind it, metres: what rounding leaves of who stands before it is no speck in the opening.
+const FIGURES_BEGIN_M: f64 = 0.003;
 
 /// A leaf of a pair of doors, and what is seen through it.
 #[derive(Clone, Debug)]
 pub struct Opening {
     /// The leaf that is looked through.
     pub leaf: Leaf,
+    /// How high the ground of the other side is along its lower edge, from the left of who looks along the leaf's front to the right,
+    /// metres over the foot. Below that nothing is seen through it.
+    pub sill_m: [f64; Opening::SILLS],
     /// The view of the other side, by the isometry of the space; cut off at the other leaf.
     pub view: View,
     /// What the same leaf shows where that view sees it once more.
@@ -22,6 +27,9 @@ pub struct Opening {
 }
 
 impl Opening {
+    /// Places along the lower edge where its height is told, evenly from post to post.
+    pub const SILLS: usize = 11;
+
     /// What a picture's view shows through each leaf of a pair.
     pub fn all(view: &View, doors: &Doorway) -> [Self; 2] {
         [0, 1].map(|leaf| {
@@ -46,8 +54,10 @@ impl Opening {
         };
         let ahead = if is_before { 1.0 } else { -1.0 };
         view.cuts[0] = sheet(&view, &far, -ahead * BEGINS_BEFORE_M, ahead);
+        view.figure_cut = sheet(&view, &far, ahead * FIGURES_BEGIN_M, ahead);
         Self {
             leaf: near,
+            sill_m: [-BELOW_FOOT_M; Self::SILLS],
             view,
             again: None,
         }

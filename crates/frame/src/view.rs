@@ -34,6 +34,8 @@ pub struct View {
     /// Covectors n of view coordinates, after the isometry: of land, figures and what stands among them, only that is drawn
     /// for which `n . view >= 0` by all of them. The sheets where that is 0 are totally geodesic. All zero for none.
     pub cuts: [DVec4; View::CUTS],
+    /// One that cuts figures only, in the same way. All zero for none.
+    pub figure_cut: DVec4,
 }
 
 impl View {
@@ -56,6 +58,7 @@ impl View {
             quality: Quality::default(),
             isometry: DMat4::IDENTITY,
             cuts: [DVec4::ZERO; Self::CUTS],
+            figure_cut: DVec4::ZERO,
         }
     }
 
@@ -66,7 +69,7 @@ impl View {
 
     /// Whether anything may be cut off.
     pub fn is_cut(&self) -> bool {
-        self.cuts != [DVec4::ZERO; Self::CUTS]
+        self.cuts != [DVec4::ZERO; Self::CUTS] || self.figure_cut != DVec4::ZERO
     }
 
     /// View coordinates after the isometry.

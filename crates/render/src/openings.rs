@@ -6,7 +6,7 @@
 
 use antipode_frame::{Frame, Opening};
 use antipode_geometry::Leaf;
-use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M, HEIGHT_M};
+use antipode_geometry::doorway::{HALF_WIDTH_M, HEIGHT_M};
 use glam::DVec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindGroup, Buffer, BufferUsages, Device, Queue, RenderPass};
@@ -16,10 +16,11 @@ use crate::draw_list::DrawCount;
 use crate::pipelines::Pipelines;
 
 /// Squares along each side of an opening: where space is curved its edges bow.
-const SQUARES: u16 = 10;
-/// How far behind the leaf the surface lies when the eye is in it, and when it is farther off than that, metres.
+const SQUARES: u16 = Opening::SILLS as u16 - 1;
+/// How far behind the leaf the surface lies when the eye is in it, and when it is farther off than that, metres. From there it lies
+/// before the leaf, and so hides what rounding leaves of who stands behind that.
 const DEEPEST_M: f64 = 0.15;
-const LEAST_DEEP_M: f64 = 0.01;
+const LEAST_DEEP_M: f64 = -0.002;
 /// Openings in a picture.
 const MOST: usize = 2;
 /// Corners of one: those of the surface, and a rim of them on the leaf.
@@ -76,7 +77,11 @@ impl OpeningDraws {
             self.charts.push(charts.number(leaf.foot.chart));
             let corner =
                 |local| -> [f32; 3] { offset_of(frame, leaf.place(local)).as_vec3().into() };
-            all.extend(corners(away_m(frame, leaf)).into_iter().map(corner));
+            all.extend(
+                corners(away_m(frame, leaf), &opening.sill_m)
+                    .into_iter()
+                    .map(corner),
+            );
         }
         if !all.is_empty() {
             queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&all));
@@ -118,13 +123,15 @@ fn away_m(frame: &Frame, leaf: &Leaf) -> f64 {
     there.map_or(f64::INFINITY, |it| leaf.local(it.point.pos).x)
 }
 
-/// The corners of an opening in the leaf's own axes, for an eye so far through it: its surface row by row, then the rim.
-fn corners(away_m: f64) -> Vec<DVec3> {
+/// The corners of an opening in the leaf's own axes, for an eye so far through it and a sill so high: its surface row by row, then
+/// the rim.
+fn corners(away_m: f64, sill_m: &[f64; Opening::SILLS]) -> Vec<DVec3> {
     let deep_m = (DEEPEST_M - away_m.abs()).clamp(LEAST_DEEP_M, DEEPEST_M);
     let behind_m = if away_m < 0.0 { deep_m } else { -deep_m };
     let share = |at: u16| f64::from(at) / f64::from(SQUARES);
     let at = |x: f64, row: u16, column: u16| {
-        let y = -BELOW_FOOT_M + share(row) * (HEIGHT_M + BELOW_FOOT_M);
+        let low_m = sill_m[usize::from(column)];
+        let y = low_m + share(row) * (HEIGHT_M - low_m);
         DVec3::new(x, y, (2.0 * share(column) - 1.0) * HALF_WIDTH_M)
     };
     let rows = (0..=SQUARES).flat_map(|row| (0..=SQUARES).map(move |column| (row, column)));
@@ -173,7 +180,7 @@ pub fn place_of(frame: &Frame, opening: &Opening, size: (u32, u32)) -> Option<[u
     if strategy.eye_distance_m(eye, middle) > f64::from(view.fog_distance_m) {
         return None;
     }
-    let all = corners(away_m(frame, &opening.leaf)).into_iter();
+    let all = corners(away_m(frame, &opening.leaf), &opening.sill_m).into_iter();
     let clips: Vec<_> = all
         .map(|local| {
             let seen = view.point(opening.leaf.place(local));
@@ -213,7 +220,7 @@ mod tests {
     #[test]
     fn an_opening_is_a_closed_box_behind_the_leaf_but_for_its_front() {
         for (away_m, deep_m) in [(-4.0, LEAST_DEEP_M), (-0.01, 0.14), (0.05, -0.1)] {
-            let all = corners(away_m);
+            let all = corners(away_m, &[-1.1; Opening::SILLS]);
             assert_eq!(all.len(), CORNERS);
             let (surface, rim) = all.split_at((usize::from(SQUARES) + 1).pow(2));
             assert!(surface.iter().all(|it| (it.x - deep_m).abs() < 1e-12));

@@ -59,9 +59,12 @@ impl Shades {
         let view = space.viewer(eye);
         let figures = frame.content.figures.iter();
         let is_there = |figure: &&Figure| figure.presence == Presence::Real;
+        // Of who stands in a door the feet are on one side only.
+        let has_feet = |figure: &&Figure| figure.cut.is_none_or(|cut| cut.from_m <= 0.0);
         let casting = figures
             .filter(|figure| figure.model.casts_shade())
-            .filter(is_there);
+            .filter(is_there)
+            .filter(has_feet);
         let away_m = |point: ChartPoint| (space.eye_distance_m(eye, view(point)), point);
         let mut feet: Vec<_> = casting.map(|figure| away_m(figure.point)).collect();
         feet.sort_by(|(a, _), (b, _)| a.total_cmp(b));

@@ -32,6 +32,7 @@ mod door_astride;
 mod door_camera;
 mod door_light;
 mod door_place;
+mod door_sill;
 pub mod drops;
 mod earthworks;
 pub mod fixture;

@@ -11,6 +11,7 @@ use crate::aimed::{Aim, ViewParams};
 use crate::camera::{CameraMode, CameraPose};
 use crate::car::mirror::rear_view;
 use crate::day;
+use crate::door_sill::sill_m;
 use crate::frame::{
     BeamLight, Content, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, Opening, View,
 };
@@ -227,6 +228,10 @@ impl Scene {
             return Vec::new();
         };
         let mut all = Opening::all(view, doors).to_vec();
+        let solid = |at: ChartPoint| self.sim.world.ground.is_solid(at);
+        for (opening, far) in all.iter_mut().zip(doors.leaves.iter().rev()) {
+            opening.sill_m = sill_m(solid, far);
+        }
         if !view.strategy.is_closed() {
             let strategy = &*view.strategy;
             for (opening, far) in all.iter_mut().zip(doors.leaves.iter().rev()) {

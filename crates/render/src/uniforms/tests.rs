@@ -77,6 +77,7 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
         ("ring_y", offset_of!(SceneUniform, ring_axes) + 16),
         ("ring_z", offset_of!(SceneUniform, ring_axes) + 32),
         ("cuts", offset_of!(SceneUniform, cuts)),
+        ("figure_cut", offset_of!(SceneUniform, figure_cut)),
         ("shades", offset_of!(SceneUniform, shades)),
         ("lamps", offset_of!(SceneUniform, lamps)),
         ("beams", offset_of!(SceneUniform, beams)),

@@ -100,11 +100,50 @@ fn what_stands_behind_the_far_door_is_seen_in_the_near_one_and_what_stands_behin
         frame.content_mut().figures[0].point = there;
         let seen = shown(&frame, &mut studio);
         assert!(seen > 0.1, "{geometry}: behind the far one {seen}");
-        // Before the far leaf it is cut off.
-        let before = far.place(DVec3::new(-1.0, 0.0, 0.0));
-        frame.content_mut().figures[0].point = before;
-        let cut = shown(&frame, &mut studio);
-        assert!(cut < 0.02, "{geometry}: before the far one {cut}");
+        // Before the far leaf it is cut off, however near.
+        for before_m in [1.0, 0.6, 0.45] {
+            frame.content_mut().figures[0].point = far.place(DVec3::new(-before_m, 0.0, 0.0));
+            let cut = shown(&frame, &mut studio);
+            assert!(
+                cut < 0.02,
+                "{geometry}: {before_m} m before the far one {cut}"
+            );
+        }
+    }
+}
+
+/// Where the ground is higher on the other side an opening begins at that: below is this side, and no hole under the ground.
+#[test]
+fn below_the_sill_of_an_opening_one_sees_this_side() {
+    for geometry in GEOMETRIES {
+        let Some(mut studio) = Studio::new(SIZE) else {
+            return;
+        };
+        let frame = before_an_astronaut(geometry);
+        let far = Leaf {
+            foot: frame.view.eye.point.moved(DVec3::new(-6.0, -1.6, 9.0)),
+            yaw: 2.0,
+        };
+        let with = with_doors(&frame, [leaf(&frame, 2.0, 0.0), far]);
+        let with_sill = |sill_m: f64| {
+            let mut frame = with.clone();
+            for opening in &mut frame.openings {
+                opening.sill_m = [sill_m; Opening::SILLS];
+            }
+            frame
+        };
+        let plain = studio.picture(&frame);
+        let mut off = |sill_m: f64| {
+            let seen = studio.picture(&with_sill(sill_m));
+            difference(&seen, &plain).1
+        };
+        let [open, half, closed] = [-1.1, 1.0, 2.2].map(&mut off);
+        assert!(open > 1.0, "{geometry}: {open}");
+        assert!(
+            half < 0.8 * open && half > 0.1 * open,
+            "{geometry}: {half} of {open}"
+        );
+        assert!(closed < 0.01, "{geometry}: {closed}");
     }
 }
 
@@ -158,6 +197,30 @@ fn both_parts_of_a_figure_that_is_cut_are_the_whole_and_each_is_less() {
         let both = shown(&[part(1.0), part(-1.0)], &mut studio);
         let off = difference(&both, &all).1;
         assert!(off < 0.05 * total, "{geometry}: {off} of {total}");
+    }
+}
+
+/// Of who stands in a door so that nothing of him is on this side, no shade lies on the ground here either.
+#[test]
+fn a_figure_whose_feet_are_cut_off_leaves_no_shade_on_the_ground() {
+    for geometry in GEOMETRIES {
+        let Some(mut studio) = Studio::new(SIZE) else {
+            return;
+        };
+        let frame = before_an_astronaut(geometry);
+        let none = studio.picture(&frame.clone().with_content(|it| it.figures.clear()));
+        let mut cut = |from_m: f64| {
+            let mut figure = frame.content.figures[0];
+            figure.cut = Some(Cut {
+                heading_rad: 1.7,
+                from_m,
+            });
+            let seen = studio.picture(&frame.clone().with_content(|it| it.figures = vec![figure]));
+            difference(&seen, &none).1
+        };
+        let [whole, gone] = [-1.5, 1.5].map(&mut cut);
+        assert!(whole > 0.1, "{geometry}: {whole}");
+        assert!(gone < 0.001, "{geometry}: {gone}");
     }
 }
 

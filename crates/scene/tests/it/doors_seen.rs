@@ -6,7 +6,7 @@ use antipode_scene::frame::{Figure, ModelId};
 use antipode_scene::{Actions, Scene};
 use glam::DVec3;
 
-use crate::common::doors::{ahead, before_the_player, local, put_up, still};
+use crate::common::doors::{ahead, before_the_player, ground, local, put_up, still};
 use crate::common::{LIMIT, steps};
 
 /// From behind one sees who has gone through a door through that door, from feet to head, however steeply one looks down; and as
@@ -175,6 +175,29 @@ fn a_lamp_before_a_door_shines_out_of_the_other_in_every_space() {
             1,
             "{geometry}"
         );
+    }
+}
+
+/// An opening begins where the ground of the other side does.
+#[test]
+fn an_opening_begins_at_the_ground_of_the_other_side_in_every_space() {
+    for geometry in Geometry::ALL {
+        let (scene, pair) = before_the_player(geometry);
+        let openings = scene.frame(1.2, 1.5, 1).openings;
+        for (opening, far) in openings.iter().zip(pair.leaves.iter().rev()) {
+            let last = (opening.sill_m.len() - 1) as f64;
+            for (column, sill_m) in opening.sill_m.iter().enumerate() {
+                let z = (2.0 * column as f64 / last - 1.0) * HALF_WIDTH_M;
+                let under = far.place(DVec3::new(0.0, 0.0, z));
+                let found = ground(&scene, under.chart, under.pos.x, under.pos.z);
+                let found_m = local(&scene, far, found).y;
+                assert!(
+                    (sill_m - found_m).abs() < 0.08,
+                    "{geometry} {column}: {sill_m} m, not {found_m} m"
+                );
+            }
+        }
+        assert_eq!(openings.len(), 2, "{geometry}");
     }
 }
 

@@ -1,0 +1,61 @@
+//! The sill of an opening: how high the ground of the other side is where the land seen through a door begins.
+//!
+//! Who looks down at a sill that is higher on the other side would look under that ground, where nothing is. So an opening begins
+//! at it, and below one sees what is on this side: a step up.
+
+use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M};
+use antipode_geometry::{ChartPoint, Leaf};
+use glam::DVec3;
+
+use crate::frame::Opening;
+
+/// A sill is at most so high over the foot, metres: ground that is higher is a wall.
+const HIGHEST_M: f64 = 0.9;
+/// Halvings by which the height of the ground is found, within two centimetres.
+const HALVINGS: u32 = 7;
+
+/// How high the ground is along the lower edge of a leaf, metres over its foot, as [`Opening::sill_m`] has it. Where there is none to
+/// begin at it is as low as an opening reaches.
+pub(crate) fn sill_m(solid: impl Fn(ChartPoint) -> bool, leaf: &Leaf) -> [f64; Opening::SILLS] {
+    let last = (Opening::SILLS - 1) as f64;
+    std::array::from_fn(|column| {
+        let z = (2.0 * column as f64 / last - 1.0) * HALF_WIDTH_M;
+        let is_solid = |y: f64| solid(leaf.place(DVec3::new(0.0, y, z)));
+        let (mut low, mut high) = (-BELOW_FOOT_M, HIGHEST_M);
+        if !is_solid(low) || is_solid(high) {
+            return -BELOW_FOOT_M;
+        }
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(low, high);
+            if is_solid(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::ChartId;
+
+    use super::*;
+
+    #[test]
+    fn a_sill_is_as_high_as_the_ground_and_none_is_in_rock_or_over_a_pit() {
+        let leaf = Leaf {
+            foot: ChartPoint::new(ChartId::FIRST, DVec3::new(7.0, 5.0, -3.0)),
+            yaw: 0.0,
+        };
+        let slope = |at: ChartPoint| at.pos.y < 5.0 + 0.5 * (at.pos.z + 3.0);
+        for (column, found_m) in (0..).zip(sill_m(slope, &leaf)) {
+            let z = (0.2 * f64::from(column) - 1.0) * HALF_WIDTH_M;
+            assert!((found_m - 0.5 * z).abs() < 0.02, "{column}: {found_m}");
+        }
+        for bottomless in [sill_m(|_| true, &leaf), sill_m(|_| false, &leaf)] {
+            assert_eq!(bottomless, [-BELOW_FOOT_M; Opening::SILLS]);
+        }
+    }
+}
