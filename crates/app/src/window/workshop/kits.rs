@@ -3,6 +3,7 @@
 
 use std::collections::HashSet;
 
+use antipode_rooms::bounds::MOST_LIGHTS;
 use antipode_rooms::{Object, Room, What, poses, rotation, space_in_parts};
 use antipode_workshop::{Clip, Edit, make};
 use glam::DVec3;
@@ -67,7 +68,8 @@ pub struct Site<'a> {
 /// Puts a kit in where nothing is in its way and its portals may stand, as near to where it was meant as can be; its front is
 /// turned to who looks.
 pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
-    let kit = objects(id)?;
+    let mut kit = objects(id)?;
+    leave_lights_out(&mut kit, room);
     // Yaw f takes +z to (-sin f, 0, cos f), which is to be against where one looks.
     let quarter = (site.front.x.atan2(-site.front.z).to_degrees() / 90.0).round() * 90.0;
     let turn = DVec3::new(quarter, 0.0, 0.0);
@@ -102,6 +104,15 @@ pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
             any.find(fits)
         });
     Some(paste(&found?))
+}
+
+/// A room that has as many lamps as it may have takes in a kit without its own.
+fn leave_lights_out(kit: &mut Vec<Object>, room: &Room) {
+    let is_light = |it: &&Object| matches!(it.what, What::Light { .. });
+    let lights = room.objects.iter().chain(&*kit).filter(is_light).count();
+    if lights > MOST_LIGHTS {
+        kit.retain(|it| !is_light(&it));
+    }
 }
 
 fn paste(objects: &[Object]) -> Edit {
@@ -265,6 +276,22 @@ mod tests {
                 .filter(|it| it.is_grave || !(*id == "falling-loop" || it.said.id == "fall-out"))
                 .collect();
             assert!(odd.is_empty(), "{id}: {odd:?}");
+        }
+    }
+
+    #[test]
+    fn a_house_has_light_inside_and_is_put_in_without_where_there_are_lamps_enough() {
+        let mut document = Document::new(Room::new("a"));
+        let lights = |document: &Document| {
+            let all = document.room().objects.iter();
+            all.filter(|it| matches!(it.what, What::Light { .. }))
+                .count()
+        };
+        for houses in 1..=MOST_LIGHTS + 1 {
+            let point = DVec3::X * 12.0 * houses as f64;
+            let edit = put_in(document.room(), "house", point, DVec3::NEG_Z).unwrap();
+            document.edit(&edit).unwrap();
+            assert_eq!(lights(&document), houses.min(MOST_LIGHTS));
         }
     }
 
