@@ -288,6 +288,14 @@ impl<S: Shelf> PlaceList<S> {
             },
             archives: archives.collect(),
             folders: self.found.folders(),
+            problem: self.found.unread.as_ref().map(|why| {
+                let folder = self.found.folder.as_deref().unwrap_or(Path::new(""));
+                let values = [
+                    ("dir", folder.display().to_string().into()),
+                    ("reason", why.as_str().into()),
+                ];
+                texts.say_with("worlds-folder-unread", &values)
+            }),
             work: self
                 .task
                 .as_ref()
