@@ -2,7 +2,7 @@
 
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::Facing;
-use antipode_rooms::{Room, RoomsDir, folder};
+use antipode_rooms::{Assets, Room, RoomsDir};
 use antipode_ui::workshop::{ViewSide, WorkshopWish};
 use antipode_workshop::{Array, Edit, WorkshopError};
 use glam::{DVec2, DVec3};
@@ -11,6 +11,7 @@ use super::hand::{Deed, middle, nudge};
 use super::kits::Site;
 use super::rows::free_name;
 use super::{Workshop, chosen, parts, set};
+use crate::window::reading::{Asked, Reading};
 
 /// How far about the place of a finding one looks, metres.
 const FINDING_M: f64 = 2.0;
@@ -34,6 +35,8 @@ pub struct Bench<'a> {
     pub dir: &'a RoomsDir,
     /// The room's own folder.
     pub slug: &'a str,
+    /// What waits for the disk.
+    pub reading: &'a mut Reading,
 }
 
 impl Bench<'_> {
@@ -41,6 +44,10 @@ impl Bench<'_> {
     pub fn make(&mut self, edit: &Edit) -> Result<(), WorkshopError> {
         self.scene.document_mut().end_drag();
         let plan = self.scene.document().plan(edit)?;
+        if self.scene.lacks_files(&plan) {
+            self.reading.ask(Asked::Edit(edit.clone()));
+            return Ok(());
+        }
         self.commit(plan)?;
         if edit.puts_in() {
             self.scene.document_mut().select_made();
@@ -62,9 +69,9 @@ impl Bench<'_> {
     }
 
     fn commit(&mut self, plan: antipode_workshop::Plan) -> Result<(), WorkshopError> {
-        let dir = self.folder();
-        let read = |room: &Room| folder::assets(&dir, room);
-        self.scene.make(plan, read).map_err(WorkshopError::Room)
+        // What names other files does not come here before they are read.
+        let known = |_: &Room| Ok(Assets::default());
+        self.scene.make(plan, known).map_err(WorkshopError::Room)
     }
 }
 
@@ -353,6 +360,10 @@ fn go_in_history(bench: &mut Bench<'_>, wish: &WorkshopWish) -> Result<(), Works
         WorkshopWish::Redo => document.plan_redo(1)?,
         _ => document.plan_undo(1)?,
     };
+    if bench.scene.lacks_files(&plan) {
+        bench.reading.ask(Asked::Step(wish.clone()));
+        return Ok(());
+    }
     bench.commit(plan)?;
     if matches!(wish, WorkshopWish::Redo) {
         bench.scene.document_mut().select_made();
