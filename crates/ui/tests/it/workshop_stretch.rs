@@ -81,6 +81,11 @@ fn the_whole_width_of_the_pane_leads_from_a_32nd_to_32_in_round_steps() {
         "a tenth of the width doubles: {half}"
     );
     assert!((half * 10.0 - (half * 10.0).round()).abs() < 1e-9, "{half}");
+    let (round, _) = *go(&mut harness, at(0.63)).last().unwrap();
+    assert!(
+        (round * 10.0 - (round * 10.0).round()).abs() < 1e-9,
+        "{round}"
+    );
     assert_eq!(go(&mut harness, at(1.1)).last(), Some(&(32.0, false)));
     let (least, _) = *go(&mut harness, at(-0.1)).last().unwrap();
     assert!((least - 1.0 / 32.0).abs() < 5e-4, "{least}");

@@ -15,6 +15,8 @@ use crate::window::reading::{Asked, Reading};
 
 /// How far about the place of a finding one looks, metres.
 const FINDING_M: f64 = 2.0;
+/// How far before what one looks at the point lies from which one goes back, metres.
+const OFF_PLANE_M: f64 = 0.01;
 /// How many copies an array makes.
 const ARRAY: u32 = 4;
 
@@ -293,14 +295,10 @@ impl Workshop {
             .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
     }
 
-    /// Whether the middle of what is chosen is well in the view; of several things the whole of each, as far as boxes about them tell.
+    /// Whether the whole of all that is chosen is well in the view, as far as boxes about them tell.
     fn sees_chosen(&self, scene: &RoomScene) -> bool {
         let chosen = chosen::indices(scene);
         let is_within = |at: DVec2| at.abs().max_element() < 0.9;
-        if chosen.len() < 2 {
-            let handles = self.handles(scene);
-            return handles.is_some_and(|(_, handles)| is_within(handles.at));
-        }
         let view = self.viewpoint(scene);
         chosen.into_iter().all(|index| {
             let own = chosen::own_spaces(scene.room(), index);
@@ -317,6 +315,8 @@ impl Workshop {
             return;
         };
         self.forget_chain();
+        // Who goes back from the plane of a portal could go through it.
+        let middle = middle - self.camera.axes().0 * OFF_PLANE_M;
         let reach_m = chosen::reach_m(scene, middle);
         let fov_y_rad = self.fov_y_rad(scene);
         self.camera.focus(scene.space(), middle, reach_m, fov_y_rad);
