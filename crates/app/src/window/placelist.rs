@@ -102,7 +102,10 @@ impl<S: Shelf> PlaceList<S> {
                 self.enqueue(then);
             }
             WorldsIntent::Import { file } => self.enqueue(Job::Import { file }),
-            WorldsIntent::FindArchives => self.enqueue(Job::FindArchives { folder: None }),
+            // Where one has looked last, as for the folder of an export.
+            WorldsIntent::FindArchives => self.enqueue(Job::FindArchives {
+                folder: self.found.folder.clone(),
+            }),
             WorldsIntent::FindIn { folder } => {
                 let folder = Some(PathBuf::from(folder));
                 self.enqueue(Job::FindArchives { folder });

@@ -54,7 +54,7 @@ fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<
         if let FieldKind::Stretch(value) = &row.kind {
             let side = Layout::right_to_left(Align::Center);
             ui.with_layout(side, |ui| {
-                field::times(ui, model.texts, row, *value, wishes)
+                field::times(ui, model.texts, row, *value, wishes);
             });
         }
     });

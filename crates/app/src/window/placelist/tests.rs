@@ -386,4 +386,11 @@ fn a_folder_that_cannot_be_read_is_told_and_leads_on() {
     assert_eq!(files.folders[0].path, above);
     follow(&mut list, WorldsIntent::FindIn { folder: above });
     assert_eq!(list.files(&Texts::default()).problem, None);
+    follow(&mut list, WorldsIntent::FindArchives);
+    let files = list.files(&Texts::default());
+    assert_eq!(
+        files.dir,
+        dir.path().display().to_string(),
+        "it is remembered"
+    );
 }
