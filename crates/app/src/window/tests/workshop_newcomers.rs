@@ -135,8 +135,9 @@ fn the_second_lesson_leads_to_a_tunnel_and_two_portals_and_through_one() {
 fn both_of_a_pair_of_portals_are_seen_when_it_is_put_in() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = building(&dir);
-    // Where they would stand before the camera a house does.
-    ask(&mut game, [put("house"), put("portals")]);
+    // One looks at a wall from near by, and they stand elsewhere.
+    let near = WorkshopWish::View(ViewEvent::Fly([1.0, 0.0, 0.0], 1.0, false));
+    ask(&mut game, [put("house"), near, put("portals")]);
     let visit = game.play.phase.visit_mut().unwrap();
     let workshop = visit.workshop.take().unwrap();
     for name in ["door", "door 2"] {

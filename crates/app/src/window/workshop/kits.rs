@@ -340,7 +340,7 @@ mod tests {
         for _ in 0..2 {
             let room = document.room();
             // One looks at the ground two metres before the first.
-            let point = DVec3::new(0.0, 0.0, 2.0 * room.objects.len().min(1) as f64);
+            let point = DVec3::new(0.0, 0.0, 2.0 * room.portals().count() as f64);
             let edit = put_in(room, "portal", point, DVec3::NEG_Z).unwrap();
             document.edit(&edit).unwrap();
         }
