@@ -153,7 +153,7 @@ workshop-field-times = Dehnung
 workshop-field-times-x = Dehnung entlang x
 workshop-field-times-y = Dehnung entlang y
 workshop-field-times-z = Dehnung entlang z
-workshop-field-thesis = Zahl d der Abschlussarbeit
+workshop-field-thesis = Verkürzung (d)
 workshop-field-sides = Seiten
 workshop-field-ways = Wirkt auf
 workshop-field-outline = Kanten sichtbar
@@ -197,7 +197,7 @@ workshop-told-soft = Richtungen bleiben durch jede Seite gleich: man geht zu dem
 workshop-told-snell = Licht wird gebrochen wie in Glas und ab einem Winkel gespiegelt.
 workshop-told-legacy = Die Regel der Abschlussarbeit hat Fehler: was man sieht, hängt vom Blick ab, und man geht nicht dorthin.
 workshop-told-no-door = Wände lassen keine Tür, wo mehr als eine Achse gedehnt ist. Dehne nur eine, oder mache die Seiten offen.
-workshop-told-astigmatic = Astigmatisch: Seiten sind ungleich gedehnt, gerade Linien wirken durch sie gebogen.
+workshop-told-astigmatic = Gerade Linien sehen hindurch gebogen aus, weil die Seiten ungleich gedehnt sind.
 workshop-told-grazing = Streifende Blicke auf die Seiten werden gestaucht.
 workshop-told-itself = Es führt zu sich selbst: man sieht sich hineinschauen.
 workshop-told-alike = Es ist so groß wie „{ $name }“: wer durchgeht, behält seine Größe.
@@ -386,7 +386,7 @@ workshop-hover-sides = Was an den Seiten ist, durch die niemand gehen soll: Wän
 workshop-hover-ways = Wer vom anderen Ende kommt, findet den Raum auf Wunsch so lang, wie er aussieht.
 workshop-hover-outline = Die Kanten des Kastens sind auch im Spiel zu sehen, nicht nur hier.
 workshop-hover-lengths = Eine Achse macht einen Tunnel länger oder kürzer; alle Achsen machen einen Raum innen größer oder kleiner.
-workshop-hover-thesis = Dieselbe Dehnung, wie die Abschlussarbeit sie schreibt, aus der die Räume kommen: 0 ist keine.
+workshop-hover-thesis = Die Dehnung andersherum: Ein Meter innen nimmt außen 1 + d Meter ein. 0 ändert nichts, 2 ist innen ein Drittel so lang, −0,8 fünfmal so lang.
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = Lektion: Tunnel und Portale

@@ -51,6 +51,8 @@ worlds-found-none = In { $dir } sind keine exportierten Welten.
 worlds-import-named = { $name } ({ $size })
 worlds-folder-named = { $name } (Ordner)
 worlds-folder-above = Ordner darüber
+worlds-folder-unread = { $dir } lässt sich nicht lesen ({ $reason }). Wähle einen anderen Ordner, oder tippe einen Pfad.
+worlds-export-folders = Die Datei kommt nach { $dir }. Ein anderer Ordner:
 
 # Work on the saves, and what it came to.
 worlds-work-delete = Eine Welt wird gelöscht

@@ -153,7 +153,7 @@ workshop-field-times = Stretch
 workshop-field-times-x = Stretch along x
 workshop-field-times-y = Stretch along y
 workshop-field-times-z = Stretch along z
-workshop-field-thesis = The thesis's number d
+workshop-field-thesis = Shortening (d)
 workshop-field-sides = Sides
 workshop-field-ways = Works for
 workshop-field-outline = Edges are seen
@@ -197,7 +197,7 @@ workshop-told-soft = Directions stay the same through every face: one walks to w
 workshop-told-snell = Light is refracted as in glass, and beyond an angle reflected.
 workshop-told-legacy = The thesis's rule has faults: what is seen depends on where one looks, and one does not walk to it.
 workshop-told-no-door = Walls leave no door where more than one axis is stretched. Stretch one axis, or make the sides open.
-workshop-told-astigmatic = Astigmatic: its sides are stretched unequally, so straight lines look bent through them.
+workshop-told-astigmatic = Straight lines look bent through it, since its sides are stretched unequally.
 workshop-told-grazing = Views that graze its sides are compressed.
 workshop-told-itself = It leads to itself: it shows who looks in.
 workshop-told-alike = It is as large as “{ $name }”: who passes keeps their size.
@@ -386,7 +386,7 @@ workshop-hover-sides = What is at the faces through which nobody is meant to wal
 workshop-hover-ways = Who comes from the other end may find the space as long as it looks.
 workshop-hover-outline = The edges of the box are drawn in the game, too, not only here.
 workshop-hover-lengths = One axis makes a tunnel longer or shorter; all axes make a room larger or smaller inside.
-workshop-hover-thesis = The same stretch as the thesis writes it that rooms come from: 0 is no stretch.
+workshop-hover-thesis = The stretch the other way round: a metre inside takes up 1 + d metres outside. 0 changes nothing, 2 is a third as long inside, −0.8 five times as long.
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = Lesson: tunnel and portals

@@ -51,6 +51,8 @@ worlds-found-none = There are no exported worlds in { $dir }.
 worlds-import-named = { $name } ({ $size })
 worlds-folder-named = { $name } (folder)
 worlds-folder-above = Folder above
+worlds-folder-unread = { $dir } cannot be read ({ $reason }). Choose another folder, or type a path.
+worlds-export-folders = The file goes to { $dir }. Another folder:
 
 # Work on the saves, and what it came to.
 worlds-work-delete = Deleting a world

@@ -153,7 +153,7 @@ workshop-field-times = Estiramiento
 workshop-field-times-x = Estiramiento en x
 workshop-field-times-y = Estiramiento en y
 workshop-field-times-z = Estiramiento en z
-workshop-field-thesis = Número d de la tesis
+workshop-field-thesis = Acortamiento (d)
 workshop-field-sides = Lados
 workshop-field-ways = Actúa sobre
 workshop-field-outline = Se ven los bordes
@@ -197,7 +197,7 @@ workshop-told-soft = Las direcciones no cambian al cruzar una cara: se llega a l
 workshop-told-snell = La luz se refracta como en el vidrio y, pasado un ángulo, se refleja.
 workshop-told-legacy = La regla de la tesis tiene fallos: lo que se ve depende de hacia dónde se mira, y no se llega a ello.
 workshop-told-no-door = Las paredes no dejan puerta si se estira más de un eje. Estira uno solo o haz los lados abiertos.
-workshop-told-astigmatic = Astigmático: los lados se estiran de forma desigual y las rectas se ven curvas.
+workshop-told-astigmatic = A través de ella las rectas se ven curvas, porque sus lados se estiran de forma desigual.
 workshop-told-grazing = Las vistas rasantes por los lados se comprimen.
 workshop-told-itself = Lleva a sí mismo: muestra a quien mira.
 workshop-told-alike = Es tan grande como «{ $name }»: quien pasa conserva su tamaño.
@@ -386,7 +386,7 @@ workshop-hover-sides = Qué hay en las caras por las que nadie debe pasar: pared
 workshop-hover-ways = Quien llega por el otro extremo puede hallar el espacio tan largo como parece.
 workshop-hover-outline = Los bordes de la caja se ven también en el juego, no solo aquí.
 workshop-hover-lengths = Un eje hace un túnel más largo o más corto; todos los ejes hacen una sala mayor o menor por dentro.
-workshop-hover-thesis = El mismo estiramiento como lo escribe la tesis de la que vienen las salas: 0 es ninguno.
+workshop-hover-thesis = El estiramiento al revés: un metro dentro ocupa 1 + d metros fuera. 0 no cambia nada, 2 es dentro un tercio de largo, −0,8 cinco veces más largo.
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = Lección: túnel y portales

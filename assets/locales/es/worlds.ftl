@@ -51,6 +51,8 @@ worlds-found-none = No hay mundos exportados en { $dir }.
 worlds-import-named = { $name } ({ $size })
 worlds-folder-named = { $name } (carpeta)
 worlds-folder-above = Carpeta superior
+worlds-folder-unread = No se puede leer { $dir } ({ $reason }). Elige otra carpeta o escribe una ruta.
+worlds-export-folders = El archivo va a { $dir }. Otra carpeta:
 
 # Work on the saves, and what it came to.
 worlds-work-delete = Eliminando un mundo

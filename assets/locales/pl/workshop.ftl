@@ -155,7 +155,7 @@ workshop-field-times = Rozciągnięcie
 workshop-field-times-x = Rozciągnięcie wzdłuż x
 workshop-field-times-y = Rozciągnięcie wzdłuż y
 workshop-field-times-z = Rozciągnięcie wzdłuż z
-workshop-field-thesis = Liczba d z pracy
+workshop-field-thesis = Skrócenie (d)
 workshop-field-sides = Boki
 workshop-field-ways = Działa na
 workshop-field-outline = Widoczne krawędzie
@@ -199,7 +199,7 @@ workshop-told-soft = Kierunki nie zmieniają się na ściankach: idzie się do t
 workshop-told-snell = Światło załamuje się jak w szkle, a od pewnego kąta odbija.
 workshop-told-legacy = Reguła z pracy ma błędy: widok zależy od kierunku patrzenia i nie dochodzi się do tego, co widać.
 workshop-told-no-door = Ściany nie zostawiają drzwi, gdy rozciąga się więcej osi. Rozciągnij jedną albo daj otwarte boki.
-workshop-told-astigmatic = Astygmatyczne: boki rozciągnięte nierówno, więc proste linie wyglądają na krzywe.
+workshop-told-astigmatic = Proste linie wyglądają przez to na krzywe, bo boki są rozciągnięte nierówno.
 workshop-told-grazing = Widoki pod małym kątem do boków są ściśnięte.
 workshop-told-itself = Prowadzi do siebie: pokazuje, kto zagląda.
 workshop-told-alike = Jest tak duży jak „{ $name }”: kto przejdzie, zachowa rozmiar.
@@ -426,7 +426,7 @@ workshop-hover-sides = Co jest na bokach, przez które nikt nie ma przechodzić:
 workshop-hover-ways = Kto przyjdzie z drugiego końca, może zastać przestrzeń tak długą, na jaką wygląda.
 workshop-hover-outline = Krawędzie pudła widać także w grze, nie tylko tutaj.
 workshop-hover-lengths = Jedna oś wydłuża lub skraca tunel; wszystkie osie powiększają lub zmniejszają wnętrze.
-workshop-hover-thesis = To samo rozciągnięcie, jak pisze je praca, z której są pokoje: 0 to żadne.
+workshop-hover-thesis = Rozciągnięcie odwrotnie: metr w środku zajmuje na zewnątrz 1 + d metrów. 0 nic nie zmienia, 2 to w środku jedna trzecia, −0,8 to pięć razy dłużej.
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = Lekcja: tunel i portale

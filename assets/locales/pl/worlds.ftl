@@ -52,6 +52,8 @@ worlds-found-none = W { $dir } nie ma wyeksportowanych światów.
 worlds-import-named = { $name } ({ $size })
 worlds-folder-named = { $name } (folder)
 worlds-folder-above = Folder wyżej
+worlds-folder-unread = Nie da się odczytać { $dir } ({ $reason }). Wybierz inny folder albo wpisz ścieżkę.
+worlds-export-folders = Plik trafi do { $dir }. Inny folder:
 
 # Work on the saves, and what it came to.
 worlds-work-delete = Usuwanie świata

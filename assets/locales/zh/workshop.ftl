@@ -150,7 +150,7 @@ workshop-field-times = 拉伸
 workshop-field-times-x = 沿 x 拉伸
 workshop-field-times-y = 沿 y 拉伸
 workshop-field-times-z = 沿 z 拉伸
-workshop-field-thesis = 论文的数 d
+workshop-field-thesis = 缩短（d）
 workshop-field-sides = 侧面
 workshop-field-ways = 对谁有效
 workshop-field-outline = 显示边线
@@ -194,7 +194,7 @@ workshop-told-soft = 穿过每个面时方向不变：看到哪里就走到哪�
 workshop-told-snell = 光像在玻璃中一样折射，超过某角度则反射。
 workshop-told-legacy = 论文的规则有缺陷：所见取决于看的方向，也走不到所见之处。
 workshop-told-no-door = 拉伸多于一条轴时墙上没有门。只拉伸一条轴，或把侧面改为敞开。
-workshop-told-astigmatic = 像散：侧面拉伸不均，直线透过它看起来是弯的。
+workshop-told-astigmatic = 透过它看，直线是弯的，因为各侧面拉伸不均。
 workshop-told-grazing = 掠过侧面的视线会被压缩。
 workshop-told-itself = 它通向自己：照见观看者。
 workshop-told-alike = 与“{ $name }”一样大：通过者大小不变。
@@ -328,7 +328,7 @@ workshop-hover-sides = 不该有人穿过的侧面上有什么：墙、什么也
 workshop-hover-ways = 从另一端来的人，可以感到空间和看上去一样长。
 workshop-hover-outline = 盒子的边线在游戏中也看得到，不只在这里。
 workshop-hover-lengths = 一条轴让隧道变长或变短；所有轴让房间内部变大或变小。
-workshop-hover-thesis = 同样的拉伸，按房间所出自的论文的写法：0 是没有拉伸。
+workshop-hover-thesis = 反过来表示的拉伸：里面的一米在外面占 1 + d 米。0 没有变化，2 使里面缩为三分之一，−0.8 使里面长五倍。
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = 课程：隧道和传送门

@@ -50,6 +50,8 @@ worlds-found-none = { $dir } 中没有导出的世界。
 worlds-import-named = { $name }（{ $size }）
 worlds-folder-named = { $name }（文件夹）
 worlds-folder-above = 上一层文件夹
+worlds-folder-unread = 无法读取 { $dir }（{ $reason }）。请选择其他文件夹，或输入路径。
+worlds-export-folders = 文件将存到 { $dir }。其他文件夹：
 
 # Work on the saves, and what it came to.
 worlds-work-delete = 正在删除世界

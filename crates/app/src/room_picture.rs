@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::time::Instant;
 
 use antipode_language::Texts;
-use antipode_rays::{Loaded, Picture, RayScene, Rays, Shader};
+use antipode_rays::{Loaded, Outline, Picture, RayScene, Rays, Shader};
 use antipode_render::{Gpu, Offscreen, Options, Shaders, Tonemap};
 use antipode_room_scene::{Moment, RoomScene, SignBoard};
 use image::RgbaImage;
@@ -16,6 +16,9 @@ use crate::room_texts::RoomTexts;
 mod signs;
 
 use signs::Signs;
+
+/// Least share of their strength that edges have in coarse pictures.
+const FAINTEST: f32 = 0.25;
 
 /// What draws rooms; it may be asked from any thread.
 #[derive(Debug)]
@@ -40,8 +43,20 @@ impl Drawable {
     /// As [`RoomFigures::show`].
     pub fn set(&mut self, gpu: &Gpu, moment: &Moment) -> Result<(), Failure> {
         self.scene.lamps.clone_from(&moment.lamps);
+        self.scene.outline = Outline::default();
         self.figures.show(gpu, &mut self.loaded, moment)
     }
+
+    /// The next picture has so small a share of the pixels that are shown, along each side.
+    pub fn is_drawn_at(&mut self, share: f32) {
+        self.scene.outline.strength = strength_at(share);
+    }
+}
+
+/// How opaque edges are that are a pixel wide where only a share of the pixels is made: as much less as they are thicker, but
+/// seen.
+fn strength_at(share: f32) -> f32 {
+    Outline::default().strength * share.clamp(FAINTEST, 1.0)
 }
 
 impl RoomPainter {
@@ -226,5 +241,18 @@ impl RoomPictures {
         }
         gpu.queue.submit([encoder.finish()]);
         Ok(target.read(gpu)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_of_coarse_pictures_are_as_much_fainter_as_they_are_thicker_and_are_seen() {
+        let whole = strength_at(1.0);
+        assert_eq!(whole, Outline::default().strength);
+        assert!((strength_at(0.5) - 0.5 * whole).abs() < 1e-6);
+        assert!(strength_at(0.05) > 0.2 * whole);
     }
 }

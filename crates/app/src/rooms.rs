@@ -14,7 +14,7 @@ use glam::DVec3;
 
 use crate::common::Common;
 use kept::in_use;
-pub use kept::{RoomNote, older_plan};
+pub use kept::{Older, RoomNote, find_older, older_plan};
 
 /// Mirrors and panes in a row that *exact* pictures follow.
 const MOST_BOUNCES: u32 = 4;
@@ -331,9 +331,7 @@ impl OpenRoom {
     /// # Errors
     /// As [`RoomScene::edit`].
     pub fn edit(&mut self, dir: &RoomsDir, words: &[&str]) -> Result<(), RoomError> {
-        if self.read_only().is_some() {
-            return Err(in_use(self.kept.as_ref()));
-        }
+        self.check_free()?;
         // A room that is kept nowhere has no files.
         let own = self.kept.as_ref().filter(|kept| !kept.shipped);
         let dir = dir.path().join(own.map_or("", |kept| &kept.slug));

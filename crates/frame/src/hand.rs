@@ -46,6 +46,8 @@ pub struct HandMotion {
     flash_left_s: f64,
     /// Share of the bob, 0 to 1.
     bob: f64,
+    /// How far it is put aside, 0 to 1.
+    aside: f64,
 }
 
 /// How much of a bob there is to be at a speed over the ground, m/s.
@@ -58,6 +60,13 @@ impl HandMotion {
     pub fn fire(&mut self) {
         self.kick = 1.0;
         self.flash_left_s = FLASH_S;
+        self.aside = 0.0;
+    }
+
+    /// Lets a step pass in which what is held is put out of the picture, or back into it. A shot brings it back at once.
+    pub fn put_aside(&mut self, aside: bool, dt_s: f64) {
+        let way = if aside { dt_s } else { -dt_s };
+        self.aside = (self.aside + way / TAKES_S).clamp(0.0, 1.0);
     }
 
     /// Lets a step pass with `held` in hand, in use or not, and so much of a bob.
@@ -122,7 +131,7 @@ impl HandMotion {
     /// How far it is out of the picture, 0 to 1.
     fn lowered(&self) -> f32 {
         let left = (1.0 - self.taken_s / TAKES_S).clamp(0.0, 1.0);
-        (left * left) as f32
+        (left * left).max(self.aside * self.aside) as f32
     }
 
     /// How far it is swung, 0 to 1, or -1.
@@ -212,6 +221,23 @@ mod tests {
         assert_eq!(strokes(&once), 1, "{once:?}");
         assert_eq!(once[59], -1.0);
         assert_eq!(strokes(&swings(1.0)), 2);
+    }
+
+    #[test]
+    fn what_is_put_aside_is_out_of_the_picture_until_it_is_taken_back_or_shoots() {
+        let mut hand = HandMotion::default();
+        let pass = |hand: &mut HandMotion, aside: bool| {
+            for _ in 0..30 {
+                hand.put_aside(aside, STEP_S);
+                hand.pass(Some(Item::Gun), false, 0.0, STEP_S);
+            }
+            hand.lowered()
+        };
+        assert_eq!(pass(&mut hand, true), 1.0);
+        assert_eq!(pass(&mut hand, false), 0.0);
+        pass(&mut hand, true);
+        hand.fire();
+        assert_eq!(hand.lowered(), 0.0);
     }
 
     #[test]

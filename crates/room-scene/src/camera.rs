@@ -75,7 +75,8 @@ impl RoomScene {
             };
         }
         let (above, _, _) = self.leg(&head, self.felt_up(&head), THIRD_PERSON_UP_M);
-        let (place, back, behind_m) = self.leg(&above, -front, THIRD_PERSON_BACK_M);
+        let longest_m = self.free_behind(&above, front);
+        let (place, back, behind_m) = self.leg(&above, -front, longest_m);
         let shins = self.above(&middle, SHINS_M - RADIUS_M);
         let place = self.over_ground(place, &shins);
         // What it sees in its middle comes by the way that it went.
@@ -84,6 +85,34 @@ impl RoomScene {
             front: -back,
             behind_m,
         }
+    }
+
+    /// How far behind a place a camera may be that keeps off what stands beside its way: nearer by, that would fill the picture.
+    fn free_behind(&self, from: &Place, front: DVec3) -> f64 {
+        let right = front.cross(self.felt_up(from)).normalize_or_zero();
+        let beside = |way: DVec3| {
+            let (place, _, _) = self.leg(from, way, CAMERA_RADIUS_M);
+            // By another way round it would look at something else.
+            let is_same = place.stack == from.stack && place.passage == from.passage;
+            let who = Traveller::Body;
+            let go = || {
+                let solids = self.all_solids();
+                trace(
+                    &self.space,
+                    &place,
+                    -front,
+                    THIRD_PERSON_BACK_M,
+                    &solids,
+                    &who,
+                )
+            };
+            let path = is_same.then(go);
+            let hit = path.filter(|path| path.hit().is_some());
+            hit.map_or(THIRD_PERSON_BACK_M, |path| {
+                (path.length - CAMERA_RADIUS_M).max(0.0)
+            })
+        };
+        beside(right).min(beside(-right))
     }
 
     /// A place for a camera, or one above it from where another is seen: the lowest, or as high as the camera may rise. It stays

@@ -53,6 +53,7 @@ impl RoomScene {
             bob_at(body.velocity.reject_from_normalized(self.up()).length())
         };
         self.hand_before = Some(self.hand_now());
+        self.hand.put_aside(self.reads_sign(), STEP_S);
         self.hand.pass(Some(Item::Gun), false, bob, STEP_S);
     }
 

@@ -2,11 +2,12 @@
 
 use antipode_deformation::{End, Event, EventKind, Traveller, What, trace};
 use antipode_rays::Eye;
+use antipode_rooms::What as Kind;
 use serde::Serialize;
 
 use crate::bodies::Owner;
 use crate::scene::RoomScene;
-use crate::tuning::PICK_M;
+use crate::tuning::{PICK_M, READS_M};
 
 /// What the crosshair is on.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -60,6 +61,25 @@ impl RoomScene {
             object: hit,
             events: path.events.iter().map(|it| self.told(it)).collect(),
         }
+    }
+
+    /// Whether the crosshair is on a sign that is near enough to read.
+    pub(crate) fn reads_sign(&self) -> bool {
+        let Eye { place, front, .. } = self.eye();
+        let who = Traveller::Body;
+        let path = trace(
+            &self.space,
+            &place,
+            front,
+            READS_M,
+            &self.all_solids(),
+            &who,
+        );
+        let hit = path.hit().and_then(|hit| self.object_of(hit.what));
+        hit.is_some_and(|object| {
+            let what = &self.room().objects[object].what;
+            matches!(what, Kind::Sign { .. })
+        })
     }
 
     /// The object that something belongs to; none of what was thrown.

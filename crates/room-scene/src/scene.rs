@@ -163,6 +163,11 @@ impl RoomScene {
         self.read.add(assets);
     }
 
+    /// Whether what was planned names files that nobody has read.
+    pub fn lacks_files(&self, plan: &Plan) -> bool {
+        plan.names_other_files(&self.document) && self.read.of(plan.room()).is_none()
+    }
+
     /// Counts changes of what the room looks like.
     pub fn revision(&self) -> u64 {
         self.revision

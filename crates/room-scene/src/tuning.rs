@@ -66,6 +66,8 @@ pub const FOV_Y_RAD: f64 = 75.0 * PI / 180.0;
 pub const LOST_M: f64 = 1100.0;
 /// So is who is farther below all that stands in it, along gravity; metres.
 pub const LOST_BELOW_M: f64 = 40.0;
+/// Signs that are nearer are read, felt metres: the gun is put out of their way.
+pub const READS_M: f64 = 5.0;
 /// How far the crosshair picks, felt metres.
 pub const PICK_M: f64 = 100_000.0;
 

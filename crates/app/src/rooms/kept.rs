@@ -1,10 +1,10 @@
 //! How a room of the player's own is kept beside its file: what there is to tell of that when it is opened, whether it may be
 //! changed here, and its older versions.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use antipode_rooms::folder::assets;
-use antipode_rooms::{Room, RoomError, RoomSummary, RoomsDir};
+use antipode_rooms::{Assets, Room, RoomError, RoomSummary, RoomsDir};
 use antipode_workshop::{Document, Plan, Said, Version, WorkshopError, read_version, versions};
 
 use super::{NAMELESS, OpenRoom};
@@ -47,24 +47,61 @@ impl OpenRoom {
     /// # Errors
     /// If there is none of that number, or why it cannot be read.
     pub fn open_older(&mut self, dir: &RoomsDir, number: usize) -> Result<(), RoomError> {
-        if self.read_only().is_some() {
-            return Err(in_use(self.kept.as_ref()));
-        }
-        let all = self.versions(dir);
-        let found = number.checked_sub(1).and_then(|it| all.get(it));
-        let (Some(version), Some(folder)) = (found, self.folder(dir)) else {
-            return Err(RoomError::Command(match all.len() {
-                0 => "There are no older versions of this room; they are kept while one builds in a room of one's own."
-                    .to_owned(),
-                count => format!("There is no older version {number} of this room; there are 1 to {count}, 1 the newest."),
-            }));
-        };
-        let room = read_version(&folder, *version)?;
-        let files = assets(&folder, &room)?;
-        self.scene.document_mut().end_drag();
-        let plan = older_plan(self.scene.document(), room, *version)?;
-        self.scene.make(plan, |_: &Room| Ok(files))
+        self.check_free()?;
+        self.take_older(find_older(self.folder(dir).as_deref(), number)?)
     }
+
+    /// Goes back to an older version that has been read, which is a step that can be taken back.
+    ///
+    /// # Errors
+    /// If it cannot take the room's place.
+    pub fn take_older(&mut self, older: Older) -> Result<(), RoomError> {
+        self.scene.document_mut().end_drag();
+        let plan = older_plan(self.scene.document(), older.room, older.version)?;
+        self.scene.make(plan, |_: &Room| Ok(older.files))
+    }
+
+    /// Whether it may be changed here.
+    ///
+    /// # Errors
+    /// If another window builds in it.
+    pub fn check_free(&self) -> Result<(), RoomError> {
+        match self.read_only() {
+            Some(_) => Err(in_use(self.kept.as_ref())),
+            None => Ok(()),
+        }
+    }
+}
+
+/// An older version of a room, with the files that it names.
+#[derive(Debug)]
+pub struct Older {
+    version: Version,
+    room: Room,
+    files: Assets,
+}
+
+/// Reads the older version of that number of the room in a folder, 1 for the newest. Waits for the disk.
+///
+/// # Errors
+/// If there is none of that number, or why it cannot be read.
+pub fn find_older(folder: Option<&Path>, number: usize) -> Result<Older, RoomError> {
+    let all = folder.map_or_else(Vec::new, versions);
+    let found = number.checked_sub(1).and_then(|it| all.get(it));
+    let (Some(version), Some(folder)) = (found, folder) else {
+        return Err(RoomError::Command(match all.len() {
+            0 => "There are no older versions of this room; they are kept while one builds in a room of one's own."
+                .to_owned(),
+            count => format!("There is no older version {number} of this room; there are 1 to {count}, 1 the newest."),
+        }));
+    };
+    let room = read_version(folder, *version)?;
+    let files = assets(folder, &room)?;
+    Ok(Older {
+        version: *version,
+        room,
+        files,
+    })
 }
 
 /// Why a room is not changed here.

@@ -211,6 +211,7 @@ impl Game {
         self.menus.tick();
         self.shots.tell(&mut self.menus);
         self.watch_hints();
+        self.go_on_reading();
         let wants_backdrop = self.wants_backdrop();
         self.backdrop.tick(passed, wants_backdrop);
         let settings = &self.options.config.settings;

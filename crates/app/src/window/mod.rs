@@ -32,6 +32,7 @@ mod play;
 mod pointer;
 mod portrait;
 mod press;
+mod reading;
 mod redraw;
 mod room_hud;
 mod shots;

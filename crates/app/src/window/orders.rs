@@ -13,6 +13,7 @@ use antipode_ui::legible_name;
 use super::game::Game;
 use super::phase::{Next, Phase, Request};
 use super::placelist::Kept;
+use super::reading::{Asked, Done};
 use super::visit::Visit;
 use crate::bindings::Input;
 use crate::console::{HELP, help};
@@ -136,7 +137,10 @@ impl Game {
                     None => return Err(Failure::Usage(format!("no room is called \"{name}\""))),
                 }
             }
-            RoomOrder::Versions => self.tell_versions()?,
+            RoomOrder::Versions => {
+                self.visited()?;
+                self.ask_of_room(Asked::Versions);
+            }
             RoomOrder::Older(number) => self.open_older(*number)?,
             RoomOrder::List => {
                 let names = self.menus.rooms.names();
@@ -148,23 +152,29 @@ impl Game {
         Ok(())
     }
 
-    fn tell_versions(&mut self) -> Result<(), Failure> {
-        let dir = self.play.worlds.rooms();
-        let versions = self.visited()?.versions(&dir);
-        if versions.is_empty() {
-            self.reply(Answer, "console-no-versions", &[]);
+    /// Tells what has come of something that was asked of the open room.
+    pub(super) fn answer_of_room(&mut self, done: Result<Done, RoomError>) {
+        match done {
+            Ok(Done::Changed) => self.reply(Answer, "console-room-changed", &[]),
+            Ok(Done::Versions(all)) if all.is_empty() => {
+                self.reply(Answer, "console-no-versions", &[]);
+            }
+            Ok(Done::Versions(all)) => {
+                for (number, it) in (1..).zip(all) {
+                    self.write(Answer, &format!("{number}: {}", stamp(it.when_s)));
+                }
+            }
+            Err(why) => {
+                let words = sentence(&self.menus.texts, &why.to_string());
+                self.write(Problem, &words);
+            }
         }
-        for (number, it) in (1..).zip(versions) {
-            self.write(Answer, &format!("{number}: {}", stamp(it.when_s)));
-        }
-        Ok(())
     }
 
     fn open_older(&mut self, number: usize) -> Result<(), Failure> {
-        let dir = self.play.worlds.rooms();
-        let opened = self.visited()?.open_older(&dir, number);
-        opened.map_err(|error| told_of_room(&error))?;
-        self.reply(Answer, "console-room-changed", &[]);
+        let is_free = self.visited()?.check_free();
+        is_free.map_err(|error| told_of_room(&error))?;
+        self.ask_of_room(Asked::Older(number));
         Ok(())
     }
 
@@ -176,15 +186,18 @@ impl Game {
 
     /// Changes the open room, if it is the player's own.
     fn edit_room(&mut self, words: &[String]) -> Result<(), Failure> {
-        let dir = self.play.worlds.rooms();
         let room = self.visited()?;
         if room.kept.as_ref().is_none_or(|kept| kept.shipped) {
             return Err(Failure::Usage(SHIPPED.to_owned()));
         }
-        let words: Vec<_> = words.iter().map(String::as_str).collect();
-        room.edit(&dir, &words)
-            .map_err(|error| told_of_room(&error))?;
-        self.reply(Answer, "console-room-changed", &[]);
+        let is_free = room.check_free();
+        is_free.map_err(|error| told_of_room(&error))?;
+        let asked = Asked::Words(words.to_vec());
+        if let Some(visit) = self.play.phase.visit_mut() {
+            let checked = visit.check_asked(&asked);
+            checked.map_err(|error| told_of_room(&error))?;
+        }
+        self.ask_of_room(asked);
         Ok(())
     }
 

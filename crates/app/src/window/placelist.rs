@@ -102,7 +102,10 @@ impl<S: Shelf> PlaceList<S> {
                 self.enqueue(then);
             }
             WorldsIntent::Import { file } => self.enqueue(Job::Import { file }),
-            WorldsIntent::FindArchives => self.enqueue(Job::FindArchives { folder: None }),
+            // Where one has looked last, as for the folder of an export.
+            WorldsIntent::FindArchives => self.enqueue(Job::FindArchives {
+                folder: self.found.folder.clone(),
+            }),
             WorldsIntent::FindIn { folder } => {
                 let folder = Some(PathBuf::from(folder));
                 self.enqueue(Job::FindArchives { folder });
@@ -288,6 +291,14 @@ impl<S: Shelf> PlaceList<S> {
             },
             archives: archives.collect(),
             folders: self.found.folders(),
+            problem: self.found.unread.as_ref().map(|why| {
+                let folder = self.found.folder.as_deref().unwrap_or(Path::new(""));
+                let values = [
+                    ("dir", folder.display().to_string().into()),
+                    ("reason", why.as_str().into()),
+                ];
+                texts.say_with("worlds-folder-unread", &values)
+            }),
             work: self
                 .task
                 .as_ref()

@@ -23,6 +23,7 @@ mod workshop;
 mod workshop_lists;
 mod workshop_newcomers;
 mod workshop_pictures;
+mod workshop_reading;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -14,6 +14,7 @@ use glam::DVec2;
 use super::devices::Devices;
 use super::pace::Pace;
 use super::placelist::ROOM_PICTURE;
+use super::reading::Reading;
 use super::workshop::{Lesson, Workshop};
 use crate::pad::Feel;
 use crate::room_picture::RoomView;
@@ -49,6 +50,8 @@ pub struct Visit {
     pub(super) workshop: Option<Box<Workshop>>,
     /// The lesson of that, if it is taken.
     pub(super) lesson: Option<Lesson>,
+    /// What is asked of it and waits for the disk.
+    pub(super) reading: Reading,
     /// Width over height of its pictures.
     pub(super) aspect: f64,
 }
@@ -61,6 +64,7 @@ impl Visit {
             dir,
             workshop: None,
             lesson: None,
+            reading: Reading::default(),
             number,
             time_s: 0.0,
             is_drawn: false,

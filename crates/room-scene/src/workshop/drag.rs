@@ -73,7 +73,12 @@ impl Drag {
     ) -> Option<Self> {
         let v = through.leg(at)?.velocity.normalize();
         let normal = if v.y.abs() < 4.0 * EDGE_ON {
-            (v - DVec3::Y * v.y).normalize_or(DVec3::X)
+            // In a plane of the room, so that what goes to the side goes neither nearer nor farther.
+            if v.x.abs() > v.z.abs() {
+                DVec3::X
+            } else {
+                DVec3::Z
+            }
         } else {
             DVec3::Y
         };

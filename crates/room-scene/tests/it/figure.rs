@@ -123,6 +123,53 @@ fn the_camera_behind_stops_before_walls_and_is_as_far_as_it_feels() {
 }
 
 #[test]
+fn the_gun_is_out_of_the_picture_while_one_reads_a_sign_and_back_for_a_shot() {
+    let mut scene = standing();
+    let lowered = |scene: &mut RoomScene, steer: &Steer, steps: u32| {
+        (0..steps).for_each(|_| scene.step(steer));
+        scene.now().hand.unwrap().hand.lowered
+    };
+    let rests = Steer::default();
+    assert_eq!(lowered(&mut scene, &rests, 60), 0.0);
+    edit(
+        &mut scene,
+        "add sign name=words at=0,1.6,397 turn=90,0,0 size=1,0.6 text=hello",
+    );
+    assert_eq!(lowered(&mut scene, &rests, 60), 1.0);
+    let shoots = Steer {
+        shoot: true,
+        ..Steer::default()
+    };
+    assert!(lowered(&mut scene, &shoots, 1) < 0.1);
+    edit(&mut scene, "change words at=0,1.6,380");
+    assert_eq!(
+        lowered(&mut scene, &rests, 60),
+        0.0,
+        "it is too far off to read"
+    );
+}
+
+/// A crate whose side is nearly in the camera's way does not fill half of the picture.
+#[test]
+fn the_camera_behind_stays_before_what_stands_beside_its_way() {
+    for side in [-1.0, 1.0] {
+        let mut scene = standing();
+        let x = side * 1.05;
+        let crate_there = format!("add box name=crate at={x},1.5,404 size=2,3,2");
+        edit(&mut scene, &crate_there);
+        scene.set_third_person(true);
+        let eye = scene.eye().place.point;
+        assert!((eye.z - 402.75).abs() < 1e-3, "0.25 m before it: {eye}");
+        edit(
+            &mut scene,
+            &format!("change crate at={},1.5,404", side * 1.3),
+        );
+        let eye = scene.eye().place.point;
+        assert!((eye.z - 405.2).abs() < 1e-3, "it is out of the way: {eye}");
+    }
+}
+
+#[test]
 fn what_hands_leave_is_drawn_and_lamps_shine() {
     let mut scene = standing();
     scene.aim(-90.0, -30.0);

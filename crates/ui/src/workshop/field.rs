@@ -9,6 +9,13 @@ use crate::widgets::focus_ring;
 
 /// The least and greatest stretch of space.
 const STRETCHES: (f64, f64) = (1.0 / 32.0, 32.0);
+/// The same as powers of two, and what an arrow key changes.
+const OCTAVES: (f64, f64) = (-5.0, 5.0);
+const OCTAVE_STEP: f64 = 0.0625;
+/// How many digits the slider sets, and how many with Shift, which goes so much slower.
+const DIGITS: i32 = 2;
+const FINE_DIGITS: i32 = 3;
+const FINE: f64 = 0.1;
 /// What is shown where those that are chosen differ.
 const DIFFER: &str = "…";
 
@@ -110,8 +117,13 @@ fn number(
         })
         .custom_parser(parse_number);
     let response = ui.add_sized(vec2(width.max(30.0), 24.0), drag);
-    let axis = ["x", "y", "z"].get(place).copied().unwrap_or_default();
-    name(&response, &format!("{} {axis}", row.label));
+    match &row.kind {
+        FieldKind::Numbers(all, _) if all.len() > 1 => {
+            let axis = ["x", "y", "z"].get(place).copied().unwrap_or_default();
+            name(&response, &format!("{} {axis}", row.label));
+        }
+        _ => name(&response, &row.label),
+    }
     focus_ring(ui, &response);
     if response.changed() {
         set(FieldValue::Number(place, value), !response.dragged());
@@ -120,6 +132,8 @@ fn number(
     }
 }
 
+/// How many times as long something feels, by a slider as wide as the pane: as far for twice as much everywhere. With Shift it
+/// goes a tenth as fast.
 fn stretch(
     ui: &mut Ui,
     texts: &Texts,
@@ -127,20 +141,85 @@ fn stretch(
     value: Option<f64>,
     set: &mut impl FnMut(FieldValue, bool),
 ) {
-    let mut times = value.unwrap_or(1.0);
-    ui.spacing_mut().slider_width = (ui.available_width() - 84.0).max(60.0);
-    let slider = Slider::new(&mut times, STRETCHES.0..=STRETCHES.1)
-        .logarithmic(true)
-        .update_while_editing(false)
-        .custom_formatter(|value, _| said(texts, value, Unit::Times))
-        .custom_parser(parse_number);
-    let response = ui.add(slider);
-    name(&response, &row.label);
+    let mut octaves = value.unwrap_or(1.0).log2();
+    let width = ui.available_width();
+    ui.spacing_mut().slider_width = width;
+    let (is_fine, is_held) = ui.input(|it| (it.modifiers.shift, it.pointer.primary_down()));
+    // How far it is from the pointer since it went finer than that.
+    let id = ui.scope_id().with("aside");
+    let aside = ui.data(|data| data.get_temp::<f64>(id)).unwrap_or(0.0);
+    let mut pointed = None;
+    let slider = Slider::from_get_set(OCTAVES.0..=OCTAVES.1, |new| {
+        if let Some(new) = new {
+            if is_held {
+                pointed = Some(new);
+            }
+            if !(is_held && is_fine) {
+                octaves = rounded((new + aside).exp2(), DIGITS).log2();
+            }
+        }
+        octaves
+    });
+    let response = ui.add(slider.step_by(OCTAVE_STEP).show_value(false));
+    response.widget_info(|| {
+        let label = format!(
+            "{}: {}",
+            row.label,
+            said(texts, octaves.exp2(), Unit::Times)
+        );
+        WidgetInfo::labeled(egui::Role::Slider, true, label)
+    });
     focus_ring(ui, &response);
-    if response.changed() {
+    let mut has_changed = response.changed();
+    if response.dragged() && is_fine {
+        let way = f64::from(response.drag_delta().x / width) * (OCTAVES.1 - OCTAVES.0);
+        let new = (octaves + way * FINE).clamp(OCTAVES.0, OCTAVES.1);
+        has_changed = way != 0.0;
+        octaves = new;
+        let aside = pointed.map_or(0.0, |pointed| new - pointed);
+        ui.data_mut(|data| data.insert_temp(id, aside));
+    }
+    let times = octaves.exp2().clamp(STRETCHES.0, STRETCHES.1);
+    let times = rounded(times, if is_fine { FINE_DIGITS } else { DIGITS });
+    if has_changed {
         set(FieldValue::Number(0, times), !response.dragged());
     } else if response.drag_stopped() {
-        set(FieldValue::Number(0, times), true);
+        set(FieldValue::Number(0, value.unwrap_or(times)), true);
+    }
+    if response.drag_stopped() {
+        ui.data_mut(|data| data.remove::<f64>(id));
+    }
+}
+
+/// The same as a number that is typed, or dragged for fine steps: beside its name.
+pub(super) fn times(
+    ui: &mut Ui,
+    texts: &Texts,
+    row: &FieldRow,
+    value: Option<f64>,
+    wishes: &mut Vec<WorkshopWish>,
+) {
+    let amount = Amount {
+        value,
+        range: STRETCHES,
+    };
+    let mut set = |value: FieldValue, done: bool| {
+        wishes.push(WorkshopWish::Set {
+            key: row.key.clone(),
+            value,
+            done,
+        });
+    };
+    number(ui, texts, row, (0, amount, Unit::Times), 64.0, &mut set);
+}
+
+/// A number of so many digits.
+fn rounded(value: f64, digits: i32) -> f64 {
+    let unit = 10f64.powi(value.abs().log10().floor() as i32 + 1 - digits);
+    if unit.is_finite() && unit > 0.0 {
+        (value / unit).round() * unit
+    } else {
+        value
     }
 }
 

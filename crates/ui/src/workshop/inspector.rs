@@ -1,7 +1,7 @@
 //! What can be changed of what is chosen, field by field.
 
 use egui::scroll_area::ScrollBarVisibility;
-use egui::{Label, RichText, ScrollArea, Ui};
+use egui::{Align, Label, Layout, RichText, ScrollArea, Ui};
 
 use super::field;
 use super::lesson;
@@ -50,6 +50,12 @@ fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<
             if response.on_hover_text(&label).clicked() {
                 wishes.push(WorkshopWish::Reset(row.key.clone()));
             }
+        }
+        if let FieldKind::Stretch(value) = &row.kind {
+            let side = Layout::right_to_left(Align::Center);
+            ui.with_layout(side, |ui| {
+                field::times(ui, model.texts, row, *value, wishes);
+            });
         }
     });
     field::show(ui, model.texts, row, wishes);

@@ -9,6 +9,9 @@ use super::keys::held_with_button;
 use super::model::{ViewEvent, ViewLine, WorkshopModel, WorkshopWish};
 use crate::theme::{FOCUS, GRID, PLATE, TEXT, small};
 
+/// How far beside the end of its line a label stands, points.
+const LABEL_OFF: f32 = 10.0;
+
 /// What the view remembers from pass to pass.
 #[derive(Debug, Default)]
 pub(super) struct ViewState {
@@ -225,9 +228,13 @@ fn paint_line(painter: &egui::Painter, rect: Rect, line: &ViewLine) {
     }
     if let Some(label) = &line.label {
         let words = painter.layout_no_wrap(label.clone(), small(), TEXT);
-        let at = Align2::LEFT_CENTER.anchor_size(*end + vec2(10.0, 0.0), words.size());
-        // All of it is read, wherever the line ends.
         let room = rect.shrink(GRID);
+        let beside = |side: Align2, x: f32| side.anchor_size(*end + vec2(x, 0.0), words.size());
+        let mut at = beside(Align2::LEFT_CENTER, LABEL_OFF);
+        if at.max.x > room.max.x {
+            at = beside(Align2::RIGHT_CENTER, -LABEL_OFF);
+        }
+        // All of it is read, wherever the line ends.
         let at = at.translate((room.max - at.max).min(egui::Vec2::ZERO));
         let at = at.translate((room.min - at.min).max(egui::Vec2::ZERO));
         painter.rect_filled(at.expand(4.0), 4, PLATE);

@@ -1,13 +1,13 @@
 //! Worlds and rooms from files: one is named, chosen from those found, or dropped on the window.
 
 use antipode_language::Texts;
-use egui::{RichText, Ui};
+use egui::Ui;
 
 use super::field::{line, note};
 use super::{FolderRow, Kind, WorldsIntent};
 use crate::layout::{Stops, pane, steady};
 use crate::shell::Pass;
-use crate::theme::{WEAK, small};
+use crate::theme::{BAD, WEAK};
 use crate::widgets::{button, column_button, primary_button};
 
 /// The form for a world from a file, with the file as typed.
@@ -36,7 +36,10 @@ impl Form {
                 "found"
             };
             let found = kind.say_with(texts, found, &[("dir", files.dir.as_str().into())]);
-            ui.add(egui::Label::new(RichText::new(found).font(small()).color(WEAK)).wrap());
+            match &files.problem {
+                Some(problem) => note(ui, problem, BAD),
+                None => note(ui, &found, WEAK),
+            }
             for archive in &files.archives {
                 let values = [
                     ("name", archive.name.as_str().into()),
@@ -77,8 +80,8 @@ impl Form {
     }
 }
 
-/// Lines for the folders in which more may be; the one that was clicked, as what it asks for.
-fn folders(
+/// Lines for the folders that lie about; the one that was clicked, as what it asks for.
+pub(super) fn folders(
     ui: &mut Ui,
     stops: &mut Stops,
     texts: &Texts,

@@ -29,6 +29,8 @@ pub struct WorldFiles {
     pub archives: Vec<ArchiveRow>,
     /// Folders in which there may be more: the one that this one is in, and those in it.
     pub folders: Vec<FolderRow>,
+    /// Why nothing can be told of that place, as a sentence.
+    pub problem: Option<String>,
     /// What is being done with the saves just now, in words.
     pub work: Option<String>,
 }

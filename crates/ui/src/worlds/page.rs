@@ -1,9 +1,11 @@
 //! The page of one world or room: what it is, and what can be done with it.
 
+use std::path::Path;
+
 use egui::{Id, Label, Response, RichText, Sense, Ui};
 
 use super::field::{line, note};
-use super::{Kind, WorldsIntent, edits, enter, facts, picture};
+use super::{Kind, WorldsIntent, edits, enter, facts, import, picture};
 use crate::layout::{Stops, pane, steady};
 use crate::legible::is_partly_shown;
 use crate::model::WorldRow;
@@ -181,6 +183,7 @@ impl Page {
             }
             Action::Export => {
                 self.mode = Mode::Export(row.export_to.clone());
+                ask(pass, look_about(&row.export_to));
                 return Turn::Redraw;
             }
             Action::Delete => return Turn::Delete,
@@ -259,9 +262,10 @@ fn rename_form(
         &title,
         &texts.say("worlds-rename"),
         valid.is_ok(),
-        |ui, pass| {
+        |ui, pass, stops| {
             let label = ui.label(texts.say("worlds-new-name"));
             let field = line(ui, name).labelled_by(label.id);
+            stops.add(&field);
             pass.offer_focus(&field);
             match valid {
                 Ok(()) if is_partly_shown(name) => note(ui, &texts.say("name-not-shown"), WEAK),
@@ -289,14 +293,41 @@ fn export_form(
         &title,
         &texts.say("worlds-export"),
         enabled,
-        |ui, pass| {
+        |ui, pass, stops| {
             let label = ui.label(texts.say("worlds-file"));
             let field = line(ui, file).labelled_by(label.id);
+            stops.add(&field);
             pass.offer_focus(&field);
             note(ui, &kind.say(texts, "export-hint"), WEAK);
+            let files = kind.files(pass.model);
+            let values = [("dir", files.dir.as_str().into())];
+            match &files.problem {
+                Some(problem) => note(ui, problem, BAD),
+                None => note(ui, &texts.say_with("worlds-export-folders", &values), WEAK),
+            }
+            if let Some(asked) = import::folders(ui, stops, texts, &files.folders) {
+                if let WorldsIntent::FindIn { folder } = &asked {
+                    *file = in_folder(folder, file);
+                }
+                pass.intents.push(kind.ask(asked));
+            }
             field
         },
     )
+}
+
+/// Asks what is in the folder of a file that an export goes to.
+fn look_about(file: &str) -> WorldsIntent {
+    let folder = Path::new(file).parent().filter(|it| it.is_absolute());
+    folder.map_or(WorldsIntent::FindArchives, |folder| WorldsIntent::FindIn {
+        folder: folder.display().to_string(),
+    })
+}
+
+/// The same file in another folder.
+fn in_folder(folder: &str, file: &str) -> String {
+    let name = Path::new(file.trim()).file_name().unwrap_or_default();
+    Path::new(folder).join(name).display().to_string()
 }
 
 /// A pane with one line of text to fill in, which Enter and the first button accept.
@@ -306,14 +337,13 @@ fn form(
     title: &str,
     accept: &str,
     enabled: bool,
-    field: impl FnOnce(&mut Ui, &mut Pass<'_>) -> Response,
+    field: impl FnOnce(&mut Ui, &mut Pass<'_>, &mut Stops) -> Response,
 ) -> Pressed {
     let regions = pass.regions;
     let cancel = pass.model.texts.say("worlds-cancel");
     let mut pressed = Pressed::Nothing;
     let body = |ui: &mut Ui, stops: &mut Stops| {
-        let response = field(ui, pass);
-        stops.add(&response);
+        let response = field(ui, pass, stops);
         ui.add_space(GRID);
         response
     };

@@ -28,4 +28,5 @@ mod speech;
 mod toasts;
 mod workshop;
 mod workshop_newcomers;
+mod workshop_stretch;
 mod worlds;

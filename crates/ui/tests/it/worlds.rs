@@ -143,13 +143,50 @@ fn a_world_is_doubled_exported_and_its_folder_opened() {
     let asked = [
         WorldsIntent::Duplicate { slug: slug() },
         WorldsIntent::OpenFolder { slug: slug() },
+        looks_in("/home/me"),
         export,
     ];
     assert_eq!(intents(&mut harness), asked.map(Intent::Worlds));
     click(&mut harness, "Export");
     click(&mut harness, "Cancel");
     harness.get_by_label("Open folder");
-    assert_eq!(intents(&mut harness), []);
+    assert_eq!(
+        intents(&mut harness),
+        [Intent::Worlds(looks_in("/home/me"))]
+    );
+}
+
+fn looks_in(folder: &str) -> WorldsIntent {
+    WorldsIntent::FindIn {
+        folder: folder.to_owned(),
+    }
+}
+
+#[test]
+fn the_folder_of_an_export_is_chosen_by_a_click_and_what_cannot_be_read_is_said() {
+    let mut harness = page();
+    harness.state_mut().files.folders = vec![FolderRow {
+        path: "/home/me/stick".to_owned(),
+        name: Some("stick".to_owned()),
+    }];
+    click(&mut harness, "Export");
+    click(&mut harness, "stick (folder)");
+    assert_eq!(
+        intents(&mut harness),
+        ["/home/me", "/home/me/stick"].map(|it| Intent::Worlds(looks_in(it)))
+    );
+    let problem = "/home/me/stick cannot be read.";
+    harness.state_mut().files.problem = Some(problem.to_owned());
+    harness.run();
+    assert!(says(&harness, problem));
+    harness.get_by_label("File").focus();
+    harness.run();
+    press(&mut harness, Key::Enter);
+    let export = WorldsIntent::Export {
+        slug: "world-1".to_owned(),
+        file: "/home/me/stick/world-1.antipode-world".to_owned(),
+    };
+    assert_eq!(intents(&mut harness), [Intent::Worlds(export)]);
 }
 
 #[test]
@@ -292,6 +329,10 @@ fn a_world_is_imported_from_what_was_found_from_what_was_typed_and_from_what_was
         intents(&mut harness),
         [Intent::Worlds(WorldsIntent::FindIn { folder })]
     );
+    harness.state_mut().files.problem = Some("That cannot be read.".to_owned());
+    harness.run();
+    assert!(says(&harness, "That cannot be read."));
+    assert!(!says(&harness, "There are no exported worlds"));
 }
 
 #[test]

@@ -326,11 +326,17 @@ fn a_tunnel_in_a_hall_is_well() {
     );
 }
 
-/// A shaft without end: one can step in, and fall out of its upper portal as well as go round.
+/// A shaft without end about a pillar that nobody climbs: who falls past it can steer onto it, and so comes before the portal
+/// that hangs over it.
 #[test]
-fn who_falls_without_end_has_come_through_both_portals() {
+fn who_falls_without_end_comes_to_what_is_before_the_portals() {
     let shaft = r#"
         (name: "low", at: (0, 0.02, -4), turn: (90, 90, 0), what: Portal(size: (3, 3), to: "high")),
-        (name: "high", at: (0, 10, -4), turn: (-90, -90, 0), what: Portal(size: (3, 3), to: "low")),"#;
+        (name: "high", at: (0, 10, -4), turn: (-90, -90, 0), what: Portal(size: (3, 3), to: "low")),
+        (name: "pillar", at: (0, 4, -4), what: Box(size: (0.8, 7, 0.8))),"#;
     assert_eq!(told(&fenced(shaft)), [""; 0]);
+    // A floor over the lower portal: nobody falls.
+    let lid = r#"(name: "lid", at: (0, 0.2, -4), what: Box(size: (3.4, 0.1, 3.4))),"#;
+    let closed = told(&fenced(&(shaft.to_owned() + lid)));
+    assert!(closed.iter().any(|it| it == "unreached high"), "{closed:?}");
 }

@@ -372,3 +372,25 @@ fn archives_are_looked_for_in_other_folders_and_back() {
     follow(&mut list, WorldsIntent::FindIn { folder });
     assert_eq!(files(&list).archives[0].file, file.display().to_string());
 }
+
+#[test]
+fn a_folder_that_cannot_be_read_is_told_and_leads_on() {
+    let (dir, mut list) = three();
+    let gone = dir.path().join("nowhere");
+    let folder = gone.display().to_string();
+    follow(&mut list, WorldsIntent::FindIn { folder });
+    let files = list.files(&Texts::default());
+    let said = files.problem.unwrap();
+    assert!(said.contains("nowhere cannot be read"), "{said}");
+    let above = dir.path().display().to_string();
+    assert_eq!(files.folders[0].path, above);
+    follow(&mut list, WorldsIntent::FindIn { folder: above });
+    assert_eq!(list.files(&Texts::default()).problem, None);
+    follow(&mut list, WorldsIntent::FindArchives);
+    let files = list.files(&Texts::default());
+    assert_eq!(
+        files.dir,
+        dir.path().display().to_string(),
+        "it is remembered"
+    );
+}

@@ -125,12 +125,18 @@ pub struct FoundFiles {
     pub folder: Option<PathBuf>,
     pub archives: Vec<ArchiveFile>,
     within: Vec<PathBuf>,
+    /// Why the folder cannot be read, if it cannot.
+    pub unread: Option<String>,
 }
 
 impl FoundFiles {
     /// Looks into a folder. Waits for the disk.
     fn of<S: Shelf>(folder: &Path) -> Self {
-        let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+        let (entries, unread) = match std::fs::read_dir(folder) {
+            Ok(entries) => (Some(entries), None),
+            Err(why) => (None, Some(why.to_string())),
+        };
+        let entries = entries.into_iter().flatten().flatten();
         let is_shown = |path: &PathBuf| {
             let name = path.file_name().unwrap_or_default();
             path.is_dir() && !name.to_string_lossy().starts_with('.')
@@ -142,6 +148,7 @@ impl FoundFiles {
             folder: Some(folder.to_path_buf()),
             archives: S::archives(folder),
             within,
+            unread,
         }
     }
 

@@ -361,6 +361,8 @@ impl Pictures {
             }
             Made::Quick | Made::Fine => return Ok(false),
         };
+        let share = picture.size.1 as f32 / size.1 as f32;
+        tracer.drawable.is_drawn_at(share);
         let whole = (&*tracer.drawable, &*picture);
         tracer
             .painter

@@ -101,6 +101,8 @@ fn the_second_lesson_leads_to_a_tunnel_and_two_portals_and_through_one() {
     ask(&mut game, [put("portal"), WorkshopWish::Undo]);
     assert!(said(&mut game).contains("step 4 of 6"));
     ask(&mut game, [put("portal")]);
+    // Nor does more time lead on.
+    said(&mut game);
     assert!(said(&mut game).contains("step 5 of 6"));
     let room = scene(&game).room();
     let to_itself = room
@@ -133,7 +135,9 @@ fn the_second_lesson_leads_to_a_tunnel_and_two_portals_and_through_one() {
 fn both_of_a_pair_of_portals_are_seen_when_it_is_put_in() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = building(&dir);
-    ask(&mut game, [put("portals")]);
+    // One looks at a wall from near by, and they stand elsewhere.
+    let near = WorkshopWish::View(ViewEvent::Fly([1.0, 0.0, 0.0], 1.0, false));
+    ask(&mut game, [put("house"), near, put("portals")]);
     let visit = game.play.phase.visit_mut().unwrap();
     let workshop = visit.workshop.take().unwrap();
     for name in ["door", "door 2"] {
@@ -141,6 +145,45 @@ fn both_of_a_pair_of_portals_are_seen_when_it_is_put_in() {
         assert!(at.abs().max_element() < 0.9, "{name}: {at}");
     }
     visit.workshop = Some(workshop);
+}
+
+#[test]
+fn what_is_put_in_from_the_front_stands_on_the_ground_that_one_looks_at() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let front = WorkshopWish::Face(antipode_ui::workshop::ViewSide::Front);
+    ask(&mut game, [front, put("box")]);
+    let made = scene(&game).room().find("box").unwrap().1;
+    assert_eq!(made.at.y, 0.5, "{}", made.at);
+    assert!(made.at.length() < 12.0, "{}", made.at);
+}
+
+#[test]
+fn a_house_that_is_dragged_to_the_side_goes_neither_nearer_nor_farther() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("house")]);
+    let place = |game: &Game| scene(game).room().find("house").unwrap().1.at;
+    let before = place(&game);
+    let pull = |x: f64| ViewEvent::Pull {
+        at: [x, -0.198],
+        free: false,
+    };
+    let events = [
+        ViewEvent::Hover([-0.22, -0.198]),
+        ViewEvent::Grab([-0.22, -0.198]),
+        pull(-0.1),
+        pull(0.013),
+        ViewEvent::Let {
+            at: [0.013, -0.198],
+            adds: false,
+            is_click: false,
+        },
+    ];
+    ask(&mut game, events.map(WorkshopWish::View));
+    let after = place(&game);
+    assert!(after.x > before.x + 0.7, "{before} {after}");
+    assert_eq!(after.z, before.z, "{before} {after}");
 }
 
 #[test]

@@ -174,6 +174,7 @@ impl Game {
                 scene,
                 dir: &dir,
                 slug: &slug,
+                reading: &mut visit.reading,
             };
             workshop.put_in(&mut bench, brought)
         });

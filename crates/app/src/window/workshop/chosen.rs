@@ -146,9 +146,22 @@ pub fn middle(scene: &RoomScene) -> Option<DVec3> {
     let poses = poses(scene.room());
     let all = indices(scene).into_iter();
     let (sum, count) = all.fold((DVec3::ZERO, 0.0), |(sum, count), index| {
-        (sum + poses[index].translation, count + 1.0)
+        let (middle, _) = extent(scene.room(), index, &poses[index]);
+        (sum + middle, count + 1.0)
     });
     (count > 0.0).then(|| sum / count)
+}
+
+/// The middle of a thing, or of what a group carries, and how far it reaches from there, metres.
+fn extent(room: &Room, index: usize, pose: &DAffine3) -> (DVec3, f64) {
+    let object = &room.objects[index];
+    match bounds_of_group(room, &object.name) {
+        Some((low, high)) if object.what == What::Group => {
+            let middle = pose.transform_point3((low + high) / 2.0);
+            (middle, (high - low).length() / 2.0)
+        }
+        _ => (pose.translation, half(&object.what).length()),
+    }
 }
 
 /// The lowest and highest corner of the box about a thing, or about what a group carries, and the others of its front.
@@ -173,7 +186,8 @@ pub fn reach_m(scene: &RoomScene, origin: DVec3) -> f64 {
     let room = scene.room();
     let poses = poses(room);
     let reach = indices(scene).into_iter().map(|index| {
-        half_of(room, &room.objects[index]).length() + poses[index].translation.distance(origin)
+        let (middle, reach_m) = extent(room, index, &poses[index]);
+        reach_m + middle.distance(origin)
     });
     reach.fold(0.5, f64::max)
 }

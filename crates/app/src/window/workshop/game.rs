@@ -200,6 +200,7 @@ impl Game {
             scene: &mut visit.room.scene,
             dir: &dir,
             slug: &slug,
+            reading: &mut visit.reading,
         };
         let mut plays = false;
         let mut refused = None;
@@ -217,6 +218,7 @@ impl Game {
             }
         }
         visit.workshop = Some(workshop);
+        self.go_on_reading();
         for wish in of_lesson {
             self.follow_lesson(&wish);
         }
@@ -231,7 +233,7 @@ impl Game {
 
 impl Visit {
     /// The folder of a room of the player's own; empty for one that is kept nowhere.
-    pub(super) fn own_slug(&self) -> String {
+    pub(in crate::window) fn own_slug(&self) -> String {
         let kept = self.room.kept.as_ref().filter(|kept| !kept.shipped);
         kept.map_or_else(String::new, |kept| kept.slug.clone())
     }
@@ -250,6 +252,12 @@ impl Workshop {
     /// Where the room is seen, points.
     fn view_rect(&self) -> Option<egui::Rect> {
         self.panes.as_ref().map(WorkshopPanes::view_rect)
+    }
+
+    /// The room was changed from elsewhere.
+    pub(in crate::window) fn look_anew(&mut self) {
+        self.forget_chain();
+        self.told.forget();
     }
 
     /// How the panes lie, if somebody has moved them.

@@ -290,7 +290,17 @@ impl Workshop {
         let view = self.viewpoint(scene);
         // A little below the middle, where the ground is.
         let at = DVec2::new(0.0, -0.42);
-        if let Some(seen) = scene.seen(&view, at).filter(|it| it.felt_m < 60.0) {
+        let front = self.camera.axes().0;
+        if view.eye.parallel_m.is_some() && front.y > -0.5 {
+            // From the side there is no ground to look at: what stands there is where the camera turns about.
+            let pivot = self.camera.place.point + front * self.camera.pivot_m;
+            return (scene.ground_below(pivot).unwrap_or(pivot), DVec3::Y);
+        }
+        let farthest_m = match view.eye.parallel_m {
+            Some(_) => f64::INFINITY,
+            None => 60.0,
+        };
+        if let Some(seen) = scene.seen(&view, at).filter(|it| it.felt_m < farthest_m) {
             return (seen.place.point, seen.normal);
         }
         let through = scene.through(&view, Chain::default());

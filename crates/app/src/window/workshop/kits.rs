@@ -3,6 +3,7 @@
 
 use std::collections::HashSet;
 
+use antipode_rooms::bounds::MOST_LIGHTS;
 use antipode_rooms::{Object, Room, What, poses, rotation, space_in_parts};
 use antipode_workshop::{Clip, Edit, make};
 use glam::DVec3;
@@ -23,6 +24,8 @@ const ELSEWHERE_M: [(f64, f64); 9] = [
     (16.0, 0.0),
     (-16.0, 0.0),
 ];
+/// So far before a portal nothing else is put: one could not go in, nor see through it.
+const BEFORE_PORTAL_M: f64 = 2.5;
 /// How far from the first group of a kit the second is tried, in shares of how far it stands in the file.
 const APART: [f64; 6] = [1.0, -1.0, 0.7, -0.7, 1.6, -1.6];
 
@@ -67,26 +70,39 @@ pub struct Site<'a> {
 /// Puts a kit in where nothing is in its way and its portals may stand, as near to where it was meant as can be; its front is
 /// turned to who looks.
 pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
-    let kit = objects(id)?;
+    let mut kit = objects(id)?;
+    leave_lights_out(&mut kit, room);
+    place(room, &kit, 0.0, site)
+}
+
+/// The same of one thing alone.
+pub fn put_alone(room: &Room, object: Object, site: &Site<'_>) -> Option<Edit> {
+    let lift_m = half(&object.what).y;
+    place(room, &[object], lift_m, site)
+}
+
+/// Finds a place for things whose middles are so far over the ground.
+fn place(room: &Room, kit: &[Object], lift_m: f64, site: &Site<'_>) -> Option<Edit> {
     // Yaw f takes +z to (-sin f, 0, cos f), which is to be against where one looks.
     let quarter = (site.front.x.atan2(-site.front.z).to_degrees() / 90.0).round() * 90.0;
     let turn = DVec3::new(quarter, 0.0, 0.0);
-    let depth = reach(&kit);
+    let depth = reach(kit);
     let out = DVec3::new(site.normal.x, 0.0, site.normal.z) * depth;
-    let before = poses_of(room);
+    let mut before = poses_of(room);
+    before.extend(before_portals(&room.objects));
     let closed = space_in_parts(room).closed.len();
     let lay = |(right, behind): (f64, f64), apart: f64| {
+        let is_meant = (right, behind) == (0.0, 0.0);
         let aside = rotation(turn) * DVec3::new(right, 0.0, -behind - depth);
         let meant = site.point + out + aside;
-        let at = DVec3::new((site.snap)(meant.x), meant.y, (site.snap)(meant.z));
-        laid(&kit, at, turn, apart, site.ground)
+        let mut at = DVec3::new((site.snap)(meant.x), meant.y, (site.snap)(meant.z));
+        if !is_meant && let Some(ground) = (site.ground)(at) {
+            at.y = ground.y;
+        }
+        laid(kit, at, turn, apart, site.ground).map(|objects| lifted(objects, lift_m))
     };
     let all = || {
-        let shares: &[f64] = if has_second(&kit) {
-            &APART
-        } else {
-            &APART[..1]
-        };
+        let shares: &[f64] = if has_second(kit) { &APART } else { &APART[..1] };
         let places = ELSEWHERE_M.into_iter();
         places.flat_map(move |place| shares.iter().map(move |it| (place, *it)))
     };
@@ -102,6 +118,21 @@ pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
             any.find(fits)
         });
     Some(paste(&found?))
+}
+
+fn lifted(mut objects: Vec<Object>, lift_m: f64) -> Vec<Object> {
+    let alone = objects.iter_mut().filter(|it| it.group.is_none());
+    alone.for_each(|it| it.at.y += lift_m);
+    objects
+}
+
+/// A room that has as many lamps as it may have takes in a kit without its own.
+fn leave_lights_out(kit: &mut Vec<Object>, room: &Room) {
+    let is_light = |it: &&Object| matches!(it.what, What::Light { .. });
+    let lights = room.objects.iter().chain(&*kit).filter(is_light).count();
+    if lights > MOST_LIGHTS {
+        kit.retain(|it| !is_light(&it));
+    }
 }
 
 fn paste(objects: &[Object]) -> Edit {
@@ -173,9 +204,28 @@ fn poses_of(room: &Room) -> Vec<Bounds> {
     solid.map(|(it, pose)| bounds(it, &pose)).collect()
 }
 
+/// What is before portals, as boxes.
+fn before_portals(objects: &[Object]) -> Vec<Bounds> {
+    let mut room = Room::new("kit");
+    room.objects = objects.to_vec();
+    let all = room.objects.iter().zip(poses(&room));
+    let portals = all.filter(|(it, _)| matches!(it.what, What::Portal(_)));
+    let before = portals.map(|(it, pose)| {
+        let (low, high, _) = bounds(it, &pose);
+        let way = pose.matrix3.x_axis * BEFORE_PORTAL_M;
+        (
+            low + way.min(DVec3::ZERO),
+            high + way.max(DVec3::ZERO),
+            false,
+        )
+    });
+    before.collect()
+}
+
 /// Whether something that stands in the room is where a kit would stand. Space that holds all of the kit is not in its way.
 fn is_in_the_way(room: &[Bounds], kit: &[Object]) -> bool {
-    let own = boxes_of(kit);
+    let mut own = boxes_of(kit);
+    own.extend(before_portals(kit));
     let lowest = own.iter().fold(DVec3::INFINITY, |it, own| it.min(own.0));
     let highest = own
         .iter()
@@ -266,6 +316,59 @@ mod tests {
                 .collect();
             assert!(odd.is_empty(), "{id}: {odd:?}");
         }
+    }
+
+    #[test]
+    fn a_house_has_light_inside_and_is_put_in_without_where_there_are_lamps_enough() {
+        let mut document = Document::new(Room::new("a"));
+        let lights = |document: &Document| {
+            let all = document.room().objects.iter();
+            all.filter(|it| matches!(it.what, What::Light { .. }))
+                .count()
+        };
+        for houses in 1..=MOST_LIGHTS + 1 {
+            let point = DVec3::X * 12.0 * houses as f64;
+            let edit = put_in(document.room(), "house", point, DVec3::NEG_Z).unwrap();
+            document.edit(&edit).unwrap();
+            assert_eq!(lights(&document), houses.min(MOST_LIGHTS));
+        }
+    }
+
+    #[test]
+    fn a_second_portal_stands_beside_the_first_and_not_before_it() {
+        let mut document = Document::new(Room::new("a"));
+        for _ in 0..2 {
+            let room = document.room();
+            // One looks at the ground two metres before the first.
+            let point = DVec3::new(0.0, 0.0, 2.0 * room.portals().count() as f64);
+            let edit = put_in(room, "portal", point, DVec3::NEG_Z).unwrap();
+            document.edit(&edit).unwrap();
+        }
+        let (first, front) = stands(document.room(), "door");
+        let (second, _) = stands(document.room(), "door 2");
+        let way = second - first;
+        assert!((way - front * way.dot(front)).length() > 1.5, "{way}");
+    }
+
+    #[test]
+    fn a_tunnel_that_is_put_in_from_within_a_house_stands_beside_it_on_the_ground() {
+        let mut document = Document::new(Room::new("a"));
+        let house = put_in(document.room(), "house", DVec3::ZERO, DVec3::NEG_Z).unwrap();
+        document.edit(&house).unwrap();
+        let (inside, _) = stands(document.room(), "house");
+        let site = Site {
+            point: inside + DVec3::Y * 0.009,
+            normal: DVec3::Y,
+            front: DVec3::NEG_Z,
+            snap: &|metres| (metres * 4.0).round() / 4.0,
+            ground: &|point| Some(DVec3::new(point.x, 0.0, point.z)),
+        };
+        let tunnel = super::super::parts::put(document.room(), "tunnel", &site).unwrap();
+        document.edit(&tunnel).unwrap();
+        let made = document.room().find("tunnel").unwrap().1;
+        let away = (made.at - inside).abs();
+        assert!(away.x > 3.2 || away.z > 4.2, "{away}");
+        assert!((made.at.y - 1.25).abs() < 1e-9, "{}", made.at);
     }
 
     #[test]

@@ -107,7 +107,10 @@ impl Workshop {
             let away = pose.translation.distance(view.eye.place.point);
             is_within(&corners?, at).then_some((away, index))
         });
-        let nearest = found.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        // The portal itself only where no other is.
+        let own = self.linking.as_ref().map(|it| it.from.as_str());
+        let is_own = |it: &(f64, usize)| Some(room.objects[it.1].name.as_str()) == own;
+        let nearest = found.min_by(|a, b| is_own(a).cmp(&is_own(b)).then(a.0.total_cmp(&b.0)))?;
         Some(room.objects[nearest.1].name.clone())
     }
 

@@ -239,6 +239,7 @@ impl Visit {
                 && it.findings.rest()
                 && it.older.rests()
                 && it.bringing.rests()
+                && self.reading.rests()
         })
     }
 

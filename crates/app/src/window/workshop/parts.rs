@@ -41,6 +41,12 @@ pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
         ..
     } = *site;
     let what = what(id)?;
+    // Space that something else stands in by chance would be the odd one of both.
+    if matches!(what, What::Aberration(_)) {
+        let mut object = Object::new(&free_name(room, id), DVec3::ZERO, what);
+        object.surface = surface(id);
+        return kits::put_alone(room, object, site);
+    }
     let on_grid = |at: DVec3| DVec3::new(snap(at.x), at.y, snap(at.z));
     let out = normal.abs().dot(half(&what));
     let at = tidy(
@@ -156,7 +162,12 @@ mod tests {
             let made = document.room().objects.last().unwrap();
             let lowest = made.at.y - half(&made.what).y;
             assert!(lowest.abs() < 1e-9, "{id}: {lowest}");
-            assert_eq!(made.at.z, -5.0, "{id}");
+            // Space begins there, as kits do.
+            let depth = match made.what {
+                What::Aberration(_) => half(&made.what).z,
+                _ => 0.0,
+            };
+            assert_eq!(made.at.z + depth, -5.0, "{id}");
         }
         assert!(antipode_rooms::space(document.room()).is_ok());
     }

@@ -2,7 +2,7 @@
 
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::Facing;
-use antipode_rooms::{Room, RoomsDir, folder};
+use antipode_rooms::{Assets, Room, RoomsDir};
 use antipode_ui::workshop::{ViewSide, WorkshopWish};
 use antipode_workshop::{Array, Edit, WorkshopError};
 use glam::{DVec2, DVec3};
@@ -11,9 +11,12 @@ use super::hand::{Deed, middle, nudge};
 use super::kits::Site;
 use super::rows::free_name;
 use super::{Workshop, chosen, parts, set};
+use crate::window::reading::{Asked, Reading};
 
 /// How far about the place of a finding one looks, metres.
 const FINDING_M: f64 = 2.0;
+/// How far before what one looks at the point lies from which one goes back, metres.
+const OFF_PLANE_M: f64 = 0.01;
 /// How many copies an array makes.
 const ARRAY: u32 = 4;
 
@@ -34,6 +37,8 @@ pub struct Bench<'a> {
     pub dir: &'a RoomsDir,
     /// The room's own folder.
     pub slug: &'a str,
+    /// What waits for the disk.
+    pub reading: &'a mut Reading,
 }
 
 impl Bench<'_> {
@@ -41,6 +46,10 @@ impl Bench<'_> {
     pub fn make(&mut self, edit: &Edit) -> Result<(), WorkshopError> {
         self.scene.document_mut().end_drag();
         let plan = self.scene.document().plan(edit)?;
+        if self.scene.lacks_files(&plan) {
+            self.reading.ask(Asked::Edit(edit.clone()));
+            return Ok(());
+        }
         self.commit(plan)?;
         if edit.puts_in() {
             self.scene.document_mut().select_made();
@@ -62,9 +71,9 @@ impl Bench<'_> {
     }
 
     fn commit(&mut self, plan: antipode_workshop::Plan) -> Result<(), WorkshopError> {
-        let dir = self.folder();
-        let read = |room: &Room| folder::assets(&dir, room);
-        self.scene.make(plan, read).map_err(WorkshopError::Room)
+        // What names other files does not come here before they are read.
+        let known = |_: &Room| Ok(Assets::default());
+        self.scene.make(plan, known).map_err(WorkshopError::Room)
     }
 }
 
@@ -286,14 +295,10 @@ impl Workshop {
             .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
     }
 
-    /// Whether the middle of what is chosen is well in the view; of several things the whole of each, as far as boxes about them tell.
+    /// Whether the whole of all that is chosen is well in the view, as far as boxes about them tell.
     fn sees_chosen(&self, scene: &RoomScene) -> bool {
         let chosen = chosen::indices(scene);
         let is_within = |at: DVec2| at.abs().max_element() < 0.9;
-        if chosen.len() < 2 {
-            let handles = self.handles(scene);
-            return handles.is_some_and(|(_, handles)| is_within(handles.at));
-        }
         let view = self.viewpoint(scene);
         chosen.into_iter().all(|index| {
             let own = chosen::own_spaces(scene.room(), index);
@@ -310,6 +315,8 @@ impl Workshop {
             return;
         };
         self.forget_chain();
+        // Who goes back from the plane of a portal could go through it.
+        let middle = middle - self.camera.axes().0 * OFF_PLANE_M;
         let reach_m = chosen::reach_m(scene, middle);
         let fov_y_rad = self.fov_y_rad(scene);
         self.camera.focus(scene.space(), middle, reach_m, fov_y_rad);
@@ -353,6 +360,10 @@ fn go_in_history(bench: &mut Bench<'_>, wish: &WorkshopWish) -> Result<(), Works
         WorkshopWish::Redo => document.plan_redo(1)?,
         _ => document.plan_undo(1)?,
     };
+    if bench.scene.lacks_files(&plan) {
+        bench.reading.ask(Asked::Step(wish.clone()));
+        return Ok(());
+    }
     bench.commit(plan)?;
     if matches!(wish, WorkshopWish::Redo) {
         bench.scene.document_mut().select_made();

@@ -1,0 +1,126 @@
+//! The slider of how many times as long something feels: as wide as the pane, the same way for twice as much everywhere, and slow
+//! with Shift.
+
+use antipode_ui::workshop::{FieldKind, FieldValue, WorkshopWish};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+
+use crate::workshop::{Bench, asked, wide};
+
+/// What the slider asks for is done, and told: each value, and whether it is the last of a drag.
+fn follow(harness: &mut Harness<'static, Bench>) -> Vec<(f64, bool)> {
+    let all = asked(harness).into_iter();
+    let set: Vec<_> = all
+        .filter_map(|wish| match wish {
+            WorkshopWish::Set {
+                key,
+                value: FieldValue::Number(0, times),
+                done,
+            } if key == "times" => Some((times, done)),
+            _ => None,
+        })
+        .collect();
+    if let Some((times, _)) = set.last() {
+        let fields = &mut harness.state_mut().fields;
+        let row = fields.iter_mut().find(|it| it.key == "times").unwrap();
+        row.kind = FieldKind::Stretch(Some(*times));
+    }
+    set
+}
+
+fn slider(harness: &Harness<'static, Bench>) -> Rect {
+    harness.get_by_role(egui::Role::Slider).rect()
+}
+
+fn go(harness: &mut Harness<'static, Bench>, to: Pos2) -> Vec<(f64, bool)> {
+    harness.event(Event::PointerMoved(to));
+    harness.run();
+    follow(harness)
+}
+
+fn press(harness: &mut Harness<'static, Bench>, at: Pos2, pressed: bool) -> Vec<(f64, bool)> {
+    harness.event(Event::PointerButton {
+        pos: at,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    });
+    harness.run();
+    follow(harness)
+}
+
+fn shift(harness: &mut Harness<'static, Bench>, down: bool) {
+    let modifiers = if down {
+        Modifiers::SHIFT
+    } else {
+        Modifiers::NONE
+    };
+    harness.event(Event::ModifiersChanged(modifiers));
+}
+
+#[test]
+fn the_whole_width_of_the_pane_leads_from_a_32nd_to_32_in_round_steps() {
+    let mut harness = wide();
+    let rect = slider(&harness);
+    let pane = harness.get_by_label("Place x").rect().left();
+    assert!(
+        rect.width() > 250.0 && (rect.left() - pane).abs() < 4.0,
+        "{rect}"
+    );
+    let at = |share: f32| pos2(rect.left() + share * rect.width(), rect.center().y);
+    go(&mut harness, at(0.5));
+    let pressed = press(&mut harness, at(0.5), true);
+    assert!(
+        (pressed.last().unwrap().0 - 1.0).abs() < 0.02,
+        "{pressed:?}"
+    );
+    let (half, _) = *go(&mut harness, at(0.6)).last().unwrap();
+    assert!(
+        (half - 2.0).abs() < 0.11,
+        "a tenth of the width doubles: {half}"
+    );
+    assert!((half * 10.0 - (half * 10.0).round()).abs() < 1e-9, "{half}");
+    let (round, _) = *go(&mut harness, at(0.63)).last().unwrap();
+    assert!(
+        (round * 10.0 - (round * 10.0).round()).abs() < 1e-9,
+        "{round}"
+    );
+    assert_eq!(go(&mut harness, at(1.1)).last(), Some(&(32.0, false)));
+    let (least, _) = *go(&mut harness, at(-0.1)).last().unwrap();
+    assert!((least - 1.0 / 32.0).abs() < 5e-4, "{least}");
+    let let_go = press(&mut harness, at(-0.1), false);
+    assert!(let_go.last().unwrap().1, "the drag is one step: {let_go:?}");
+}
+
+#[test]
+fn with_shift_the_slider_goes_a_tenth_as_fast_and_on_from_there_without() {
+    let mut harness = wide();
+    let rect = slider(&harness);
+    let at = |share: f32| pos2(rect.left() + share * rect.width(), rect.center().y);
+    go(&mut harness, at(0.6));
+    press(&mut harness, at(0.6), true);
+    let (before, _) = *go(&mut harness, at(0.61)).last().unwrap();
+    shift(&mut harness, true);
+    let (fine, _) = *go(&mut harness, at(0.71)).last().unwrap();
+    let octaves = (fine / before).log2();
+    assert!((octaves - 0.1).abs() < 0.03, "{before} to {fine}");
+    shift(&mut harness, false);
+    let (on, _) = *go(&mut harness, at(0.72)).last().unwrap();
+    let octaves = (on / fine).log2();
+    assert!((octaves - 0.1).abs() < 0.08, "{fine} to {on}: it jumps");
+}
+
+#[test]
+fn the_slider_is_moved_by_keys_and_its_number_is_typed_beside_the_name() {
+    let mut harness = wide();
+    harness.get_by_role(egui::Role::Slider).focus();
+    harness.run();
+    follow(&mut harness);
+    harness.key_press(Key::ArrowRight);
+    harness.run();
+    let asked = follow(&mut harness);
+    assert_eq!(asked, [(5.2, true)], "an arrow is a small step");
+    let number = harness.query_all_by_label("Stretch").last().unwrap().rect();
+    assert!(number.bottom() <= slider(&harness).top() + 1.0, "{number}");
+}
