@@ -93,6 +93,11 @@ impl Land {
         latest.filter_map(|(coord, (_, mesh))| Some((*coord, mesh.as_ref()?)))
     }
 
+    /// The mesh of a chunk, if it is there.
+    pub fn mesh(&self, coord: ChunkCoord) -> Option<&Arc<ChunkMesh>> {
+        self.latest.get(&coord)?.1.as_ref()
+    }
+
     /// Forgets the older half of the removals: who has read since then has heard of them.
     fn forget_gone(&mut self) {
         let numbers = self.order.iter();

@@ -5,6 +5,7 @@
 //!
 //! Directions and positions are in chart coordinates, lengths in metres. Colours are linear light, not sRGB.
 
+mod dust;
 pub mod hand;
 mod hit_shapes;
 mod land;
@@ -20,6 +21,7 @@ use std::sync::Arc;
 use antipode_geometry::{ChartPoint, Leaf};
 use glam::{DQuat, DVec3};
 
+pub use dust::{Dust, GroundMark, Look, MarkShape, Particle};
 pub use hit_shapes::{HitForm, HitShape};
 pub use land::{ChunkChange, Land, LandCursor, LandNews};
 pub use model::{ModelId, ModelShape};
@@ -43,6 +45,8 @@ pub struct Content {
     pub marker: Option<Marker>,
     /// Shapes of bodies and things, where their outlines are to be drawn.
     pub hit_shapes: Vec<HitShape>,
+    /// Dust and chips in the air, and marks on the ground.
+    pub dust: Dust,
     /// Simulated time since the world was made, in seconds.
     pub time_s: f32,
     /// Identifies the world; when it differs from the last content's, every chunk of the old one is dropped first.

@@ -16,6 +16,7 @@ mod chunk_store;
 mod coarse;
 mod culling;
 mod draw_list;
+mod dust;
 mod error;
 mod figure_buffers;
 mod figure_draws;

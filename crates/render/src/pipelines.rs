@@ -13,6 +13,7 @@ use wgpu::{
 use crate::celestial::{CelestialPipelines, Star};
 use crate::charts::chart_layout;
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
+use crate::dust::DustPipelines;
 use crate::figure_buffers::joints_layout;
 use crate::figure_pipelines::FigurePipelines;
 use crate::heavens::Heavens;
@@ -28,8 +29,8 @@ use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::tonemap::layout as light_layout;
 use crate::uniforms::{ChunkInstance, MarkerInstance, OutlineInstance};
 
-pub(crate) use way::{BENT, GLASS, SOLID, Way};
-use way::{OPEN, SHINE, VEIL};
+pub(crate) use way::{BENT, GLASS, SOLID, VEIL, Way};
+use way::{OPEN, SHINE};
 
 /// Everything the scene is drawn with.
 #[derive(Debug)]
@@ -54,6 +55,8 @@ pub struct Pipelines {
     pub outlines: RenderPipeline,
     /// The same where something hides them.
     pub outlines_hidden: RenderPipeline,
+    /// What flies off the ground and is pressed into it.
+    pub dust: DustPipelines,
     /// Openings of doors, with what was drawn of the other side.
     pub opening: RenderPipeline,
     /// The same with haze.
@@ -131,6 +134,7 @@ impl Pipelines {
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
             outlines,
             outlines_hidden,
+            dust: DustPipelines::made_by(maker),
             opening,
             opening_haze,
             caster: maker.caster(&land, "vertex_caster", &land_buffers),

@@ -38,6 +38,11 @@ pub const OUTLINES: Shader = Shader {
     name: "outlines",
     own: include_str!("../../../shaders/outlines.wgsl"),
 };
+/// Dust and chips, and marks on the ground.
+pub const DUST: Shader = Shader {
+    name: "dust",
+    own: include_str!("../../../shaders/dust.wgsl"),
+};
 /// The sky.
 pub const SKY: Shader = Shader {
     name: "sky",
@@ -178,7 +183,7 @@ pub mod tests {
     fn every_shader_is_valid() {
         for map in MAPS {
             for shader in [
-                TERRAIN, FIGURE, MARKER, OPENING, OUTLINES, SKY, CELESTIAL, TONEMAP,
+                TERRAIN, FIGURE, MARKER, OPENING, OUTLINES, DUST, SKY, CELESTIAL, TONEMAP,
             ] {
                 let module = parse(shader, map);
                 let checked =
@@ -258,6 +263,7 @@ pub mod tests {
             MARKER.name,
             OPENING.name,
             OUTLINES.name,
+            DUST.name,
             SKY.name,
             CELESTIAL.name,
             TONEMAP.name,

@@ -97,7 +97,7 @@ impl Scene {
 
     /// The state of the world for a script.
     pub fn probe(&self) -> Probe {
-        probing::probe(self.now(), self.shown.quality)
+        probing::probe(self.now(), &self.shown)
     }
 }
 

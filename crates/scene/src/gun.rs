@@ -9,6 +9,7 @@ use crate::crosshair::Crosshair;
 use crate::notice::Hint;
 use crate::npc::Event;
 use crate::outbox::Outbox;
+use crate::particles::Effect;
 use crate::player::Player;
 use crate::projectile::{self, Air, Projectile};
 use crate::situation::Situation;
@@ -119,6 +120,10 @@ pub(crate) fn step_bullets(
         doors: world.doors.as_ref(),
     };
     let hits = projectile::step(&mut actors.ecs, &air);
+    for &(at, up, speed_m_s) in &hits.grounds {
+        let struck = Effect::Struck { at, up, speed_m_s };
+        outbox.effects.push(struck);
+    }
     damage::take_strikes(actors, player, outbox, hits.strikes);
     car::damage::take_knocks(actors, outbox, &hits.knocks);
 }

@@ -52,6 +52,7 @@ pub mod notice;
 mod npc;
 mod orders;
 mod outbox;
+mod particles;
 pub mod persist;
 mod photo;
 pub mod pick;

@@ -13,15 +13,17 @@ use crate::car::mirror::rear_view;
 use crate::day;
 use crate::door_sill::sill_m;
 use crate::frame::{
-    BeamLight, Content, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, Opening, View,
+    BeamLight, Content, Dust, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, Opening,
+    View,
 };
 use crate::lens::Lens;
 use crate::light::lights;
+use crate::particles::contact;
 use crate::photo::Viewpoint;
 use crate::pick::over;
 use crate::scene::Scene;
 use crate::shown::figures_seen_by;
-use crate::tuning::{DOOR_FOG_M, NEAR_M};
+use crate::tuning::{DOOR_FOG_M, NEAR_M, STEP_S};
 use crate::world::World;
 use crate::{door, fixture, hand};
 
@@ -188,6 +190,7 @@ impl Scene {
         };
         let own_car = moment.figures.iter().find(|(who, _)| Some(*who) == bonnet);
         let own_car = own_car.map(|(_, car)| *car);
+        let dust = self.dust(&moment.figures, &eye, moment.simulated_s);
         let without_who = |(_, figure)| figure;
         let content = Content {
             sky: day::sky(moment.time_of_day_s, &*strategy, &eye),
@@ -199,6 +202,7 @@ impl Scene {
             },
             marker: moment.mark.map(|mark| mark.marker),
             hit_shapes: Vec::new(),
+            dust,
             time_s: moment.simulated_s as f32,
             loaded_world: world_id,
         };
@@ -220,6 +224,18 @@ impl Scene {
             lead_ring_on(&mut frame, doors, &marker);
         }
         frame
+    }
+
+    /// What of the ground is in the air at a time, simulated seconds, and the marks on it.
+    fn dust(&self, figures: &[(Who, Figure)], eye: &Eye, at_s: f64) -> Dust {
+        let (world, particles) = (&self.sim.world, &self.shown.particles);
+        let before_s = (world.simulated_s - at_s).clamp(0.0, STEP_S);
+        let mut marks: Vec<_> = particles.prints(at_s).collect();
+        contact::add(world, eye.point, figures, &mut marks);
+        Dust {
+            particles: particles.seen(before_s),
+            marks,
+        }
     }
 
     /// The doors in a picture. Where only the land about a far door is loaded, the fog is complete before that ends.

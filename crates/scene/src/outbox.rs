@@ -2,6 +2,7 @@
 
 use crate::actors::ActorId;
 use crate::notice::{Hint, Notice};
+use crate::particles::Effects;
 use crate::sound::Sounds;
 
 /// Events since somebody last took them.
@@ -15,6 +16,10 @@ pub(crate) struct Outbox {
     pub sounds: Sounds,
     /// The flag that the player wants to name.
     pub names_flag: Option<ActorId>,
+    /// What threw up ground in the last step.
+    pub effects: Effects,
+    /// Whether the ground has changed since the last step.
+    pub ground_changed: bool,
     /// Whether the player fired in the last step.
     pub fired: bool,
 }

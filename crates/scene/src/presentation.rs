@@ -8,6 +8,7 @@ use antipode_geometry::Eye;
 use crate::detail::Sights;
 use crate::frame::Quality;
 use crate::lens::Lens;
+use crate::particles::Particles;
 use crate::tuning::PICTURE_HEIGHT_PX;
 use crate::viewing::Viewing;
 
@@ -19,6 +20,8 @@ pub(crate) struct Presentation {
     pub quality: Quality,
     /// How what is in the player's hand moves.
     pub hand: HandMotion,
+    /// What flies off the ground.
+    pub particles: Particles,
     /// Lines of a picture.
     pub picture_height_px: u32,
     /// The sizes in the picture that the chunk workers go by; none if everything is to be full.
@@ -34,6 +37,7 @@ impl Default for Presentation {
             jumped: None,
             quality: Quality::default(),
             hand: HandMotion::default(),
+            particles: Particles::default(),
             picture_height_px: PICTURE_HEIGHT_PX,
             sight: None,
             watched: None,

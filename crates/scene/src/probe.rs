@@ -63,6 +63,10 @@ pub struct Probe {
     pub fixtures: Vec<FixtureProbe>,
     /// What lies about.
     pub drops: Vec<DropProbe>,
+    /// What of the ground is in the air.
+    pub particles: ParticleProbe,
+    /// Tyre prints on the ground.
+    pub marks: MarkProbe,
     /// Terrain chunks.
     pub chunks: ChunkProbe,
     /// The ground under the player.
@@ -246,6 +250,26 @@ pub struct MarkerProbe {
     pub shape: &'static str,
     /// The kind of ground that is built, as `grass`; null for what untouched land has there.
     pub kind: Option<&'static str>,
+}
+
+/// What of the ground is in the air, or came to lie, in a probe.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ParticleProbe {
+    /// All of it.
+    pub alive: usize,
+    /// Clouds of dust.
+    pub dust: usize,
+    /// Soft clods.
+    pub spray: usize,
+    /// Hard bits.
+    pub chips: usize,
+}
+
+/// Tyre prints in a probe.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MarkProbe {
+    /// Pieces that have not faded yet.
+    pub alive: usize,
 }
 
 /// Terrain chunks in a probe.

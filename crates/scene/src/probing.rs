@@ -15,9 +15,9 @@ use crate::crosshair::Crosshair;
 use crate::day;
 use crate::drops::Drop;
 use crate::fixture::{self, Fixture};
-use crate::frame::Quality;
 use crate::persist::fixture_kind;
 use crate::player::wrap_angle;
+use crate::presentation::Presentation;
 use crate::probe::{
     BotProbe, CameraProbe, CarProbe, ChunkProbe, DoorProbe, DropProbe, FixtureProbe, FlagProbe,
     LampProbe, MarkerProbe, PlayerProbe, Probe, ProjectileProbe, SlotProbe, TerrainProbe,
@@ -51,7 +51,7 @@ fn car_probe(now: Situation<'_>, car: &CarView) -> CarProbe {
 }
 
 /// The state of the world for a script, and how pictures of it are taken.
-pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
+pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
     let Situation {
         world,
         actors,
@@ -60,6 +60,7 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
     let curved_radius = world.strategy.radius_m();
     let lens = &player.gaze.lens;
     let cars = actors.car_views();
+    let (particles, marks) = shown.particles.probe(world.simulated_s);
     Probe {
         t: world.simulated_s,
         world: world.setup.name.clone(),
@@ -69,7 +70,7 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
         map: lens.map().map(HyperbolicMap::name),
         curvature: lens.curvature(),
         bend: lens.bend(),
-        quality: quality.name(),
+        quality: shown.quality.name(),
         time_of_day: world.time_of_day_s,
         hour: world.local_time_s(now.feet()).map(day::hour),
         player: player_probe(now),
@@ -98,6 +99,8 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
         doors: fixture::map_of(actors, Item::Door, |_, it| door_probe(now, it)),
         fixtures: fixture_probes(now),
         drops: actors.map(|_, it| drop_probe(now, it)),
+        particles,
+        marks,
         chunks: ChunkProbe {
             resident: world.ground.count(),
             pending: world.streamer.pending(),

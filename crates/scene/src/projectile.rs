@@ -102,6 +102,8 @@ pub(crate) struct Air<'a> {
 pub(crate) struct Hits {
     pub strikes: Vec<Strike>,
     pub knocks: Vec<Knock>,
+    /// Where bullets struck the ground first, its normal, and how fast they were into it, m/s.
+    pub grounds: Vec<(ChartPoint, DVec3, f64)>,
 }
 
 /// Fires a bullet that falls. The oldest makes room when there are too many.
@@ -177,6 +179,10 @@ impl Projectile {
             .physics
             .chart(before.chart)
             .throw_ball(&mut ball, &tuning, dt_s);
+        if let Some(touch) = touch.filter(|touch| touch.speed_m_s >= BULLET_DAMAGES_FROM_M_S) {
+            let at = ChartPoint::new(before.chart, touch.centre);
+            hits.grounds.push((at, touch.normal, touch.speed_m_s));
+        }
         let is_still = ball.velocity.length() < BULLET_LIES_BELOW_M_S;
         self.lies_s = if is_still { self.lies_s + STEP_S } else { 0.0 };
         let corner = touch.map_or(ball.centre, |touch| touch.centre);

@@ -186,10 +186,14 @@ impl Scene {
             actors,
             player,
             outbox,
-        } = &self.sim;
+        } = &mut self.sim;
         let now = Situation::of(world, actors, player);
         let still = self.shown.viewing.reduced_motion;
         crate::hand::step(&mut self.shown.hand, now, outbox.fired, still);
+        if std::mem::take(&mut outbox.ground_changed) {
+            self.shown.particles.ground_changed(world);
+        }
+        self.shown.particles.step(now, &mut outbox.effects);
         self.autosave();
     }
 }

@@ -12,6 +12,7 @@ use crate::actors::Actors;
 use crate::day;
 use crate::ground::Ground;
 use crate::outbox::Outbox;
+use crate::particles::Effect;
 use crate::situation::Situation;
 
 /// Something that makes a sound once.
@@ -95,6 +96,8 @@ pub struct Drive {
 
 /// Slower falls, in m/s, are steps: walking down a slope leaves the ground all the time.
 const LANDING_FROM_M_S: f64 = 2.5;
+/// Steps of who goes faster throw up dust, m/s.
+const KICKS_UP_FROM_M_S: f64 = 5.0;
 /// Share of the speed at which braked tyres slide.
 const BRAKED_SHARE: f64 = 0.35;
 /// The most events that are kept for a host that never asks, such as a script.
@@ -170,16 +173,25 @@ pub(crate) fn hear_body(
     foot_down: bool,
     outbox: &mut Outbox,
 ) {
-    let impact_m_s = body.impact_m_s;
+    let (impact_m_s, velocity) = (body.impact_m_s, body.velocity.with_y(0.0));
     if impact_m_s >= LANDING_FROM_M_S {
+        let speed_m_s = impact_m_s;
+        let landed = Effect::Landed {
+            at: feet,
+            speed_m_s,
+        };
+        outbox.effects.push(landed);
         outbox.sounds.push(SoundEvent::Landed {
             cover: ground.cover(feet),
             speed_m_s: impact_m_s,
         });
     } else if foot_down {
+        if velocity.length() >= KICKS_UP_FROM_M_S {
+            outbox.effects.push(Effect::Stepped { at: feet, velocity });
+        }
         outbox.sounds.push(SoundEvent::Step {
             cover: ground.cover(feet),
-            speed_m_s: body.velocity.with_y(0.0).length(),
+            speed_m_s: velocity.length(),
         });
     }
 }

@@ -287,8 +287,9 @@ impl Scene {
                 world,
                 actors,
                 player,
-                ..
+                outbox,
             } = &mut self.sim;
+            outbox.ground_changed = true;
             ground_changed::tell(world, actors, &edited);
             body::lift_out(world, actors, player);
         }

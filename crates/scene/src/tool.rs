@@ -9,6 +9,7 @@ use crate::crosshair::Crosshair;
 use crate::door;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
+use crate::particles::Effect;
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::sound::SoundEvent;
@@ -111,13 +112,15 @@ fn hear(world: &World, mark: Option<ToolMark>, radius_m: f64, sign: f32, outbox:
     if f64::from(world.ground.density(mark.point)).abs() > radius_m {
         return;
     }
-    outbox.sounds.push(if sign > 0.0 {
-        SoundEvent::Dug {
-            cover: world.ground.cover(mark.point),
-        }
+    let at = mark.point;
+    if sign > 0.0 {
+        let cover = world.ground.cover(at);
+        outbox.sounds.push(SoundEvent::Dug { cover });
+        outbox.effects.push(Effect::Dug { at, radius_m });
     } else {
-        SoundEvent::Built
-    });
+        outbox.sounds.push(SoundEvent::Built);
+        outbox.effects.push(Effect::Built { at, radius_m });
+    }
 }
 
 /// Whether building there would fill the place of the player's body under a roof. In the open it is lifted by what

@@ -9,6 +9,7 @@
 mod beam;
 mod car;
 mod denied;
+mod dust;
 mod edits;
 mod faults;
 mod geometry_gpu;

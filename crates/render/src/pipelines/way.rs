@@ -62,7 +62,7 @@ pub(super) const SHINE: Way = Way {
 };
 
 /// Laid over what is infinitely far.
-pub(super) const VEIL: Way = Way {
+pub(crate) const VEIL: Way = Way {
     culled: false,
     ..GLASS
 };

@@ -14,6 +14,7 @@ use crate::charts::Charts;
 use crate::chunk_store::{ChunkStore, Shading};
 use crate::culling::Falls;
 use crate::draw_list::{DrawCount, DrawList, LandDraws};
+use crate::dust::DustDraws;
 use crate::figure_buffers::Statics;
 use crate::figure_draws::FigureDraws;
 use crate::figures::Figures;
@@ -48,6 +49,7 @@ pub(super) struct ViewState {
     land: LandDraws,
     pub figures: FigureDraws,
     marker: MarkerBalls,
+    dust: DustDraws,
     outlines: Outlines,
     openings: OpeningDraws,
     /// Whether the last frame drew it, of what is seen through an opening.
@@ -112,6 +114,7 @@ impl ViewState {
             land,
             figures: FigureDraws::new(device),
             marker: MarkerBalls::new(device),
+            dust: DustDraws::new(device),
             outlines: Outlines::new(device),
             openings: OpeningDraws::new(device),
             is_drawn: false,
@@ -158,6 +161,7 @@ impl ViewState {
         map: Option<Falls>,
     ) -> [f64; 2] {
         self.marker.prepare(queue, frame, &mut self.charts);
+        self.dust.prepare(queue, frame, &mut self.charts);
         self.openings.prepare(queue, frame, &mut self.charts);
         self.outlines
             .prepare(device, queue, frame, &mut self.charts);
@@ -217,6 +221,8 @@ impl ViewState {
         let terrain = |number| pipelines.terrain.numbered(number);
         let land = &self.land;
         stats.add(land.draw(&mut pass, &self.list, charts, scenery.pages, terrain));
+        let dust = &self.dust;
+        stats.add(dust.draw_marks(&mut pass, charts, &pipelines.dust));
         let openings = &self.openings;
         stats.add(openings.draw(&mut pass, charts, pipelines, part.beyond));
         draw_sky(frame, scenery, &mut pass, stats);
@@ -224,6 +230,7 @@ impl ViewState {
             self.figures
                 .draw_clear(&mut pass, models, charts, pipelines),
         );
+        stats.add(dust.draw(&mut pass, charts, &pipelines.dust));
         let marker = [&pipelines.marker_hidden, &pipelines.marker];
         stats.add(self.marker.draw(&mut pass, charts, marker));
         let outlines = [&pipelines.outlines_hidden, &pipelines.outlines];

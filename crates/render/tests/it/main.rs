@@ -10,6 +10,7 @@ mod common;
 mod culling;
 mod dark_lines;
 mod digging;
+mod dust;
 mod figures;
 mod lamps;
 mod levels;

@@ -36,7 +36,7 @@ use crate::world::World;
 use antipode_frame::motion::Doing;
 use antipode_items::Item;
 pub(crate) use bearing::{ahead as place_ahead, any_heading, apart_m, way_to};
-use dice::Dice;
+pub(crate) use dice::Dice;
 use figure::Npc;
 pub(crate) use hidden::hidden_foes;
 use mind::Mind;
