@@ -3,6 +3,7 @@
 use antipode_geometry::{Atlas, ChartPoint};
 use antipode_room_scene::RoomScene;
 use antipode_scene::Scene;
+use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
 use antipode_settings::Value;
 use glam::{DVec3, Vec3Swizzles};
 
@@ -198,6 +199,8 @@ fn set<H: Host + ?Sized>(host: &mut H, setting: Setting) -> Result<(), Failure> 
             scene.set_quality(quality);
             host.worlds().set_quality(quality);
         }
+        // A script sees the same on every machine.
+        Setting::ViewDistance(0) => scene.set_view_distance(VIEW_DISTANCE_CHUNKS.2),
         Setting::ViewDistance(chunks) => scene.set_view_distance(chunks),
         Setting::Health(health) => scene.set_health(health),
         Setting::Fly(on) => scene.set_flying(on),

@@ -21,7 +21,7 @@ pub enum Setting {
     Bend(f64),
     /// How much exactness pictures trade for speed.
     Quality(Quality),
-    /// View distance in chunks.
+    /// View distance in chunks, 0 for what scripts usually have.
     ViewDistance(u32),
     /// The player's health.
     Health(f64),
@@ -53,7 +53,7 @@ pub(super) fn setting(what: &str, value: &str) -> Result<Setting, String> {
                 .parse()
                 .map_err(|_| format!("there is no quality {}", quoted(value)))?,
         ),
-        "view-distance" => Setting::ViewDistance(whole(value, 1, 16)?),
+        "view-distance" => Setting::ViewDistance(whole(value, 0, 16)?),
         "health" => Setting::Health(number(value, 0.0, 20.0)?),
         "fly" => match value {
             "on" => Setting::Fly(true),
