@@ -85,6 +85,8 @@ pub struct Renderer {
     asked: (u32, u32, bool),
     /// The number of the world that the targets hold a picture of.
     pictured: Option<u64>,
+    /// The number of the world that was shown last.
+    shown_world: Option<u64>,
     tonemap: Tonemap,
     chunks: ChunkStore,
     figures: Figures,
@@ -156,6 +158,7 @@ impl Renderer {
             deeper: Vec::new(),
             asked: (1, 1, false),
             pictured: None,
+            shown_world: None,
             tonemap,
         })
     }
@@ -270,7 +273,7 @@ impl Renderer {
         let is_shared = !further.is_empty() || !frame.openings.is_empty();
         let map = self.map_of(frame);
         self.foresee_openings(frame, map);
-        if !self.is_ready(map) {
+        if !self.is_ready(map) || self.awaits_openings(frame, map) {
             let last = DrawStats {
                 gpu_ms,
                 ..self.show_last(frame, encoder, target)
@@ -286,6 +289,7 @@ impl Renderer {
         let others = self.draw_further(frame, further, encoder);
         self.chunks.end_rush();
         self.pictured = Some(frame.content.loaded_world);
+        self.shown_world = self.pictured;
         let end = self.timing.as_ref().map(Timing::end);
         self.show(encoder, target, end);
         if let Some(timing) = &self.timing {

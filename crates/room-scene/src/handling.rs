@@ -11,8 +11,8 @@ use crate::hints::RoomHint;
 use crate::scene::RoomScene;
 use crate::tuning::{
     BULLET_PUSH_N_S, GRASP_REACH_M, HOLD_M, HOLD_RATE, HURL_SPEED_M_S, LIFT_KG, LIGHT_KG, PUSH_N,
-    PUSH_REACH_M, RADIUS_M, SHAPE, SLIPS_M, SPRINT_FACTOR, STEP_S, THROW_RISE, WALK_SPEED_M_S,
-    WALKER_MASS_KG,
+    PUSH_REACH_M, RADIUS_M, SHAPE, SLIPS_AFTER_S, SLIPS_M, SPRINT_FACTOR, STEP_S, SWINGS_RAD,
+    THROW_RISE, WALK_SPEED_M_S, WALKER_MASS_KG,
 };
 use crate::walk::Steer;
 
@@ -31,6 +31,8 @@ const MISSES: f64 = 0.2;
 pub struct Grasp {
     /// Whose body is held.
     pub held: Option<Owner>,
+    /// For how long it has been farther than [`SLIPS_M`] from where it is to be held, seconds.
+    astray_s: f64,
 }
 
 /// How something loose is seen from the eye.
@@ -138,7 +140,10 @@ impl RoomScene {
         match self.bodies.of(owner) {
             Some(body) if body.mass_kg() <= most => {
                 body.held = true;
-                self.grasp.held = Some(owner);
+                self.grasp = Grasp {
+                    held: Some(owner),
+                    astray_s: 0.0,
+                };
             }
             _ => self.hint(RoomHint::TooHeavy),
         }
@@ -183,16 +188,26 @@ impl RoomScene {
         let own = self.walker.body.velocity;
         let sighted = self.sighted(owner);
         let held = sighted.zip(self.bodies.of(owner));
-        let slips = held.is_none_or(|(seen, body)| {
+        let lacks_m = held.map_or(f64::INFINITY, |(seen, body)| {
             let larger = body.place.scale / seen.scale;
-            let target = front * (HOLD_M + body.reach_m * larger);
-            let lacks = target - seen.away;
-            let velocity = (lacks * HOLD_RATE.0).clamp_length_max(HOLD_RATE.1) + own;
+            let hold_m = HOLD_M + body.reach_m * larger;
+            // It goes round who turns about, and not through them.
+            let next = turned_at_most(seen.away, front, SWINGS_RAD) * hold_m;
+            let pull = (next - seen.away) * HOLD_RATE.0;
+            let velocity = pull.clamp_length_max(HOLD_RATE.1) + own;
             let wish = seen.turn * velocity / larger;
             let by = wish - body.velocity;
             body.hold(by);
-            lacks.length() > SLIPS_M
+            (front * hold_m - seen.away).length()
         });
+        // A picture that comes late turns far in one step.
+        let astray_s = &mut self.grasp.astray_s;
+        *astray_s = if lacks_m > SLIPS_M {
+            *astray_s + STEP_S
+        } else {
+            0.0
+        };
+        let slips = lacks_m.is_infinite() || *astray_s > SLIPS_AFTER_S;
         if slips {
             self.release();
         }
@@ -238,6 +253,16 @@ impl RoomScene {
             }
         }
     }
+}
+
+/// The direction that is turned from one towards another, of length 1, by at most so many radians.
+fn turned_at_most(from: DVec3, to: DVec3, most_rad: f64) -> DVec3 {
+    let angle = from.angle_between(to);
+    // Opposite directions have every perpendicular for an axis.
+    let axis = from.cross(to).try_normalize();
+    let axis = axis.unwrap_or_else(|| to.any_orthonormal_vector());
+    let back = (angle - most_rad).max(0.0);
+    DQuat::from_axis_angle(axis, -back) * to
 }
 
 impl Body {

@@ -22,8 +22,12 @@ pub const GRASP_REACH_M: f64 = 3.0;
 pub const HOLD_M: f64 = 0.75;
 /// How much of its way to there it goes in a second, and how fast at most, felt metres per second.
 pub const HOLD_RATE: (f64, f64) = (12.0, 8.0);
-/// What is farther than this from where it is to be held, felt metres, is let go.
+/// What is farther than this from where it is to be held, felt metres, for longer than [`SLIPS_AFTER_S`], is let go.
 pub const SLIPS_M: f64 = 1.6;
+/// See [`SLIPS_M`]; seconds.
+pub const SLIPS_AFTER_S: f64 = 0.6;
+/// By how much what is held is drawn round who turns about, seen from the eye, radians.
+pub const SWINGS_RAD: f64 = 1.0;
 /// Speed at which what is held is thrown, felt metres per second; what is heavier than [`LIGHT_KG`] is thrown slower.
 pub const HURL_SPEED_M_S: f64 = 8.0;
 /// See [`HURL_SPEED_M_S`].

@@ -48,10 +48,25 @@ impl Renderer {
                 is_cut: true,
                 ..key
             };
-            if !self.pipelines.is_made(cut) {
-                self.pipelines.order(cut);
+            // Only what the picture itself is drawn with goes before; other maps may never be seen.
+            if self.pipelines.is_made(key) {
+                self.pipelines.want(cut);
             }
         }
+    }
+
+    /// Whether a world that nothing has been shown of yet has doors through which nothing can be seen yet: its veil stays down for that.
+    pub(super) fn awaits_openings(&mut self, frame: &Frame, key: Key) -> bool {
+        let is_shown = self.shown_world == Some(frame.content.loaded_world);
+        if self.patient || self.chunks.rush || is_shown || frame.openings.is_empty() {
+            return false;
+        }
+        let cut = Key {
+            is_cut: true,
+            ..key
+        };
+        self.awaits_map = !self.pipelines.is_made(cut);
+        self.awaits_map
     }
 
     /// Draws the other side of each opening that is in the picture. A door that is seen there shows once more what is behind it, and

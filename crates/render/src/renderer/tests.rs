@@ -5,7 +5,9 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use antipode_geometry::{Geometry, HyperbolicMap, Strategy, picture};
+use antipode_frame::Opening;
+use antipode_geometry::{Doorway, Geometry, HyperbolicMap, Leaf, Strategy, picture};
+use glam::DVec3;
 use image::RgbaImage;
 
 use wgpu::TextureFormat;
@@ -30,15 +32,15 @@ const PATIENCE: Duration = Duration::from_mins(1);
 /// So long a map is held that nobody lets go.
 const HELD: Duration = Duration::from_secs(20);
 
-/// A renderer that makes all maps, but this one only when it is told to.
-fn holding(gpu: &Gpu, held: Option<&'static str>) -> (Renderer, Sender<()>) {
+/// A renderer that makes all maps, but what this one is drawn with only when it is told to.
+fn holding(gpu: &Gpu, held: Option<Key>) -> (Renderer, Sender<()>) {
     let mut renderer = Renderer::new(gpu, OPTIONS).unwrap();
     renderer.resize(SIZE.0, SIZE.1);
     let (go, wait) = channel::<()>();
     let wait = Mutex::new(wait);
     let (device, layout) = (gpu.device.clone(), scene_layout(&gpu.device));
     renderer.pipelines = PipelineCache::new(Box::new(move |map| {
-        if Some(map.map.name) == held {
+        if Some(map) == held {
             let _ = wait.lock().unwrap().recv_timeout(HELD);
         }
         let quality = OPTIONS.pipeline_quality();
@@ -86,7 +88,7 @@ fn a_frame_whose_map_is_not_made_shows_the_last_picture_of_its_world_and_waits_f
     let (flat, sphere) = (space(Geometry::Euclidean), space(Geometry::Spherical));
     let red = view(&flat, [0.8, 0.1, 0.1]);
     let mut blue = view(&sphere, [0.1, 0.1, 0.8]);
-    let held = blue.view.strategy.shader().name;
+    let held = Key::whole(blue.view.strategy.shader());
     let (mut renderer, go) = holding(&gpu, Some(held));
     let (kind, before) = draw(&gpu, &mut renderer, &red);
     assert_eq!(kind, Picture::New);
@@ -129,4 +131,35 @@ fn other_options_are_taken_when_their_pipelines_are_made_and_no_frame_is_left_ou
     }
     assert!(!renderer.is_busy());
     assert_eq!(renderer.picture.targets.size, (SIZE.0 / 2, SIZE.1 / 2));
+}
+
+#[test]
+fn the_veil_of_a_world_with_doors_stays_down_until_they_can_be_looked_through_and_no_other_waits() {
+    let Some(gpu) = Gpu::for_test() else { return };
+    let bare = view(&space(Geometry::Euclidean), [0.8, 0.1, 0.1]);
+    let leaf = |ahead_m| Leaf {
+        foot: bare.view.eye.point.moved(DVec3::new(ahead_m, -1.0, 0.0)),
+        yaw: 0.0,
+    };
+    let doors = Doorway {
+        leaves: [leaf(3.0), leaf(60.0)],
+    };
+    let mut frame = bare.clone();
+    frame.openings = Opening::all(&frame.view, &doors).to_vec();
+    let cut = Key {
+        is_cut: true,
+        ..Key::whole(bare.view.strategy.shader())
+    };
+    let (mut renderer, go) = holding(&gpu, Some(cut));
+    assert_eq!(draw(&gpu, &mut renderer, &bare).0, Picture::New);
+    renderer.prepare_maps();
+    // Doors that are put up in it are seen at once.
+    assert_eq!(draw(&gpu, &mut renderer, &frame).0, Picture::New);
+
+    frame.content_mut().loaded_world += 1;
+    assert_eq!(draw(&gpu, &mut renderer, &frame).0, Picture::None);
+    assert!(renderer.is_land_coming());
+    drop(go);
+    drawn_new(&gpu, &mut renderer, &frame);
+    assert!(!renderer.is_land_coming());
 }

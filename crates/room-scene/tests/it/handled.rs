@@ -67,6 +67,46 @@ fn who_walks_into_a_ball_that_was_thrown_kicks_it_and_may_lift_it() {
     assert!(after.z < before.z - 1.0, "{before} {after}");
 }
 
+/// A picture that comes late brings a whole turn of the mouse in one step; what is held goes round after it, to either side.
+#[test]
+fn what_is_lifted_stays_in_the_hands_of_who_turns_about_in_one_step() {
+    let mut scene = with(&["add box name=crate at=0,0.25,-1.6 size=0.5,0.5,0.5 mass=8"]);
+    wait(&mut scene, 0.5);
+    scene.aim(-90.0, -40.0);
+    once(&mut scene, GRASP);
+    for yaw in [-90.0, 90.0, -60.0, 120.0, 0.0_f64] {
+        go(&mut scene, (yaw, 0.0), &Steer::default(), 1.0);
+        let crate_m = state(&scene, "crate").point - scene.eye().place.point;
+        let ahead = DVec3::new(yaw.to_radians().cos(), 0.0, yaw.to_radians().sin());
+        assert!(crate_m.dot(ahead) > 0.9, "{yaw}: {crate_m}");
+        assert!(crate_m.length() < 1.4, "{yaw}: {crate_m}");
+    }
+}
+
+/// What cannot come along is let go, and not held from afar.
+#[test]
+fn what_is_lifted_behind_bars_slips_from_the_hands_of_who_goes_away() {
+    let mut scene = with(&[
+        "add box name=stand at=0,0.4,-1.8 size=0.8,0.8,0.8",
+        "add box name=crate at=0,1.05,-1.65 size=0.5,0.5,0.5 mass=8",
+        "add box name=left at=-0.3,1.5,-1.1 size=0.3,3,0.1",
+        "add box name=right at=0.3,1.5,-1.1 size=0.3,3,0.1",
+    ]);
+    wait(&mut scene, 0.5);
+    scene.aim(-90.0, -19.0);
+    once(&mut scene, GRASP);
+    go(&mut scene, (-90.0, 0.0), &Steer::default(), 1.0);
+    assert!(state(&scene, "crate").point.y > 1.4);
+    let away = Steer {
+        forward: -1.0,
+        ..crate::AHEAD
+    };
+    go(&mut scene, (-90.0, 0.0), &away, 0.5);
+    go(&mut scene, (-90.0, 0.0), &Steer::default(), 1.5);
+    let slipped = state(&scene, "crate");
+    assert!(slipped.point.y < 1.2, "{slipped:?}");
+}
+
 #[test]
 fn who_stands_on_the_end_of_a_plank_tips_it_and_a_crate_bears_them() {
     let mut scene = with(&[
