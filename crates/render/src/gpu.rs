@@ -84,6 +84,7 @@ pub struct Gpu {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 impl Gpu {
     /// An adapter for a test, which says loudly when there is none.
     pub(crate) fn for_test() -> Option<Self> {
