@@ -3,27 +3,28 @@
 //! Who looks down at a sill that is higher on the other side would look under that ground, where nothing is. So an opening begins
 //! at it, and below one sees what is on this side: a step up.
 
-use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M};
+use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M, HEIGHT_M};
 use antipode_geometry::{ChartPoint, Leaf};
 use glam::DVec3;
 
 use crate::frame::Opening;
 
-/// A sill is at most so high over the foot, metres: ground that is higher is a wall.
-const HIGHEST_M: f64 = 0.9;
 /// Halvings by which the height of the ground is found, within two centimetres.
-const HALVINGS: u32 = 7;
+const HALVINGS: u32 = 8;
 
-/// How high the ground is along the lower edge of a leaf, metres over its foot, as [`Opening::sill_m`] has it. Where there is none to
-/// begin at it is as low as an opening reaches.
+/// How high the ground is along the lower edge of a leaf, metres over its foot, as [`Opening::sill_m`] has it. Where there is none it
+/// is as low as an opening reaches, and where all is rock as high: nothing is seen through that.
 pub(crate) fn sill_m(solid: impl Fn(ChartPoint) -> bool, leaf: &Leaf) -> [f64; Opening::SILLS] {
     let last = (Opening::SILLS - 1) as f64;
     std::array::from_fn(|column| {
         let z = (2.0 * column as f64 / last - 1.0) * HALF_WIDTH_M;
         let is_solid = |y: f64| solid(leaf.place(DVec3::new(0.0, y, z)));
-        let (mut low, mut high) = (-BELOW_FOOT_M, HIGHEST_M);
-        if !is_solid(low) || is_solid(high) {
-            return -BELOW_FOOT_M;
+        let (mut low, mut high) = (-BELOW_FOOT_M, HEIGHT_M);
+        if is_solid(high) {
+            return high;
+        }
+        if !is_solid(low) {
+            return low;
         }
         for _ in 0..HALVINGS {
             let middle = f64::midpoint(low, high);
@@ -44,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sill_is_as_high_as_the_ground_and_none_is_in_rock_or_over_a_pit() {
+    fn a_sill_is_as_high_as_the_ground_all_of_it_in_rock_and_none_over_a_pit() {
         let leaf = Leaf {
             foot: ChartPoint::new(ChartId::FIRST, DVec3::new(7.0, 5.0, -3.0)),
             yaw: 0.0,
@@ -54,8 +55,9 @@ mod tests {
             let z = (0.2 * f64::from(column) - 1.0) * HALF_WIDTH_M;
             assert!((found_m - 0.5 * z).abs() < 0.02, "{column}: {found_m}");
         }
-        for bottomless in [sill_m(|_| true, &leaf), sill_m(|_| false, &leaf)] {
-            assert_eq!(bottomless, [-BELOW_FOOT_M; Opening::SILLS]);
-        }
+        assert_eq!(sill_m(|_| true, &leaf), [HEIGHT_M; Opening::SILLS]);
+        assert_eq!(sill_m(|_| false, &leaf), [-BELOW_FOOT_M; Opening::SILLS]);
+        let wall = |at: ChartPoint| at.pos.y < 5.0 + 2.0;
+        assert!(sill_m(wall, &leaf).iter().all(|it| (it - 2.0).abs() < 0.02));
     }
 }
