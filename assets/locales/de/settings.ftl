@@ -16,6 +16,7 @@ unit-degrees = { $value }°
 unit-degrees-per-pixel = { $value }° je Pixel
 unit-chunks = { $value ->
     [0] Automatisch
+    [one] { $value } Stück
    *[other] { $value } Stücke
 }
 unit-notch = { $value } je Raste

@@ -16,6 +16,7 @@ unit-degrees = { $value }°
 unit-degrees-per-pixel = { $value }° a pixel
 unit-chunks = { $value ->
     [0] Automatic
+    [one] { $value } chunk
    *[other] { $value } chunks
 }
 unit-notch = { $value } a notch

@@ -16,6 +16,7 @@ unit-degrees = { $value }°
 unit-degrees-per-pixel = { $value }° por píxel
 unit-chunks = { $value ->
     [0] Automática
+    [one] { $value } trozo
    *[other] { $value } trozos
 }
 unit-notch = { $value } por paso

@@ -16,6 +16,8 @@ unit-degrees = { $value }°
 unit-degrees-per-pixel = { $value }° na piksel
 unit-chunks = { $value ->
     [0] Automatycznie
+    [one] kawałki: { $value }
+    [few] kawałki: { $value }
    *[other] kawałki: { $value }
 }
 unit-notch = { $value } na ząbek

@@ -82,7 +82,7 @@ fn a_mark_darkens_the_ground_that_it_lies_on_and_no_other() {
         let place = seen_at(&frame, at, SIZE);
         let beside = (place.0 + 110.0, place.1);
         for (shape, most) in [(MarkShape::Contact, 0.85), (MarkShape::Print, 0.95)] {
-            frame.content_mut().dust.marks = vec![mark(at, up, shape, 0.6)];
+            frame.content_mut().dust.marks = vec![mark(at, up, shape, 0.8)];
             let marked = studio.draw(&frame).0;
             let share = least_share(&marked, &bare, place);
             assert!(
