@@ -91,18 +91,18 @@ fn detail_of(kind: u32, spot: Spot) -> Detail {
     }
 }
 
-// The widest of a kind's patterns, as vertices can show it: what its colour is multiplied by. Slow enough that a vertex more
-// or less, where edges are halved, does not change the picture.
+// The widest of a kind's patterns, as vertices can show it: what its colour is multiplied by. So slow that a vertex more or less,
+// where edges are halved, does not change the picture; strong patterns of 2 m are only hinted at.
 fn coarse_tone(kind: u32, p: vec3<f32>) -> vec3<f32> {
-    let spot = Spot(p, vec3<f32>(0.0), 0.0);
-    let is_slow = kind == GRASS || kind == ASH || kind == ROCK;
-    let wide = grain_noise(spot, select(0.5, 0.25, is_slow)).x;
+    let is_quick = kind == SOIL || kind == GRAVEL || kind == CLAY;
+    let wide = grain_noise(Spot(p, vec3<f32>(0.0), 0.0), select(0.25, 0.5, is_quick)).x;
     switch kind {
         case 1u: { return 1.0 + wide * vec3<f32>(0.22, 0.10, 0.07); }
         case 3u, 5u, 7u: { return vec3<f32>(1.0 + 0.08 * wide); }
-        case 6u, 10u, 11u: { return vec3<f32>(1.0 + 0.34 * wide); }
-        case 8u: { return 1.0 + wide * vec3<f32>(0.46, 0.23, 0.10); }
-        default: { return vec3<f32>(1.0 + 0.20 * wide); }
+        case 6u: { return vec3<f32>(1.0 + 0.34 * wide); }
+        case 8u: { return 1.0 + wide * vec3<f32>(0.20, 0.10, 0.05); }
+        case 10u, 11u: { return vec3<f32>(1.0 + 0.16 * wide); }
+        default: { return vec3<f32>(1.0 + 0.13 * wide); }
     }
 }
 
