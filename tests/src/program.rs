@@ -123,7 +123,9 @@ pub fn comparable(probe: &Value) -> Value {
         for name in ["t", "fps", "memory_mb", "chunks", "adapter"] {
             fields.remove(name);
         }
-        // They are counted over a visit.
+        // What is in the air and pressed into the ground, and what is counted over a visit, no save keeps.
+        fields.remove("particles");
+        fields.remove("marks");
         if let Some(terrain) = fields.get_mut("terrain").and_then(Value::as_object_mut) {
             terrain.remove("dug");
             terrain.remove("built");
