@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, Geometry};
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, Renderer, ShadowQuality};
+use antipode_scene::frame::Dust;
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Actions, NpcMode, Scene, WorldSetup};
 use antipode_terrain::Field;
@@ -133,7 +134,9 @@ impl Studio {
     fn picture(&mut self, scene: &Scene) -> RgbaImage {
         self.worlds += 1;
         let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
-        let frame = scene.frame(FOV_Y_RAD, aspect, self.worlds);
+        let mut frame = scene.frame(FOV_Y_RAD, aspect, self.worlds);
+        // What the ground throws up is thrown by chance along the axes of its chart, and marks are laid along them.
+        frame.content_mut().dust = Dust::default();
         self.renderer.complete_next();
         let mut encoder = self.gpu.encoder();
         self.renderer
