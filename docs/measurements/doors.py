@@ -15,8 +15,8 @@ import subprocess
 import sys
 import tempfile
 
-TURNS = 2
-SHORT, LONG = 2, 22
+TURNS = 4
+SHORT, LONG = 2, 42
 SIZE = "640x360"
 # Metres from the start to the far door, in every space but the closed one, whose land is all at hand.
 FAR_M = 400.0

@@ -40,6 +40,8 @@ pub struct Ground {
     /// Meshes of chunks that are there for bodies alone, beyond the view: the renderer is told of them when it comes
     /// to them.
     unseen: BTreeMap<ChunkCoord, Arc<ChunkMesh>>,
+    /// How often what bodies feel of it has changed.
+    changes: u64,
 }
 
 impl Ground {
@@ -50,12 +52,14 @@ impl Ground {
             chunks: HashMap::new(),
             land: Arc::default(),
             unseen: BTreeMap::new(),
+            changes: 0,
         }
     }
 
     /// Takes in a chunk: its collider goes to the physics, its mesh to the renderer. Returns what it takes the
     /// place of. What is not `seen` is kept from the renderer.
     pub fn put(&mut self, chunk: Chunk, seen: bool, physics: &mut PhysicsWorld) -> Spent {
+        self.changes += 1;
         let collider = replace_terrain(physics, chunk.coord, chunk.collider);
         let triangles = chunk.mesh.triangles().len();
         let before = self.chunks.insert(
@@ -84,6 +88,7 @@ impl Ground {
         let Some(chunk) = self.chunks.get_mut(&coord) else {
             return (collider, samples);
         };
+        self.changes += 1;
         let before = std::mem::replace(&mut chunk.samples, samples);
         (replace_terrain(physics, coord, collider), before)
     }
@@ -100,6 +105,7 @@ impl Ground {
         let Some(chunk) = self.chunks.remove(&coord) else {
             return (None, None);
         };
+        self.changes += 1;
         self.unseen.remove(&coord);
         Arc::make_mut(&mut self.land).change(ChunkChange::Remove(coord));
         (replace_terrain(physics, coord, None), chunk.samples)
@@ -108,6 +114,11 @@ impl Ground {
     /// What pictures show of it.
     pub fn land(&self) -> &Arc<Land> {
         &self.land
+    }
+
+    /// Grows whenever [`Ground::density`] may have changed anywhere: what was worked out of it is right while this stays.
+    pub fn changes(&self) -> u64 {
+        self.changes
     }
 
     /// Number of resident chunks with a surface.

@@ -11,7 +11,6 @@ use crate::aimed::{Aim, ViewParams};
 use crate::camera::{CameraMode, CameraPose};
 use crate::car::mirror::rear_view;
 use crate::day;
-use crate::door_sill::sill_m;
 use crate::frame::{
     BeamLight, Content, Dust, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, Opening,
     View,
@@ -244,9 +243,8 @@ impl Scene {
             return Vec::new();
         };
         let mut all = Opening::all(view, doors).to_vec();
-        let solid = |at: ChartPoint| self.sim.world.ground.is_solid(at);
-        for (opening, far) in all.iter_mut().zip(doors.leaves.iter().rev()) {
-            opening.sill_m = sill_m(solid, far);
+        for (opening, sill_m) in all.iter_mut().zip(self.shown.sills.of(doors)) {
+            opening.sill_m = sill_m;
         }
         if !view.strategy.is_closed() {
             let strategy = &*view.strategy;

@@ -6,6 +6,7 @@ use antipode_frame::hand::HandMotion;
 use antipode_geometry::Eye;
 
 use crate::detail::Sights;
+use crate::door_sill::Sills;
 use crate::frame::Quality;
 use crate::lens::Lens;
 use crate::particles::Particles;
@@ -22,6 +23,8 @@ pub(crate) struct Presentation {
     pub hand: HandMotion,
     /// What flies off the ground.
     pub particles: Particles,
+    /// Where what is seen through each leaf of a pair of doors begins.
+    pub sills: Sills,
     /// Lines of a picture.
     pub picture_height_px: u32,
     /// The sizes in the picture that the chunk workers go by; none if everything is to be full.
@@ -38,6 +41,7 @@ impl Default for Presentation {
             quality: Quality::default(),
             hand: HandMotion::default(),
             particles: Particles::default(),
+            sills: Sills::default(),
             picture_height_px: PICTURE_HEIGHT_PX,
             sight: None,
             watched: None,

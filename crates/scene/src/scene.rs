@@ -194,6 +194,7 @@ impl Scene {
             self.shown.particles.ground_changed(world);
         }
         self.shown.particles.step(now, &mut outbox.effects);
+        self.shown.sills.renew(world);
         self.autosave();
     }
 }

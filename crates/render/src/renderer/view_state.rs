@@ -216,15 +216,15 @@ impl ViewState {
         }
         pass.set_bind_group(0, &self.bindings, &[]);
         self.charts.bind(&mut pass, 0);
-        // Figures stand before the land more often than behind it.
+        // Figures stand before the land more often than behind it, and what lies behind an opening is not seen.
         stats.add(self.figures.draw(&mut pass, models, charts, pipelines));
+        let openings = &self.openings;
+        stats.add(openings.draw(&mut pass, charts, pipelines, part.beyond));
         let terrain = |number| pipelines.terrain.numbered(number);
         let land = &self.land;
         stats.add(land.draw(&mut pass, &self.list, charts, scenery.pages, terrain));
         let dust = &self.dust;
         stats.add(dust.draw_marks(&mut pass, charts, &pipelines.dust));
-        let openings = &self.openings;
-        stats.add(openings.draw(&mut pass, charts, pipelines, part.beyond));
         draw_sky(frame, scenery, &mut pass, stats);
         stats.add(
             self.figures

@@ -201,6 +201,44 @@ fn an_opening_begins_at_the_ground_of_the_other_side_in_every_space() {
     }
 }
 
+/// What is built at the other leaf, and carries that leaf up with it, is where the opening begins.
+#[test]
+fn an_opening_begins_at_what_was_built_at_the_other_leaf_in_every_space() {
+    for geometry in Geometry::ALL {
+        let (mut scene, pair) = before_the_player(geometry);
+        let before = scene.frame(1.2, 1.5, 1).openings[0].sill_m;
+        scene.inventory_mut().select(3);
+        let build = Actions {
+            secondary: true,
+            ..still()
+        };
+        // Through the near leaf: at the ground half a metre before it.
+        scene.teleport(pair.leaves[0].place(DVec3::new(-3.5, 1.0, 0.0)));
+        assert!(scene.wait_for_step(LIMIT));
+        steps(&mut scene, 40, &still());
+        scene.aim(pair.leaves[0].yaw, -(1.6_f64 / 3.0).atan());
+        steps(&mut scene, 45, &build);
+        assert!(scene.settle(LIMIT));
+        steps(&mut scene, 2, &still());
+        let openings = scene.frame(1.2, 1.5, 1).openings;
+        let (sills_m, far) = (openings[0].sill_m, openings[1].leaf);
+        let last = (sills_m.len() - 1) as f64;
+        for (column, sill_m) in sills_m.into_iter().enumerate() {
+            let z = (2.0 * column as f64 / last - 1.0) * HALF_WIDTH_M;
+            scene.teleport(far.place(DVec3::new(0.0, 7.0, z)));
+            let found_m = scene.ground_height().unwrap() - far.foot.pos.y;
+            let found_m = found_m.max(-BELOW_FOOT_M);
+            assert!(
+                (sill_m - found_m).abs() < 0.02,
+                "{geometry} {column}: {sill_m} m, not {found_m} m"
+            );
+        }
+        let most = before.iter().zip(sills_m).map(|(a, b)| (a - b).abs());
+        let most_m = most.fold(0.0, f64::max);
+        assert!(most_m > 0.2, "{geometry}: {most_m}");
+    }
+}
+
 /// Where the ground lies lower behind the far leaf the body is on it at once, and the eye comes after it: the picture does not jump.
 #[test]
 fn the_eye_follows_a_body_that_a_door_has_set_lower() {
