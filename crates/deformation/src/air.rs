@@ -107,7 +107,11 @@ fn leave(
         contact.normal * contact.depth
     };
     body.velocity = out_of * velocity;
-    body.place = around.carried(&body.place, out_of * way);
+    // A thing in the axis is left by up to the length of the body. No such push leads through what stands there, as a floor.
+    let is_long = contact.depth >= shape.radius_m;
+    if !is_long || around.is_free(&body.place, out_of * way) {
+        body.place = around.carried(&body.place, out_of * way);
+    }
     landed
 }
 

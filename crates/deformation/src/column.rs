@@ -89,6 +89,17 @@ impl Around<'_> {
         trace(space, place, w, length, &Void, &Traveller::Body).place
     }
 
+    /// Whether nothing solid is on a way from a place, in felt metres by its axes.
+    pub fn is_free(&self, place: &Place, felt: DVec3) -> bool {
+        let length = felt.length();
+        if length == 0.0 {
+            return true;
+        }
+        let w = felt / length;
+        let path = trace(self.space, place, w, length, self.scene, &Traveller::Body);
+        path.hit().is_none()
+    }
+
     /// Shows triangles near a place, in a frame about it, and whether they are solid from both sides: those within `reach`
     /// of it along each axis of the frame, `low` and `high` along up.
     fn show(

@@ -4,6 +4,7 @@ use antipode_deformation::{
     Aberration, Place, Sides, Space, Triangle, Triangles, Walker, WalkerShape,
 };
 use antipode_testing::rooms::cuboid;
+use fastrand::Rng;
 use glam::{DQuat, DVec3};
 
 use crate::common::{boxed, space, v};
@@ -121,6 +122,44 @@ fn a_head_stops_at_a_lintel_and_a_ceiling() {
         assert!(eye < 1.9 && walk.feet().y < 0.205, "{eye}");
     }
     assert!(walk.walker.grounded && walk.feet().y < 1e-3);
+}
+
+/// A ball that flies into who jumps pushes them out of its way: never through the floor, however thin that is.
+#[test]
+fn what_flies_into_who_jumps_pushes_nobody_through_a_floor() {
+    let none = space([]);
+    let mut rng = Rng::with_seed(5);
+    let thin = || block(v(-60.0, -0.1, -60.0), v(60.0, 0.0, 60.0));
+    let empty = Triangles::new(thin());
+    for _ in 0..400 {
+        let feet_m = 0.05 + 0.75 * rng.f64();
+        let mut walk = Walk::from(&none, &empty, 60, v(0.0, feet_m, 0.0));
+        walk.walker.grounded = false;
+        walk.walker.body.velocity.y = 4.0 * (rng.f64() - 0.5);
+        let mut ball = || {
+            let mut aside = || 0.4 * (rng.f64() - 0.5);
+            let (x, z) = (aside(), aside());
+            let at = v(x, feet_m + 1.9 * rng.f64(), z);
+            let turn = DQuat::from_scaled_axis(v(rng.f64(), rng.f64(), rng.f64()) * 6.0);
+            Triangles::new(
+                thin()
+                    .into_iter()
+                    .chain(cuboid(at, turn, DVec3::splat(0.12), 2))
+                    .collect(),
+            )
+        };
+        for scene in [ball(), ball(), ball()] {
+            let mut among = Walk {
+                scene: &scene,
+                walker: walk.walker.clone(),
+                ..walk
+            };
+            among.on(DVec3::ZERO, 1.0 / 60.0);
+            walk.walker = among.walker;
+        }
+        walk.on(DVec3::ZERO, 1.0);
+        assert!(walk.walker.grounded && walk.feet().y.abs() < 0.01);
+    }
 }
 
 #[test]
