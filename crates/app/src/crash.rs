@@ -115,12 +115,13 @@ fn start_again(options: Vec<OsString>, why: &str, details: impl AsRef<OsStr>) {
 }
 
 /// Options that say which world the game began in, and what breaks it on purpose.
-const OF_A_WORLD: [&str; 6] = [
+const OF_A_WORLD: [&str; 7] = [
     "--geometry",
     "--seed",
     "--name",
     "--radius",
     "--load",
+    "--room",
     "--inject",
 ];
 
@@ -142,6 +143,8 @@ fn kept_options(arguments: impl Iterator<Item = OsString>, but: &[&str]) -> Vec<
 
 #[cfg(test)]
 mod tests {
+    use clap::CommandFactory as _;
+
     use super::*;
 
     #[test]
@@ -157,6 +160,26 @@ mod tests {
         ];
         let kept = kept_options(args.map(OsString::from).into_iter(), &OF_A_WORLD);
         assert_eq!(kept, ["--size", "640x360", "--saves-dir", "/x"]);
+    }
+
+    /// Else the new game would not start, and nobody would be told of the crash.
+    #[test]
+    fn no_option_is_kept_that_the_new_game_does_not_take_beside_its_own() {
+        let command = crate::cli::Cli::command();
+        let named = |name: &str| command.get_arguments().find(|it| it.get_id() == name);
+        for own in ["after_crash", "after_graphics"] {
+            let refused = command.get_arg_conflicts_with(named(own).unwrap());
+            let own_options = [AFTER_CRASH, AFTER_GRAPHICS];
+            let refused = refused
+                .iter()
+                .map(|it| format!("--{}", it.get_long().unwrap()));
+            let refused: Vec<_> = refused
+                .filter(|it| !own_options.contains(&it.as_str()))
+                .collect();
+            assert!(refused.len() > 2, "{refused:?}");
+            let is_left = |it: &String| OF_A_WORLD.contains(&it.as_str());
+            assert!(refused.iter().all(is_left), "{refused:?}");
+        }
     }
 
     #[cfg(unix)]

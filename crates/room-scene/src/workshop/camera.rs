@@ -20,8 +20,8 @@ const MOST_WALLS: u32 = 16;
 /// A camera that flies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeCamera {
-    /// Where it is, in the axes of the scene.
-    pub place: Place,
+    /// Where it is, metres of the scene. In which boxes that is, is looked up whenever it is asked: a room changes about its camera.
+    pub point: DVec3,
     /// Where it looks: (yaw, pitch), degrees.
     pub aim_deg: DVec2,
     /// Felt metres ahead to what it turns about.
@@ -58,14 +58,17 @@ impl FreeCamera {
     pub fn of(eye: &Eye) -> Self {
         let mut place = eye.place;
         let turn = place.straighten();
-        place.scale = 1.0;
         let front = turn * eye.front;
         Self {
-            place,
+            point: place.point,
             aim_deg: aim(front),
             pivot_m: 6.0,
             parallel: None,
         }
+    }
+
+    fn place(&self, space: &Space) -> Place {
+        Place::at(space, self.point)
     }
 
     /// Into the picture, to its right and to its top, of length 1.
@@ -80,9 +83,9 @@ impl FreeCamera {
     pub fn eye(&self, space: &Space, fov_y_rad: f64) -> Eye {
         let (front, _, _) = self.axes();
         let Some(radius_m) = self.parallel else {
-            return Eye::looking(self.place, front, DVec3::Y, fov_y_rad);
+            return Eye::looking(self.place(space), front, DVec3::Y, fov_y_rad);
         };
-        let (pivot, _) = go(space, &self.place, front, self.pivot_m);
+        let (pivot, _) = go(space, &self.place(space), front, self.pivot_m);
         let half_m = self.pivot_m * (0.5 * fov_y_rad).tan();
         let away_m = radius_m + pivot.point.length() + 1.0;
         let place = Place::at(space, pivot.point - front * away_m);
@@ -105,14 +108,14 @@ impl FreeCamera {
         let (front, right, up) = self.axes();
         let way = front * by.x + right * by.y + up * by.z;
         let Some(w) = way.try_normalize() else { return };
-        let (place, turn) = go(space, &self.place, w, way.length());
-        self.place = place;
+        let (place, turn) = go(space, &self.place(space), w, way.length());
+        self.point = place.point;
         self.aim_deg = aim(turn * front);
     }
 
     /// Goes about what it turns about, radians to the right and upwards.
     pub fn orbit(&mut self, space: &Space, right_rad: f64, up_rad: f64) {
-        let (pivot, turn) = go(space, &self.place, self.axes().0, self.pivot_m);
+        let (pivot, turn) = go(space, &self.place(space), self.axes().0, self.pivot_m);
         self.aim_deg = aim(turn * self.axes().0);
         self.look(right_rad, up_rad);
         self.stand_off(space, &pivot);
@@ -133,7 +136,7 @@ impl FreeCamera {
 
     /// Looks from that side at what it turns about.
     pub fn face(&mut self, space: &Space, facing: Facing) {
-        let (pivot, _) = go(space, &self.place, self.axes().0, self.pivot_m);
+        let (pivot, _) = go(space, &self.place(space), self.axes().0, self.pivot_m);
         self.aim_deg = facing.aim_deg();
         self.stand_off(space, &pivot);
     }
@@ -142,7 +145,7 @@ impl FreeCamera {
     fn stand_off(&mut self, space: &Space, pivot: &Place) {
         let front = self.axes().0;
         let (place, turn) = go(space, pivot, -front, self.pivot_m);
-        self.place = place;
+        self.point = place.point;
         // Who looks straight down looks to no side, so nothing but a turn by portals gives them another.
         if turn != DQuat::IDENTITY {
             self.aim_deg = aim(turn * front);
@@ -235,7 +238,7 @@ impl RoomScene {
     /// Puts who walks where a free camera is, so that they look as it does.
     pub fn walk_from(&mut self, camera: &FreeCamera) {
         let eye_m = crate::tuning::EYE_M;
-        let (feet, _) = go(&self.space, &camera.place, DVec3::NEG_Y, eye_m);
+        let (feet, _) = go(&self.space, &camera.place(&self.space), DVec3::NEG_Y, eye_m);
         self.stand_at(feet.point);
         self.aim(camera.aim_deg.x, camera.aim_deg.y);
     }

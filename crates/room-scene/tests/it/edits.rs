@@ -1,13 +1,34 @@
 //! A room that is changed while one is in it.
 
+use antipode_room_scene::workshop::FreeCamera;
 use antipode_room_scene::{RoomScene, Steer};
 use antipode_rooms::{Assets, Room, RoomError};
+use glam::DVec3;
 
 use crate::{AHEAD, empty};
 
 fn edit(scene: &mut RoomScene, command: &str) -> Result<(), RoomError> {
     let words: Vec<_> = command.split(' ').collect();
     scene.edit(&words, |_| Ok(Assets::default()))
+}
+
+/// The box that a camera is in may be taken away, as by who takes back what has just been put about it.
+#[test]
+fn a_free_camera_is_where_it_was_when_the_box_about_it_is_gone() {
+    let mut scene = empty();
+    let camera = FreeCamera::of(&scene.eye());
+    let wall = camera.point + DVec3::new(0.0, 0.0, -6.0);
+    let before = scene.way_to(&scene.viewpoint(&camera, 1.0), wall, &[]);
+    let before = before.unwrap().1;
+    let hall = "add aberration name=hall at=0,2,0 half=4,4,4 stretch=2,2,2 sides=soft";
+    edit(&mut scene, hall).unwrap();
+    let within = scene.viewpoint(&camera, 1.0);
+    assert!(!within.eye.place.stack.is_empty());
+    edit(&mut scene, "undo").unwrap();
+    let view = scene.viewpoint(&camera, 1.0);
+    assert!(view.eye.place.stack.is_empty());
+    let after = scene.way_to(&view, wall, &[]).unwrap().1;
+    assert!(view.apart(after, before) < 1e-9, "{after} {before}");
 }
 
 #[test]

@@ -257,7 +257,7 @@ fn a_free_camera_goes_round_what_it_looks_at_and_through_portals() {
     let before = camera;
     camera.fly(scene.space(), DVec3::new(3.0, 1.0, -0.5));
     camera.fly(scene.space(), DVec3::new(-3.0, -1.0, 0.5));
-    assert!(camera.place.point.distance(before.place.point) < 1e-9);
+    assert!(camera.point.distance(before.point) < 1e-9);
 }
 
 #[test]

@@ -293,7 +293,7 @@ impl Workshop {
         let front = self.camera.axes().0;
         if view.eye.parallel_m.is_some() && front.y > -0.5 {
             // From the side there is no ground to look at: what stands there is where the camera turns about.
-            let pivot = self.camera.place.point + front * self.camera.pivot_m;
+            let pivot = self.camera.point + front * self.camera.pivot_m;
             return (scene.ground_below(pivot).unwrap_or(pivot), DVec3::Y);
         }
         let farthest_m = match view.eye.parallel_m {
