@@ -28,13 +28,22 @@ impl Bounds {
 
     /// Whether the other lies wholly within this one, touching allowed.
     pub fn contains(&self, other: &Self) -> bool {
-        let away = self.axes.transpose() * (other.centre - self.centre);
+        let away = other.centre - self.centre;
+        // The other's middle would lie within the ball about this one.
+        if away.length() > self.half.length() + TOUCH_M {
+            return false;
+        }
+        let away = self.axes.transpose() * away;
         (0..3).all(|i| away[i].abs() + other.reach(self.axes.col(i)) <= self.half[i] + TOUCH_M)
     }
 
     /// Whether both have more than a face in common: no direction parts them (S. Gottschalk's test of fifteen axes).
     pub fn overlaps(&self, other: &Self) -> bool {
         let away = other.centre - self.centre;
+        // The balls about them are apart: so are most boxes of a large room.
+        if away.length() > self.half.length() + other.half.length() {
+            return false;
+        }
         let parts = |direction: DVec3| {
             direction.try_normalize().is_some_and(|axis| {
                 let room = self.reach(axis) + other.reach(axis) - away.dot(axis).abs();

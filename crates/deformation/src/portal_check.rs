@@ -119,8 +119,16 @@ fn stand(space: &Space, portal: Portal) -> PlacedPortal {
 
 fn check_boxes(space: &Space, portal: &PlacedPortal) -> Result<(), SpaceError> {
     let name = || portal.portal.name.clone();
+    let around = Ball::about(&portal.corners);
     for (number, placed) in space.placed().iter().enumerate() {
         let aberration = || placed.aberration.name.clone();
+        let of_box = Ball {
+            middle: placed.aberration.centre,
+            radius: placed.aberration.half.length(),
+        };
+        if around.is_apart_from(&of_box) {
+            continue;
+        }
         let locals: Vec<_> = portal.corners.iter().map(|it| placed.local(*it)).collect();
         let half = placed.aberration.half;
         let is_inside = locals.iter().all(|it| it.abs().cmple(half - APART_M).all());
@@ -157,9 +165,35 @@ fn check_boxes(space: &Space, portal: &PlacedPortal) -> Result<(), SpaceError> {
     Ok(())
 }
 
+/// A ball of the scene, metres.
+struct Ball {
+    middle: DVec3,
+    radius: f64,
+}
+
+impl Ball {
+    fn about(corners: &[DVec3]) -> Self {
+        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+        let far = corners.iter().map(|it| it.distance(middle));
+        Self {
+            middle,
+            radius: far.fold(0.0, f64::max),
+        }
+    }
+
+    /// Whether all that lies in both is farther apart than what must be: most of a large room is.
+    fn is_apart_from(&self, other: &Self) -> bool {
+        self.middle.distance(other.middle) > self.radius + other.radius + APART_M
+    }
+}
+
 fn check_apart(portals: &[PlacedPortal]) -> Result<(), SpaceError> {
+    let balls: Vec<_> = portals.iter().map(|it| Ball::about(&it.corners)).collect();
     for (second, b) in portals.iter().enumerate() {
-        for a in &portals[..second] {
+        for (first, a) in portals[..second].iter().enumerate() {
+            if balls[first].is_apart_from(&balls[second]) {
+                continue;
+            }
             let directions = |it: &PlacedPortal| -> Vec<DVec3> {
                 let inward = |e: &DVec3| it.right * e.x + it.up * e.y;
                 it.edges.iter().map(inward).chain([it.normal]).collect()

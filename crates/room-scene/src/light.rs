@@ -1,8 +1,8 @@
 //! Light in a room: sky, sun, fog and lamps.
 
-use antipode_deformation::{Place, Space, Traveller};
+use antipode_deformation::{Place, Traveller};
 use antipode_rays::{Lamp, Sky, Sun};
-use antipode_rooms::{Colour, Room, What, direction, poses};
+use antipode_rooms::{Colour, Room, What, direction};
 use glam::{DVec3, Vec3};
 
 use crate::looks::linear;
@@ -52,7 +52,7 @@ pub fn fog_m(room: &Room) -> f32 {
 impl RoomScene {
     /// All lamps, at a share of the way of the last step: those of the room, and those that were put down, and a shot.
     pub fn lamps_between(&self, share: f64) -> Vec<Lamp> {
-        let mut all = lamps(self.room(), &self.space);
+        let mut all = self.own_lamps();
         let things = self.things_between(share);
         let put_down = things.iter().filter(|it| it.kind == ThingKind::Lamp);
         let put_down = put_down.map(|thing| {
@@ -68,20 +68,20 @@ impl RoomScene {
         all.extend(self.shot_light(all.len()));
         all
     }
-}
 
-/// The lamps of a room, where they are in the space.
-pub fn lamps(room: &Room, space: &Space) -> Vec<Lamp> {
-    let all = room.objects.iter().zip(poses(room));
-    all.filter_map(|(object, pose)| match object.what {
-        What::Light { colour, power } => Some(lamp(
-            Place::at(space, pose.translation),
-            linear(colour),
-            power as f32,
-        )),
-        _ => None,
-    })
-    .collect()
+    /// Those of the room.
+    pub(crate) fn own_lamps(&self) -> Vec<Lamp> {
+        let all = self.room().objects.iter().zip(self.poses());
+        all.filter_map(|(object, pose)| match object.what {
+            What::Light { colour, power } => Some(lamp(
+                Place::at(&self.space, pose.translation),
+                linear(colour),
+                power as f32,
+            )),
+            _ => None,
+        })
+        .collect()
+    }
 }
 
 fn lamp(place: Place, colour: Vec3, power: f32) -> Lamp {

@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use antipode_rays::{Instance, Material, Mesh, Pattern, RayScene};
 use antipode_rooms::mesh::{Look, Shape, SolidMesh};
-use antipode_rooms::{Colour, What, poses};
+use antipode_rooms::{Colour, What};
 use glam::{Affine3A, DAffine3, Vec2, Vec3};
 use image::RgbaImage;
 
 use crate::figure::{ball, materials};
-use crate::light::{fog_m, lamps, sky, sun};
+use crate::light::{fog_m, sky, sun};
 use crate::looks::{Pictures, of_model, of_surface};
 use crate::scene::RoomScene;
 use crate::tuning::SIGN_BRIGHTNESS;
@@ -47,7 +47,7 @@ impl RoomScene {
                 .chain(materials())
                 .collect(),
             aberrations: self.space.clone(),
-            lamps: lamps(room, &self.space),
+            lamps: self.own_lamps(),
             sun: sun(room),
             sky: sky(room),
             fog_m: fog_m(room),
@@ -106,7 +106,7 @@ impl RoomScene {
         write: &mut dyn FnMut(&SignBoard) -> Result<P, E>,
     ) -> Result<(), E> {
         let room = self.room();
-        for (index, (object, pose)) in room.objects.iter().zip(poses(room)).enumerate() {
+        for (index, (object, pose)) in room.objects.iter().zip(self.poses()).enumerate() {
             let What::Sign { text, size } = &object.what else {
                 continue;
             };
@@ -121,7 +121,7 @@ impl RoomScene {
             scene.meshes.push(Arc::new(face(size.as_vec2())));
             scene.instances.push(Instance {
                 mesh: scene.meshes.len() - 1,
-                pose: pose_of(&pose),
+                pose: pose_of(pose),
                 object: index as u32,
                 materials: scene.materials.len(),
             });

@@ -1,7 +1,6 @@
 //! The state of an open room, for scripts.
 
 use antipode_deformation::Traveller;
-use antipode_rooms::poses;
 use glam::DMat3;
 use serde::Serialize;
 
@@ -147,7 +146,7 @@ impl RoomScene {
         let body = &self.walker.body;
         let aim = self.look.degrees();
         let room = self.room();
-        let mut at: Vec<_> = poses(room).iter().map(|it| it.translation).collect();
+        let mut at: Vec<_> = self.poses().iter().map(|it| it.translation).collect();
         for body in self.bodies.loose() {
             if let Owner::Object(object) = body.owner {
                 at[object] = body.place.point;

@@ -7,9 +7,9 @@ use antipode_frame::motion::Motion;
 use antipode_rooms::aberration::Sides;
 use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::mesh::SolidMesh;
-use antipode_rooms::{Assets, Loaded, Room, RoomError, What};
+use antipode_rooms::{Assets, Loaded, Room, RoomError, What, poses};
 use antipode_workshop::{Document, Plan, Said};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use thiserror::Error;
 
 use crate::bodies::{Bodies, LooseSolids};
@@ -83,6 +83,8 @@ pub struct RoomScene {
     pub(crate) hints: Vec<RoomHint>,
     /// How high the lowest of all that stands in the room is, metres against gravity.
     pub(crate) lowest_m: f64,
+    /// Of the room's objects, in their order.
+    poses: Vec<DAffine3>,
     revision: u64,
     /// Whether what is hidden in the document is left out of solids and pictures.
     leaves_out: bool,
@@ -129,6 +131,7 @@ impl RoomScene {
             sounds: Vec::new(),
             hints: Vec::new(),
             lowest_m: 0.0,
+            poses: Vec::new(),
             revision: 0,
             leaves_out: false,
             leaves_out_walls: false,
@@ -166,6 +169,11 @@ impl RoomScene {
     /// Whether what was planned names files that nobody has read.
     pub fn lacks_files(&self, plan: &Plan) -> bool {
         plan.names_other_files(&self.document) && self.read.of(plan.room()).is_none()
+    }
+
+    /// The pose of every object of the room, as [`antipode_rooms::poses`] works it out.
+    pub fn poses(&self) -> &[DAffine3] {
+        &self.poses
     }
 
     /// Counts changes of what the room looks like.
@@ -247,6 +255,7 @@ impl RoomScene {
     /// Works out what the room is made of, after it has changed.
     fn work_out(&mut self) {
         let room = self.document.room();
+        self.poses = poses(room);
         let unwalled = self.leaves_out_walls.then(|| without_walls(room));
         let space = (&mut self.space, &mut self.boxes, &mut self.portals);
         self.known

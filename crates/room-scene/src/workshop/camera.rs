@@ -231,7 +231,7 @@ impl RoomScene {
             figure,
             hand: None,
             things: Vec::new(),
-            lamps: crate::light::lamps(self.room(), &self.space),
+            lamps: self.own_lamps(),
         }
     }
 

@@ -6,7 +6,7 @@ use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::Held;
 use antipode_rooms::aberration::Lengths;
 use antipode_rooms::portal::Opening;
-use antipode_rooms::{Object, Room, What, poses};
+use antipode_rooms::{Object, Room, What};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::kits::bounds_of_group;
@@ -19,7 +19,7 @@ const POINT_M: f64 = 0.3;
 /// Where handles of what is chosen begin, which is at what was chosen last, and their axes: its own, or the room's.
 pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     let room = scene.room();
-    let poses = poses(room);
+    let poses = scene.poses();
     let chosen = indices(scene);
     let last = *chosen.last()?;
     let object = &room.objects[last];
@@ -39,7 +39,7 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     Some(Held {
         origin: poses[last].translation,
         axes,
-        half: half_of(room, object),
+        half: half_of(scene, object),
         felt,
     })
 }
@@ -103,11 +103,11 @@ pub fn rotation_of(pose: &DAffine3) -> DMat3 {
 }
 
 /// The same of an object of a room: a group is as large as what it carries, and stands on the lowest of that.
-fn half_of(room: &Room, object: &Object) -> DVec3 {
+fn half_of(scene: &RoomScene, object: &Object) -> DVec3 {
     if object.what != What::Group {
         return half(&object.what);
     }
-    let bounds = bounds_of_group(room, &object.name);
+    let bounds = bounds_of_group(scene.room(), scene.poses(), &object.name);
     bounds.map_or(DVec3::splat(POINT_M), |(low, high)| {
         let far = low.abs().max(high.abs());
         DVec3::new(far.x, -low.y, far.z)
@@ -143,19 +143,19 @@ pub fn half(what: &What) -> DVec3 {
 
 /// The middle of what is chosen, metres.
 pub fn middle(scene: &RoomScene) -> Option<DVec3> {
-    let poses = poses(scene.room());
     let all = indices(scene).into_iter();
     let (sum, count) = all.fold((DVec3::ZERO, 0.0), |(sum, count), index| {
-        let (middle, _) = extent(scene.room(), index, &poses[index]);
+        let (middle, _) = extent(scene, index);
         (sum + middle, count + 1.0)
     });
     (count > 0.0).then(|| sum / count)
 }
 
 /// The middle of a thing, or of what a group carries, and how far it reaches from there, metres.
-fn extent(room: &Room, index: usize, pose: &DAffine3) -> (DVec3, f64) {
+fn extent(scene: &RoomScene, index: usize) -> (DVec3, f64) {
+    let (room, pose) = (scene.room(), &scene.poses()[index]);
     let object = &room.objects[index];
-    match bounds_of_group(room, &object.name) {
+    match bounds_of_group(room, scene.poses(), &object.name) {
         Some((low, high)) if object.what == What::Group => {
             let middle = pose.transform_point3((low + high) / 2.0);
             (middle, (high - low).length() / 2.0)
@@ -165,10 +165,10 @@ fn extent(room: &Room, index: usize, pose: &DAffine3) -> (DVec3, f64) {
 }
 
 /// The lowest and highest corner of the box about a thing, or about what a group carries, and the others of its front.
-pub fn ends(room: &Room, index: usize) -> [DVec3; 4] {
+pub fn ends(scene: &RoomScene, index: usize) -> [DVec3; 4] {
+    let (room, pose) = (scene.room(), scene.poses()[index]);
     let object = &room.objects[index];
-    let pose = poses(room)[index];
-    let (low, high) = match bounds_of_group(room, &object.name) {
+    let (low, high) = match bounds_of_group(room, scene.poses(), &object.name) {
         Some(bounds) if object.what == What::Group => bounds,
         _ => (-half(&object.what), half(&object.what)),
     };
@@ -183,10 +183,8 @@ pub fn ends(room: &Room, index: usize) -> [DVec3; 4] {
 
 /// How far what is chosen reaches from its middle, metres.
 pub fn reach_m(scene: &RoomScene, origin: DVec3) -> f64 {
-    let room = scene.room();
-    let poses = poses(room);
     let reach = indices(scene).into_iter().map(|index| {
-        let (middle, reach_m) = extent(room, index, &poses[index]);
+        let (middle, reach_m) = extent(scene, index);
         reach_m + middle.distance(origin)
     });
     reach.fold(0.5, f64::max)

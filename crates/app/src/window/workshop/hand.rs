@@ -261,7 +261,7 @@ impl Workshop {
         let found: Vec<usize> = room
             .objects
             .iter()
-            .zip(poses(room).into_iter().enumerate())
+            .zip(scene.poses().iter().enumerate())
             .filter(|(it, _)| !marked.is_locked(it) && !marked.is_hidden(it))
             .filter(|(_, (index, pose))| is_within((*index, pose.translation)))
             .map(|(_, (index, _))| outermost(room, index))

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use antipode_rooms::bounds::MOST_LIGHTS;
 use antipode_rooms::{Object, Room, What, poses, rotation, space_in_parts};
 use antipode_workshop::{Clip, Edit, make};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use super::chosen::half;
 
@@ -179,7 +179,7 @@ fn laid(
 /// What stands somewhere: the lowest and highest corner of a box about it.
 type Bounds = (DVec3, DVec3, bool);
 
-fn bounds(object: &Object, pose: &glam::DAffine3) -> Bounds {
+fn bounds(object: &Object, pose: &DAffine3) -> Bounds {
     let m = pose.matrix3;
     let half = half(&object.what);
     let reach = m.x_axis.abs() * half.x + m.y_axis.abs() * half.y + m.z_axis.abs() * half.z;
@@ -241,8 +241,7 @@ fn is_in_the_way(room: &[Bounds], kit: &[Object]) -> bool {
 }
 
 /// The lowest and highest corner of all that a group carries, in the group's own axes; none where that is nothing.
-pub fn bounds_of_group(room: &Room, group: &str) -> Option<(DVec3, DVec3)> {
-    let poses = poses(room);
+pub fn bounds_of_group(room: &Room, poses: &[DAffine3], group: &str) -> Option<(DVec3, DVec3)> {
     let (index, _) = room.find(group)?;
     let inverse = poses[index].inverse();
     let mut groups = HashSet::from([group]);
@@ -255,7 +254,7 @@ pub fn bounds_of_group(room: &Room, group: &str) -> Option<(DVec3, DVec3)> {
         groups.extend(inner);
     }
     let is_carried = |it: &Object| it.group.as_deref().is_some_and(|it| groups.contains(it));
-    let all = room.objects.iter().zip(&poses);
+    let all = room.objects.iter().zip(poses);
     all.filter(|(it, _)| takes_room(it) && is_carried(it))
         .map(|(it, pose)| bounds(it, &(inverse * *pose)))
         .map(|(low, high, _)| (low, high))

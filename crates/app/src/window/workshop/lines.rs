@@ -5,7 +5,7 @@ use antipode_room_scene::RoomScene;
 use antipode_room_scene::tuning::EYE_M;
 use antipode_room_scene::workshop::{Handle, Handles, Through, Viewpoint};
 use antipode_rooms::aberration::{Lengths, Sides};
-use antipode_rooms::{What, direction, poses};
+use antipode_rooms::{What, direction};
 use antipode_ui::workshop::ViewLine;
 use egui::Color32;
 use glam::{DAffine3, DVec2, DVec3};
@@ -42,7 +42,7 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
     }
     let chosen = chosen::indices(scene);
     if !chosen.is_empty() {
-        let poses = poses(scene.room());
+        let poses = scene.poses();
         for index in chosen.into_iter().take(MOST) {
             edges(workshop, scene, (index, &poses[index]), &mut all);
         }
@@ -73,13 +73,8 @@ fn marks(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
     let is_unseen = |what: &What| matches!(what, What::Portal(_) | What::Light { .. });
     let objects = room.objects.iter().enumerate();
     let unseen: Vec<_> = objects.filter(|(_, it)| is_unseen(&it.what)).collect();
-    let poses = if unseen.is_empty() {
-        Vec::new()
-    } else {
-        poses(room)
-    };
     for (index, object) in unseen.into_iter().take(MOST_MARKS) {
-        let pose = poses[index];
+        let pose = scene.poses()[index];
         let half = chosen::half(&object.what);
         let (y, z) = (half.y, half.z);
         let corners = match object.what {
@@ -109,7 +104,7 @@ fn left_out(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
     let walled = room
         .aberrations()
         .filter(|(_, it)| it.sides == Sides::Walls);
-    let poses = poses(room);
+    let poses = scene.poses();
     for (index, _) in walled.take(MOST) {
         let from = all.len();
         edges(workshop, scene, (index, &poses[index]), all);
@@ -215,7 +210,7 @@ fn edges(
 ) {
     let object = &scene.room().objects[index];
     let (middle, half) = match object.what {
-        What::Group => match bounds_of_group(scene.room(), &object.name) {
+        What::Group => match bounds_of_group(scene.room(), scene.poses(), &object.name) {
             Some((low, high)) => ((low + high) / 2.0, (high - low) / 2.0),
             None => return,
         },

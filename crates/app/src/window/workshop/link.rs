@@ -3,7 +3,7 @@
 use antipode_language::{Texts, Value};
 use antipode_room_scene::RoomScene;
 use antipode_rooms::portal::Portal;
-use antipode_rooms::{Room, What, poses, space_in_parts};
+use antipode_rooms::{Room, What, space_in_parts};
 use antipode_ui::workshop::ViewLine;
 use antipode_workshop::{Edit, Field, make};
 use egui::Color32;
@@ -32,7 +32,7 @@ impl Workshop {
     fn link_knob(&self, scene: &RoomScene) -> Option<(String, DVec2)> {
         let name = chosen_portal(scene)?;
         let (index, object) = scene.room().find(&name)?;
-        let pose = poses(scene.room())[index];
+        let pose = scene.poses()[index];
         let (through, at) = self.through(scene, pose.translation, &[index])?;
         let top = DVec3::Y * chosen::half(&object.what).y;
         let top = through.seen_at(pose.transform_point3(top), at)?;
@@ -46,7 +46,7 @@ impl Workshop {
     pub fn link_places(&self, scene: &RoomScene, to: &str) -> Option<(DVec2, DVec2)> {
         let (_, knob) = self.link_knob(scene)?;
         let (index, _) = scene.room().find(to)?;
-        let middle = poses(scene.room())[index].translation;
+        let middle = scene.poses()[index].translation;
         let (_, at) = scene.way_to(&self.viewpoint(scene), middle, &[])?;
         Some((knob, at))
     }
@@ -55,7 +55,7 @@ impl Workshop {
     #[cfg(test)]
     pub fn seen_in_view(&self, scene: &RoomScene, name: &str) -> Option<DVec2> {
         let (index, _) = scene.room().find(name)?;
-        let middle = poses(scene.room())[index].translation;
+        let middle = scene.poses()[index].translation;
         let (_, at) = scene.way_to(&self.viewpoint(scene), middle, &[])?;
         Some(at)
     }
@@ -93,7 +93,7 @@ impl Workshop {
     /// The portal that is seen nearest there, open or closed.
     fn portal_at(&self, scene: &RoomScene, at: DVec2) -> Option<String> {
         let room = scene.room();
-        let poses = poses(room);
+        let poses = scene.poses();
         let view = self.viewpoint(scene);
         let found = room.portals().filter_map(|(index, portal)| {
             let pose = poses[index];

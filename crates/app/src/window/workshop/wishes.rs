@@ -302,7 +302,7 @@ impl Workshop {
         let view = self.viewpoint(scene);
         chosen.into_iter().all(|index| {
             let own = chosen::own_spaces(scene.room(), index);
-            chosen::ends(scene.room(), index).into_iter().all(|point| {
+            chosen::ends(scene, index).into_iter().all(|point| {
                 let seen = scene.way_to(&view, point, &own);
                 seen.is_some_and(|(_, at)| is_within(at))
             })
