@@ -52,6 +52,13 @@ impl Form {
         all.fold(f64::INFINITY, f64::min) + up.dot(pose.translation)
     }
 
+    /// The same of its box, which is no higher.
+    fn lowest_of_box(&self, pose: &DAffine3, up: DVec3) -> f64 {
+        let within = pose.matrix3.transpose() * up;
+        let (middle, half) = ((self.low + self.high) / 2.0, (self.high - self.low) / 2.0);
+        within.dot(middle) - within.abs().dot(half) + up.dot(pose.translation)
+    }
+
     /// The box about its own box where it has that pose, rounded outwards.
     fn reach(&self, pose: &DAffine3) -> (Vec3, Vec3) {
         let (middle, half) = ((self.low + self.high) / 2.0, (self.high - self.low) / 2.0);
@@ -113,9 +120,13 @@ impl Solids {
 
     /// How low the lowest corner of all is, metres along `up`; infinite where there is none.
     pub fn lowest(&self, up: DVec3) -> f64 {
-        let all = self.all.iter();
-        let lowest = all.map(|it| it.it.form.lowest(&it.it.pose, up));
-        lowest.fold(f64::INFINITY, f64::min)
+        self.all.iter().fold(f64::INFINITY, |lowest, one| {
+            let (form, pose) = (&one.it.form, &one.it.pose);
+            if form.lowest_of_box(pose, up) >= lowest {
+                return lowest;
+            }
+            lowest.min(form.lowest(pose, up))
+        })
     }
 }
 
