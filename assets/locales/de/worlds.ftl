@@ -16,6 +16,7 @@ worlds-played-briefly = unter einer Minute
 worlds-played-minutes = { $minutes } min
 worlds-played-hours = { $hours } h { $minutes } min
 worlds-size = { $megabytes } MB
+worlds-size-small = { $kilobytes } kB
 worlds-edits = { $count ->
     [0] noch nichts geändert
     [one] { $count } geänderter Block

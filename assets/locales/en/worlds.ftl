@@ -16,6 +16,7 @@ worlds-played-briefly = under a minute
 worlds-played-minutes = { $minutes } min
 worlds-played-hours = { $hours } h { $minutes } min
 worlds-size = { $megabytes } MB
+worlds-size-small = { $kilobytes } kB
 worlds-edits = { $count ->
     [0] nothing changed yet
     [one] { $count } changed chunk

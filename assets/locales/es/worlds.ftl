@@ -16,6 +16,7 @@ worlds-played-briefly = menos de un minuto
 worlds-played-minutes = { $minutes } min
 worlds-played-hours = { $hours } h { $minutes } min
 worlds-size = { $megabytes } MB
+worlds-size-small = { $kilobytes } kB
 worlds-edits = { $count ->
     [0] nada cambiado todavía
     [one] { $count } bloque cambiado

@@ -16,6 +16,7 @@ worlds-played-briefly = poniżej minuty
 worlds-played-minutes = { $minutes } min
 worlds-played-hours = { $hours } godz. { $minutes } min
 worlds-size = { $megabytes } MB
+worlds-size-small = { $kilobytes } kB
 worlds-edits = { $count ->
     [0] nic jeszcze nie zmieniono
     [one] { $count } zmieniony blok

@@ -16,6 +16,7 @@ worlds-played-briefly = 不到一分钟
 worlds-played-minutes = { $minutes } 分钟
 worlds-played-hours = { $hours } 小时 { $minutes } 分钟
 worlds-size = { $megabytes } MB
+worlds-size-small = { $kilobytes } kB
 worlds-edits = { $count ->
     [0] 尚无改动
    *[other] 改动了 { $count } 个区块

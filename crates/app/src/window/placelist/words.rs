@@ -115,6 +115,10 @@ pub fn room_row(texts: &Texts, room: &RoomSummary) -> WorldRow {
 
 /// A length of a file.
 pub fn size(texts: &Texts, bytes: u64) -> String {
+    if bytes < 100_000 {
+        let kilobytes = Value::decimals((bytes as f64 / 1e3).ceil(), 0);
+        return texts.say_with("worlds-size-small", &[("kilobytes", kilobytes)]);
+    }
     let megabytes = Value::decimals(bytes as f64 / 1e6, 1);
     texts.say_with("worlds-size", &[("megabytes", megabytes)])
 }

@@ -1,10 +1,13 @@
 //! What newcomers do in the workshop: the lesson, a line from portal to portal, clicks that mean the group, and the way there.
 
 use antipode_rooms::What;
-use antipode_ui::workshop::{ChooserWish, FieldValue, LessonChoice, ViewEvent, WorkshopWish};
+use antipode_ui::workshop::{
+    ChooserWish, FieldKind, FieldValue, LessonChoice, ViewEvent, WorkshopWish,
+};
 
 use super::workshop::{ask, building, chosen, drag, made, press, put, scene};
 use super::*;
+use crate::window::workshop::Told;
 
 #[test]
 fn the_lesson_comes_once_goes_on_by_ones_own_deeds_and_ends_inside_the_house() {
@@ -201,6 +204,25 @@ fn a_picture_is_chosen_from_the_disk_and_lies_on_what_is_selected() {
     };
     tick_until(&mut game, |game| texture(game).is_some());
     assert_eq!(texture(&game).unwrap(), "textures/brick.png");
+    // The inspector shows it, changes its size, and takes it away.
+    let size = |game: &Game| {
+        let made = scene(game).room().find("box").unwrap().1;
+        made.surface.texture.as_ref().map(|it| it.size)
+    };
+    let set = |key: &str, value| WorkshopWish::Set {
+        key: key.to_owned(),
+        value,
+        done: true,
+    };
+    ask(&mut game, [set("texture-size", FieldValue::Number(0, 2.5))]);
+    assert_eq!(size(&game), Some(2.5));
+    let mut told = Told::default();
+    told.renew(&game.menus.texts, scene(&game));
+    let file = told.fields.iter().find(|it| it.key == "texture-file");
+    let shown = FieldKind::Text(Some("textures/brick.png".to_owned()));
+    assert_eq!(file.unwrap().kind, shown);
+    ask(&mut game, [WorkshopWish::Reset("texture-file".to_owned())]);
+    assert_eq!(texture(&game), None);
     assert!(
         !words(&mut game).contains("Folder above"),
         "the page is gone"

@@ -230,6 +230,11 @@ fn of_surface(rows: &mut Rows<'_>, surface: &Surface) {
         rows.colour("checker-colour", checker.colour, checker.colour);
         rows.numbers("checker-size", &[checker.size], sizes(), true);
     }
+    if let Some(picture) = &surface.texture {
+        let file = FieldKind::Text(Some(picture.file.clone()));
+        rows.add("texture-file", file, false);
+        rows.numbers("texture-size", &[picture.size], sizes(), true);
+    }
     let finish = match surface.finish {
         Finish::Matt => 0,
         Finish::Mirror => 1,

@@ -71,6 +71,7 @@ pub fn reset(room: &Room, chosen: &[usize], key: &str) -> Option<Edit> {
                 "times-x" | "times-y" | "times-z" | "times-all" => {
                     fields(object, key, &FieldValue::Number(0, 1.0)).unwrap_or_default()
                 }
+                "texture-file" => vec![Field::new("texture", usual.clone())],
                 _ => vec![Field::new(key, usual.clone())],
             };
             Edit::Change(object.name.clone(), fields)
@@ -88,7 +89,7 @@ fn usual(key: &str) -> Option<String> {
         "scale" | "room-sun-power" | "times" | "times-x" | "times-y" | "times-z" | "times-all"
         | "thesis" | "felt" => "1".to_owned(),
         "colour" => Surface::default().colour.to_string(),
-        "checker" | "room-has-fog" => "none".to_owned(),
+        "checker" | "texture-file" | "room-has-fog" => "none".to_owned(),
         "finish" => "matt".to_owned(),
         "sides" => "walls".to_owned(),
         "ways" => "both".to_owned(),
@@ -115,7 +116,12 @@ fn fields(object: &Object, key: &str, value: &FieldValue) -> Option<Vec<Field>> 
     {
         return Some(fields);
     }
-    let checker = object.surface.checker;
+    let surface = &object.surface;
+    let checker = surface.checker;
+    let textured = |file: &str, size: f64| match file.trim() {
+        "" => Field::new("texture", "none"),
+        file => Field::new("texture", format!("{file},{}", number(size))),
+    };
     let checkered = |checker: Checker| {
         let size = number(checker.size);
         Field::new("checker", format!("{},{size}", checker.colour))
@@ -134,6 +140,10 @@ fn fields(object: &Object, key: &str, value: &FieldValue) -> Option<Vec<Field>> 
             size: *size,
             ..checker?
         }),
+        ("texture-file", FieldValue::Text(file)) => textured(file, surface.texture.as_ref()?.size),
+        ("texture-size", FieldValue::Number(_, size)) => {
+            textured(&surface.texture.as_ref()?.file, *size)
+        }
         ("steps", FieldValue::Number(_, steps)) => Field::number(key, steps.round()),
         (_, FieldValue::Number(place, number)) => {
             let mut values = numbers_of(object, key)?;
