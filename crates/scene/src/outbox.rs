@@ -4,6 +4,7 @@ use crate::actors::ActorId;
 use crate::notice::{Hint, Notice};
 use crate::particles::Effects;
 use crate::sound::Sounds;
+use antipode_geometry::ChunkCoord;
 
 /// Events since somebody last took them.
 #[derive(Debug, Default)]
@@ -18,8 +19,8 @@ pub(crate) struct Outbox {
     pub names_flag: Option<ActorId>,
     /// What threw up ground in the last step.
     pub effects: Effects,
-    /// Whether the ground has changed since the last step.
-    pub ground_changed: bool,
+    /// The chunks whose ground has been changed since the last step.
+    pub ground_changed: Vec<ChunkCoord>,
     /// Whether the player fired in the last step.
     pub fired: bool,
 }

@@ -190,8 +190,9 @@ impl Scene {
         let now = Situation::of(world, actors, player);
         let still = self.shown.viewing.reduced_motion;
         crate::hand::step(&mut self.shown.hand, now, outbox.fired, still);
-        if std::mem::take(&mut outbox.ground_changed) {
-            self.shown.particles.ground_changed(world);
+        let changed = std::mem::take(&mut outbox.ground_changed);
+        if !changed.is_empty() {
+            self.shown.particles.ground_changed(world, &changed);
         }
         self.shown.particles.step(now, &mut outbox.effects);
         self.shown.sills.renew(world);

@@ -289,8 +289,8 @@ impl Scene {
                 player,
                 outbox,
             } = &mut self.sim;
-            outbox.ground_changed = true;
             ground_changed::tell(world, actors, &edited);
+            outbox.ground_changed.extend(edited);
             body::lift_out(world, actors, player);
         }
     }

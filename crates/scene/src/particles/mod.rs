@@ -12,7 +12,7 @@ mod surface;
 mod tests;
 mod tracks;
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, ChunkCoord};
 use glam::DVec3;
 
 use crate::frame;
@@ -131,10 +131,10 @@ impl Particles {
         self.tracks = tracks;
     }
 
-    /// Has all that lies look for the ground again, since it has changed, and prints in ground that is gone go.
-    pub fn ground_changed(&mut self, world: &World) {
+    /// Has all that lies look for the ground again, since that of these chunks has changed; prints in ground that is gone go.
+    pub fn ground_changed(&mut self, world: &World, chunks: &[ChunkCoord]) {
         self.pool.iter_mut().for_each(|it| it.lies = false);
-        self.tracks.ground_changed(world);
+        self.tracks.ground_changed(world, chunks);
     }
 
     /// Prints that a picture shows at a time, simulated seconds.

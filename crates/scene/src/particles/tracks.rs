@@ -1,6 +1,6 @@
 //! What the wheels of cars do to the ground: prints behind them, which fade, and what they throw up.
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, ChunkCoord};
 use antipode_physics::RayHit;
 use antipode_terrain::Kind;
 use glam::{DQuat, DVec3};
@@ -124,9 +124,11 @@ impl Tracks {
         self.next = 0;
     }
 
-    /// Prints whose ground has gone, or has been built over, go with it.
-    pub fn ground_changed(&mut self, world: &World) {
-        self.prints.retain(|print| print.is_held(world));
+    /// Prints whose ground has gone, or has been built over, go with it. A brush that digs changes a few chunks many times a second,
+    /// and there may be a thousand prints: those elsewhere are not looked at.
+    pub fn ground_changed(&mut self, world: &World, chunks: &[ChunkCoord]) {
+        let is_there = |print: &Print| chunks.contains(&print.chunk());
+        self.prints.retain(|it| !is_there(it) || it.is_held(world));
         self.next = 0;
     }
 
@@ -225,9 +227,17 @@ impl Print {
         ((LASTS_S - (now_s - self.at_s)) / FADES_S).clamp(0.0, 1.0)
     }
 
+    fn middle(&self) -> DVec3 {
+        self.mark.corners.iter().sum::<DVec3>() / 4.0
+    }
+
+    fn chunk(&self) -> ChunkCoord {
+        ChunkCoord::containing(ChartPoint::new(self.mark.chart, self.middle()))
+    }
+
     /// Whether the ground is still where it was pressed into it.
     fn is_held(&self, world: &World) -> bool {
-        let middle = self.mark.corners.iter().sum::<DVec3>() / 4.0;
+        let middle = self.middle();
         let from = middle + self.up * BESIDE_M;
         let ground = world.physics.chart(self.mark.chart);
         let hit = ground.cast_ray(from, -self.up, 2.0 * BESIDE_M);
