@@ -386,11 +386,15 @@ fn a_folder_that_cannot_be_read_is_told_and_leads_on() {
     assert_eq!(files.folders[0].path, above);
     follow(&mut list, WorldsIntent::FindIn { folder: above });
     assert_eq!(list.files(&Texts::default()).problem, None);
-    follow(&mut list, WorldsIntent::FindArchives);
-    let files = list.files(&Texts::default());
-    assert_eq!(
-        files.dir,
-        dir.path().display().to_string(),
-        "it is remembered"
+    // Where one has looked last one looks again, and not where the first look was.
+    let folder = dir.path().join("archives").display().to_string();
+    fs::create_dir(&folder).unwrap();
+    follow(
+        &mut list,
+        WorldsIntent::FindIn {
+            folder: folder.clone(),
+        },
     );
+    follow(&mut list, WorldsIntent::FindArchives);
+    assert_eq!(list.files(&Texts::default()).dir, folder);
 }
