@@ -7,7 +7,7 @@ use std::panic::{PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use crate::failure::Failure;
 use crate::output::escaped_lines;
@@ -18,11 +18,15 @@ pub const AFTER_CRASH: &str = "--after-crash";
 /// The option that a game is started with after another has lost its graphics: it says why.
 pub const AFTER_GRAPHICS: &str = "--after-graphics";
 
+/// What breaks at every start breaks sooner than this: a game that has gone on for so long is started anew, however the one before
+/// ended.
+const PLAYED: Duration = Duration::from_secs(30);
+
 /// Where the report of this process's crash lies.
 type Report = Arc<Mutex<Option<PathBuf>>>;
 
 /// Runs the game in its window. If it breaks, its report is written, what was written goes to the log, and the game
-/// is started anew to say so: once, so that what breaks at every start does not go on for ever. So it is where the
+/// is started anew to say so: not again at once, so that what breaks at every start does not go on for ever. So it is where the
 /// graphics fail for good, since without them nothing can be said in the window; the new game draws in software.
 ///
 /// # Errors
@@ -32,10 +36,11 @@ pub fn guard(
     again: bool,
     play: impl FnOnce() -> Result<(), Failure> + std::panic::UnwindSafe,
 ) -> Result<(), Failure> {
-    let report = Report::default();
+    let (begun, report) = (Instant::now(), Report::default());
     install(folder.map(Path::to_owned), Arc::clone(&report));
     let Ok(ended) = catch_unwind(play) else {
         let path = report.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let again = again || begun.elapsed() > PLAYED;
         if again && let Some(path) = &path {
             start_again(
                 kept_options(std::env::args_os().skip(1), &OF_A_WORLD),
@@ -166,13 +171,14 @@ mod tests {
     #[test]
     fn no_option_is_kept_that_the_new_game_does_not_take_beside_its_own() {
         let command = crate::cli::Cli::command();
-        let named = |name: &str| command.get_arguments().find(|it| it.get_id() == name);
-        for own in ["after_crash", "after_graphics"] {
-            let refused = command.get_arg_conflicts_with(named(own).unwrap());
-            let own_options = [AFTER_CRASH, AFTER_GRAPHICS];
-            let refused = refused
-                .iter()
-                .map(|it| format!("--{}", it.get_long().unwrap()));
+        let own_options = [AFTER_CRASH, AFTER_GRAPHICS];
+        for own in command.get_arguments() {
+            if !matches!(own.get_id().as_str(), "after_crash" | "after_graphics") {
+                continue;
+            }
+            let refused = command.get_arg_conflicts_with(own);
+            let refused = refused.iter().filter_map(|it| it.get_long());
+            let refused = refused.map(|it| format!("--{it}"));
             let refused: Vec<_> = refused
                 .filter(|it| !own_options.contains(&it.as_str()))
                 .collect();

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::time::Instant;
 
+use antipode_deformation::{Place, Space};
 use antipode_language::Texts;
 use antipode_rays::{Loaded, Outline, Picture, RayScene, Rays, Shader};
 use antipode_render::{Gpu, Offscreen, Options, Shaders, Tonemap};
@@ -47,10 +48,33 @@ impl Drawable {
         self.figures.show(gpu, &mut self.loaded, moment)
     }
 
+    /// A view of a room as it is now, in what was drawn of it before it was changed.
+    pub fn placed_anew(&self, view: &RoomView) -> RoomView {
+        RoomView {
+            moment: placed_anew(&self.scene.aberrations, &view.moment),
+            ..view.clone()
+        }
+    }
+
     /// The next picture has so small a share of the pixels that are shown, along each side.
     pub fn is_drawn_at(&mut self, share: f32) {
         self.scene.outline.strength = strength_at(share);
     }
+}
+
+/// A moment in another space than its own: the eye and the lamps are where they are in the scene, in the boxes that are there.
+fn placed_anew(space: &Space, moment: &Moment) -> Moment {
+    let anew = |place: &Place| Place {
+        scale: place.scale,
+        turn: place.turn,
+        ..Place::at(space, place.point)
+    };
+    let mut moment = moment.clone();
+    moment.eye.place = anew(&moment.eye.place);
+    for lamp in &mut moment.lamps {
+        lamp.place = anew(&lamp.place);
+    }
+    moment
 }
 
 /// How opaque edges are that are a pixel wide where only a share of the pixels is made: as much less as they are thicker, but
@@ -246,7 +270,29 @@ impl RoomPictures {
 
 #[cfg(test)]
 mod tests {
+    use antipode_rooms::files::ROOM_FILE;
+    use antipode_rooms::{Assets, read};
+    use antipode_workshop::Document;
+
     use super::*;
+
+    /// Until the picture of a changed room is made it is drawn as it was, with eye and lamps in boxes that it had then.
+    #[test]
+    fn in_the_room_as_it_was_nobody_is_in_a_box_that_has_been_put_there_since() {
+        let text = r##"(version: 1, name: "Hall", objects: [
+            (name: "hall", at: (0, 2, 0), what: Aberration(half: (4, 4, 4), stretch: (2, 2, 2), sides: Soft)),
+            (name: "lamp", at: (1, 3, 0), what: Light(colour: "#ffffff", power: 1)),
+        ])"##;
+        let room = read(ROOM_FILE, text.as_bytes()).unwrap();
+        let scene = RoomScene::of(Document::new(room), Assets::default());
+        let moment = scene.now();
+        let places = |of: &Moment| [of.eye.place, of.lamps[0].place];
+        assert!(places(&moment).iter().all(|it| !it.stack.is_empty()));
+        let before = placed_anew(&Space::default(), &moment);
+        assert!(places(&before).iter().all(|it| it.stack.is_empty()));
+        let back = placed_anew(scene.space(), &before);
+        assert_eq!(places(&back), places(&moment));
+    }
 
     #[test]
     fn edges_of_coarse_pictures_are_as_much_fainter_as_they_are_thicker_and_are_seen() {

@@ -4,6 +4,7 @@
 mod fineness;
 mod shaders;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -51,6 +52,16 @@ impl<T> Dated<T> {
             self.outdated.get_or_insert(now);
         }
         self.id == id
+    }
+}
+
+impl Dated<Drawable> {
+    /// A view in the space of what is drawn, which a room has no more that has been changed since.
+    fn seen<'v>(&self, view: &'v RoomView) -> Cow<'v, RoomView> {
+        if self.id == view.id {
+            return Cow::Borrowed(view);
+        }
+        Cow::Owned(self.it.placed_anew(view))
     }
 }
 
@@ -124,7 +135,7 @@ impl Rooms {
     /// Shows what was made last if its shaders are there, and has those compiled that the view wants first, then all others.
     /// Returns whether the view can be drawn.
     fn settle(&mut self, gpu: &Gpu, painter: &Arc<RoomPainter>, view: &RoomView) -> bool {
-        let missing = |it: &Dated<Drawable>| painter.missing(&it.it, view);
+        let missing = |it: &Dated<Drawable>| painter.missing(&it.it, &it.seen(view));
         let of_next = self.next.as_ref().and_then(missing);
         if of_next.is_none() && self.next.is_some() {
             self.shown = self.next.take();
@@ -175,6 +186,7 @@ impl Rooms {
         if shown.id.0 != view.id.0 {
             return Ok(false);
         }
+        let view = &*shown.seen(view);
         let now = Instant::now();
         let size = view.tile.map_or(size, |tile| tile.size);
         let share = self.fineness.share(most, now);
@@ -221,6 +233,7 @@ impl Rooms {
         if shown.id.0 != view.id.0 {
             return Ok(false);
         }
+        let view = &*shown.seen(view);
         let drawable = &mut shown.it;
         drawable.set(gpu, &view.moment)?;
         // The window's own picture is of another moment.
