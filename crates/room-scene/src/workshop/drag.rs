@@ -10,6 +10,8 @@ use super::through::Through;
 
 /// The least size that a drag makes of something, as a share.
 const SMALLEST: f64 = 0.01;
+/// A drag that goes up or down by less than this share of its way aside is meant to go aside.
+const ASIDE: f64 = 0.5;
 /// A plane that is seen at less than this, a sine, is not dragged in.
 const EDGE_ON: f64 = 0.06;
 
@@ -132,6 +134,13 @@ impl Drag {
             }
             Handle::Body if snap.grid_m <= 0.0 => Change::Move(moved),
             Handle::Body => {
+                // What is dragged aside stays on the ground that it stands on: no hand is level to the pixel.
+                let aside_m = moved.with_y(0.0).length();
+                let moved = if self.normal.y == 0.0 && moved.y.abs() < ASIDE * aside_m {
+                    moved.with_y(0.0)
+                } else {
+                    moved
+                };
                 let all = DVec3::AXES.map(|along| along * self.stepped(along, moved, snap));
                 let is_free = |along: &DVec3| along.dot(self.normal).abs() < 0.99;
                 Change::Move(all.into_iter().filter(is_free).sum())

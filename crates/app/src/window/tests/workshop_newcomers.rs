@@ -177,8 +177,13 @@ fn a_house_that_is_dragged_to_the_side_goes_neither_nearer_nor_farther() {
         ViewEvent::Grab([-0.22, -0.198]),
         pull(-0.1),
         pull(0.013),
+        // No hand is level to the pixel.
+        ViewEvent::Pull {
+            at: [0.013, -0.25],
+            free: false,
+        },
         ViewEvent::Let {
-            at: [0.013, -0.198],
+            at: [0.013, -0.25],
             adds: false,
             is_click: false,
         },
@@ -187,6 +192,7 @@ fn a_house_that_is_dragged_to_the_side_goes_neither_nearer_nor_farther() {
     let after = place(&game);
     assert!(after.x > before.x + 0.7, "{before} {after}");
     assert_eq!(after.z, before.z, "{before} {after}");
+    assert_eq!(after.y, before.y, "it sinks into no ground: {after}");
 }
 
 #[test]
