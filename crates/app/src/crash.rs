@@ -119,8 +119,8 @@ fn start_again(options: Vec<OsString>, why: &str, details: impl AsRef<OsStr>) {
     }
 }
 
-/// Options that say which world the game began in, and what breaks it on purpose.
-const OF_A_WORLD: [&str; 7] = [
+/// Options that say which world the game began in, how the one before ended, and what breaks it on purpose.
+const OF_A_WORLD: [&str; 9] = [
     "--geometry",
     "--seed",
     "--name",
@@ -128,6 +128,8 @@ const OF_A_WORLD: [&str; 7] = [
     "--load",
     "--room",
     "--inject",
+    AFTER_CRASH,
+    AFTER_GRAPHICS,
 ];
 
 /// What the new game is started with: everything but these options and their values.
@@ -148,7 +150,7 @@ fn kept_options(arguments: impl Iterator<Item = OsString>, but: &[&str]) -> Vec<
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory as _;
+    use clap::Parser as _;
 
     use super::*;
 
@@ -167,24 +169,34 @@ mod tests {
         assert_eq!(kept, ["--size", "640x360", "--saves-dir", "/x"]);
     }
 
-    /// Else the new game would not start, and nobody would be told of the crash.
+    /// Else the new game would not start, and nobody would be told of the crash: be it the second, or one in a room.
     #[test]
-    fn no_option_is_kept_that_the_new_game_does_not_take_beside_its_own() {
-        let command = crate::cli::Cli::command();
-        let own_options = [AFTER_CRASH, AFTER_GRAPHICS];
-        for own in command.get_arguments() {
-            if !matches!(own.get_id().as_str(), "after_crash" | "after_graphics") {
-                continue;
-            }
-            let refused = command.get_arg_conflicts_with(own);
-            let refused = refused.iter().filter_map(|it| it.get_long());
-            let refused = refused.map(|it| format!("--{it}"));
-            let refused: Vec<_> = refused
-                .filter(|it| !own_options.contains(&it.as_str()))
-                .collect();
-            assert!(refused.len() > 2, "{refused:?}");
-            let is_left = |it: &String| OF_A_WORLD.contains(&it.as_str());
-            assert!(refused.iter().all(is_left), "{refused:?}");
+    fn the_new_game_takes_its_own_options_beside_what_is_kept_of_any() {
+        let begun: [&[&str]; 5] = [
+            &[
+                "--geometry",
+                "spherical",
+                "--seed=7",
+                "--name",
+                "x",
+                "--radius",
+                "64",
+            ],
+            &["--load", "x"],
+            &["--room", "x", "--inject=panic"],
+            &[AFTER_CRASH, "/report"],
+            &[AFTER_GRAPHICS, "lost"],
+        ];
+        for options in begun {
+            let given = options.iter().map(OsString::from);
+            let taken = |options: Vec<OsString>| {
+                let program = OsString::from("antipode");
+                crate::cli::Cli::try_parse_from([program].into_iter().chain(options)).is_ok()
+            };
+            let kept = kept_options(given, &OF_A_WORLD);
+            assert!(kept.is_empty(), "{kept:?}");
+            let own = [AFTER_CRASH, "/report"].map(OsString::from);
+            assert!(taken(kept.into_iter().chain(own).collect()), "{options:?}");
         }
     }
 

@@ -107,10 +107,13 @@ fn leave(
         contact.normal * contact.depth
     };
     body.velocity = out_of * velocity;
-    // A thing in the axis is left by up to the length of the body. No such push leads through what stands there, as a floor.
-    let is_long = contact.depth >= shape.radius_m;
+    // A thing in the axis is left by up to the length of the body. No such push leads through what stands there, as a floor: then
+    // what the lowest ball meets is left, and the thing has to go.
+    let is_long = contact.depth > shape.radius_m;
     if !is_long || around.is_free(&body.place, out_of * way) {
         body.place = around.carried(&body.place, out_of * way);
+    } else if let Some(lowest) = around.in_ball(frame, shape.radius_m, TOUCH_M) {
+        return leave(around, shape, body, (frame, &lowest), slides);
     }
     landed
 }

@@ -16,8 +16,8 @@ const HALVINGS: u32 = 8;
 /// Heights along the lower edge of an opening, metres over the foot of the leaf that is come out of, as [`Opening::sill_m`].
 type Heights = [f64; Opening::SILLS];
 
-/// The sills of a pair of doors. They are worked out anew when the pair or the ground has changed: that asks for the ground at some two
-/// hundred places, a third of a millisecond, which no frame needs that is like the one before.
+/// The sills of a pair of doors. They are worked out anew when the pair or any ground has changed: that asks for the ground at some two
+/// hundred places, a third of a millisecond, which no frame needs while one stands.
 #[derive(Debug, Default)]
 pub(crate) struct Sills(Option<Known>);
 

@@ -167,6 +167,7 @@ impl Scene {
         world.set_time_of_day_s(finite_or(course.time_of_day_s, 0.0));
         // Not before: the minds of figures begin at the time of a world that was just opened.
         world.set_simulated_s(course.simulated_s);
+        self.shown.sills.renew(world);
     }
 
     /// How things stand.

@@ -282,6 +282,7 @@ impl Scene {
                 }
             }
         }
+        self.shown.sills.renew(&self.sim.world);
         if !edited.is_empty() {
             let Simulation {
                 world,

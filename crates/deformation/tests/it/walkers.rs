@@ -148,7 +148,10 @@ fn what_flies_into_who_jumps_pushes_nobody_through_a_floor() {
                     .collect(),
             )
         };
-        for scene in [ball(), ball(), ball()] {
+        // Some fly by, and one stays.
+        let mut balls = vec![ball(), ball()];
+        balls.extend(vec![ball(); 30]);
+        for scene in balls {
             let mut among = Walk {
                 scene: &scene,
                 walker: walk.walker.clone(),

@@ -232,7 +232,8 @@ impl Print {
     }
 
     fn chunk(&self) -> ChunkCoord {
-        ChunkCoord::containing(ChartPoint::new(self.mark.chart, self.middle()))
+        let on_ground = self.middle() - self.up * LIFT_M;
+        ChunkCoord::containing(ChartPoint::new(self.mark.chart, on_ground))
     }
 
     /// Whether the ground is still where it was pressed into it.

@@ -235,7 +235,7 @@ fn line(ui: &mut Ui, row: &FieldRow, text: Option<&str>, set: &mut impl FnMut(Fi
     } else if let Some(kept) = kept {
         ui.data_mut(|data| data.remove::<String>(id));
         let is_given_up = ui.input(|input| input.key_pressed(egui::Key::Escape));
-        if !is_given_up && Some(kept.as_str()) != text {
+        if !is_given_up && kept != text.unwrap_or(DIFFER) {
             set(FieldValue::Text(kept), true);
         }
     }
