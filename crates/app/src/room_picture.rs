@@ -270,6 +270,8 @@ impl RoomPictures {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+
     use antipode_rooms::files::ROOM_FILE;
     use antipode_rooms::{Assets, read};
     use antipode_workshop::Document;
