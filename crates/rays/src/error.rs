@@ -61,4 +61,9 @@ pub enum RaysError {
     /// The picture could not be read from the adapter's memory.
     #[error("The picture could not be read back: {0}. Start again.")]
     Readback(String),
+    /// The adapter gives no memory to put a scene into.
+    #[error(
+        "The room could not be put into the graphics adapter's memory: {0}. Start again, or use simpler models."
+    )]
+    Upload(String),
 }

@@ -79,17 +79,27 @@ impl Loaded {
             .flat_map(|it| &it.attributes)
             .copied()
             .collect();
+        let packed: Vec<_> = scene.instances.iter().map(pack).collect();
+        let (node_parts, triangle_parts) = texels_of(&parts);
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut texels = |label, count, contents: &[_]| {
+            Texels::new(device, &mut encoder, label, count, contents)
+        };
         let mut loaded = Self {
-            nodes: Texels::new(device, "nodes", NODE_TEXELS * nodes)?,
-            triangles: Texels::new(device, "triangles", sum(|part| part.triangles.len()))?,
-            instances: Texels::new(device, "instances", instances)?,
-            attributes: filled(device, queue, "attributes", &attributes, storage)?,
-            neighbours: filled(device, queue, "neighbours", &neighbours, storage)?,
-            portals: portals(device, queue, scene)?,
-            spaces: spaces(device, queue, scene, &near)?,
+            nodes: texels("nodes", NODE_TEXELS * nodes, &node_parts)?,
+            triangles: texels(
+                "triangles",
+                sum(|part| part.triangles.len()),
+                &triangle_parts,
+            )?,
+            instances: texels("instances", instances, &[(0, cast_slice(&packed))])?,
+            attributes: filled(device, "attributes", &attributes, storage)?,
+            neighbours: filled(device, "neighbours", &neighbours, storage)?,
+            portals: portals(device, scene)?,
+            spaces: spaces(device, scene, &near)?,
             kinds: Rule::ALL.map(|rule| Kinds::of(&scene.aberrations, rule).with_cuts(scene.cuts)),
-            ways: filled(device, queue, "ways", &[ways], storage)?,
-            materials: filled(device, queue, "materials", &materials, storage)?,
+            ways: filled(device, "ways", &[ways], storage)?,
+            materials: filled(device, "materials", &materials, storage)?,
             textures,
             host_ways: ways,
             resting: resting(&parts[0], movers_at, materials.len()),
@@ -102,21 +112,9 @@ impl Loaded {
             movers_at,
             shown: None,
         };
-        let packed: Vec<_> = scene.instances.iter().map(pack).collect();
-        loaded.instances.write(queue, 0, &packed);
-        loaded.write_parts(queue, &parts);
+        queue.submit([encoder.finish()]);
         loaded.show(queue, &[])?;
         Ok(loaded)
-    }
-
-    fn write_parts(&self, queue: &Queue, parts: &[Baked]) {
-        let (mut node, mut texel) = (MOST_MOVERS, 0);
-        for part in parts {
-            self.nodes.write(queue, NODE_TEXELS * node, &part.nodes);
-            self.triangles.write(queue, texel, &part.triangles);
-            node += part.nodes.len();
-            texel += part.triangles.len();
-        }
     }
 
     /// What moves, where it is now: the upper level of the hierarchy is made anew, everything else stays. Nothing is done
@@ -227,26 +225,41 @@ fn bake_all(scene: &RayScene, sorted: bool) -> Result<(Vec<Baked>, Vec<Movable>)
     Ok((parts, movables))
 }
 
+/// Bytes that begin at a texel.
+type Placing<'a> = (usize, &'a [u8]);
+
+/// Nodes and triangles of all parts, one behind the other.
+fn texels_of(parts: &[Baked]) -> (Vec<Placing<'_>>, Vec<Placing<'_>>) {
+    let (mut node, mut texel) = (MOST_MOVERS, 0);
+    let mut lists = (Vec::new(), Vec::new());
+    for part in parts {
+        lists.0.push((NODE_TEXELS * node, cast_slice(&part.nodes)));
+        lists.1.push((texel, cast_slice(&part.triangles)));
+        node += part.nodes.len();
+        texel += part.triangles.len();
+    }
+    lists
+}
+
 /// The aberrations by each rule.
 fn spaces(
     device: &Device,
-    queue: &Queue,
     scene: &RayScene,
     near: &[Near],
 ) -> Result<[Buffer; Rule::ALL.len()], RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let by = |rule| {
         let packed = aberrations(scene, rule, near);
-        filled(device, queue, "aberrations", &packed, usage)
+        filled(device, "aberrations", &packed, usage)
     };
     let [exact, thesis, plain] = Rule::ALL.map(by);
     Ok([exact?, thesis?, plain?])
 }
 
-fn portals(device: &Device, queue: &Queue, scene: &RayScene) -> Result<Buffer, RaysError> {
+fn portals(device: &Device, scene: &RayScene) -> Result<Buffer, RaysError> {
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let packed = packed_portals(&scene.aberrations);
-    filled(device, queue, "portals", &packed, usage)
+    filled(device, "portals", &packed, usage)
 }
 
 fn resting(room: &Baked, movers_at: usize, materials: usize) -> Resting {
@@ -266,9 +279,9 @@ fn placed(movable: &Movable, baked: &Baked) -> Placed {
     }
 }
 
+/// A buffer with that in it, copied without the queue: see [`Texels::new`].
 fn filled<T: Pod>(
     device: &Device,
-    queue: &Queue,
     label: &'static str,
     contents: &[T],
     usage: BufferUsages,
@@ -290,10 +303,13 @@ fn filled<T: Pod>(
         // A binding may not be empty.
         size: size.max(256),
         usage,
-        mapped_at_creation: false,
+        mapped_at_creation: true,
     });
     if !bytes.is_empty() {
-        queue.write_buffer(&buffer, 0, bytes);
+        let mapped = buffer.slice(..size).get_mapped_range_mut();
+        let refused = |error: wgpu::MapRangeError| RaysError::Upload(error.to_string());
+        mapped.map_err(refused)?.copy_from_slice(bytes);
     }
+    buffer.unmap();
     Ok(buffer)
 }

@@ -5,14 +5,16 @@
 
 use bytemuck::{Pod, cast_slice};
 use wgpu::{
-    Device, Extent3d, Origin3d, Queue, TexelCopyBufferLayout, TexelCopyTextureInfo, Texture,
-    TextureView,
+    BufferUsages, CommandEncoder, Device, Extent3d, Origin3d, Queue, TexelCopyBufferInfo,
+    TexelCopyBufferLayout, TexelCopyTextureInfo, Texture, TextureView,
 };
 
 use crate::error::RaysError;
 
 /// Texels of a row; `ROW` of scene.wgsl.
 pub const ROW: usize = 2048;
+/// Bytes of one.
+const TEXEL: usize = 16;
 
 /// At least so many rows, and never a power of two: software adapters compile a shader anew where a texture's height becomes
 /// one or is one no more, which takes seconds.
@@ -30,11 +32,19 @@ pub struct Texels {
 }
 
 impl Texels {
-    /// With room for so many.
+    /// With room for so many, and with whole texels in it, of which each slice begins at a texel. The encoder is told to bring
+    /// them there. They are copied without the queue: it would be locked meanwhile, and a frame that another thread draws
+    /// would wait.
     ///
     /// # Errors
-    /// When the adapter has no textures as large.
-    pub fn new(device: &Device, label: &'static str, count: usize) -> Result<Self, RaysError> {
+    /// When the adapter has no textures as large, or no memory for them.
+    pub fn new(
+        device: &Device,
+        encoder: &mut CommandEncoder,
+        label: &'static str,
+        count: usize,
+        contents: &[(usize, &[u8])],
+    ) -> Result<Self, RaysError> {
         let rows = uneven(count.div_ceil(ROW));
         let most = device.limits().max_texture_dimension_2d as usize;
         if rows > most || ROW > most {
@@ -58,12 +68,51 @@ impl Texels {
             view_formats: &[],
         });
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        Ok(Self { texture, view })
+        let made = Self { texture, view };
+        made.fill(device, encoder, contents)?;
+        Ok(made)
+    }
+
+    fn fill(
+        &self,
+        device: &Device,
+        encoder: &mut CommandEncoder,
+        contents: &[(usize, &[u8])],
+    ) -> Result<(), RaysError> {
+        let ends = contents.iter().map(|(first, it)| TEXEL * first + it.len());
+        let rows = ends.max().unwrap_or_default().div_ceil(TEXEL * ROW);
+        if rows == 0 {
+            return Ok(());
+        }
+        let staging = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("texels"),
+            size: (rows * ROW * TEXEL) as u64,
+            usage: BufferUsages::MAP_WRITE | BufferUsages::COPY_SRC,
+            mapped_at_creation: true,
+        });
+        {
+            let mapped = staging.slice(..).get_mapped_range_mut();
+            let mut mapped = mapped.map_err(|error| RaysError::Upload(error.to_string()))?;
+            for (first, bytes) in contents {
+                let at = TEXEL * first;
+                mapped.slice(at..at + bytes.len()).copy_from_slice(bytes);
+            }
+        }
+        staging.unmap();
+        encoder.copy_buffer_to_texture(
+            TexelCopyBufferInfo {
+                buffer: &staging,
+                layout: layout(ROW, rows),
+            },
+            self.from((0, 0)),
+            extent(ROW, rows),
+        );
+        Ok(())
     }
 
     /// Writes whole texels from the one of that number on.
     pub fn write<T: Pod>(&self, queue: &Queue, first: usize, contents: &[T]) {
-        let (texels, _) = cast_slice::<T, u8>(contents).as_chunks::<16>();
+        let (texels, _) = cast_slice::<T, u8>(contents).as_chunks::<TEXEL>();
         let (mut at, mut left) = (first, texels);
         while !left.is_empty() {
             let (x, y) = (at % ROW, at / ROW);
@@ -84,30 +133,43 @@ impl Texels {
         queue: &Queue,
         (x, y): (usize, usize),
         (width, height): (usize, usize),
-        texels: &[[u8; 16]],
+        texels: &[[u8; TEXEL]],
     ) {
         queue.write_texture(
-            TexelCopyTextureInfo {
-                texture: &self.texture,
-                mip_level: 0,
-                origin: Origin3d {
-                    x: x as u32,
-                    y: y as u32,
-                    z: 0,
-                },
-                aspect: wgpu::TextureAspect::All,
-            },
+            self.from((x, y)),
             texels.as_flattened(),
-            TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(16 * width as u32),
-                rows_per_image: Some(height as u32),
-            },
-            Extent3d {
-                width: width as u32,
-                height: height as u32,
-                depth_or_array_layers: 1,
-            },
+            layout(width, height),
+            extent(width, height),
         );
+    }
+
+    /// From that texel of that row on.
+    fn from(&self, (x, y): (usize, usize)) -> TexelCopyTextureInfo<'_> {
+        TexelCopyTextureInfo {
+            texture: &self.texture,
+            mip_level: 0,
+            origin: Origin3d {
+                x: x as u32,
+                y: y as u32,
+                z: 0,
+            },
+            aspect: wgpu::TextureAspect::All,
+        }
+    }
+}
+
+fn layout(width: usize, height: usize) -> TexelCopyBufferLayout {
+    TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some((TEXEL * width) as u32),
+        rows_per_image: Some(height as u32),
+    }
+}
+
+fn extent(width: usize, height: usize) -> Extent3d {
+    Extent3d {
+        width: width as u32,
+        height: height as u32,
+        depth_or_array_layers: 1,
     }
 }
