@@ -64,11 +64,9 @@ impl Loaded {
         let pairs = movables.iter().zip(&parts[1..]);
         let placed = pairs.map(|(one, baked)| placed(one, baked)).collect();
         let (neighbours, near, ways) = crate::packed::neighbours(scene);
-        let materials: Vec<_> = scene
-            .materials
-            .iter()
-            .map(|one| material(one, scene.textures.len()))
-            .collect();
+        let pictures = scene.textures.len();
+        let materials = scene.materials.iter().map(|it| material(it, pictures));
+        let materials: Vec<_> = materials.collect();
         let storage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
         let movers_at = (scene.instances.len() * INSTANCE_TEXELS).next_multiple_of(ROW);
         let instances = movers_at + MOST_MOVERS * INSTANCE_TEXELS;

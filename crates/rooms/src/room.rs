@@ -3,6 +3,8 @@
 //! Axes: y is up. A turn is (yaw, pitch, roll); it takes an object's own +x axis, its front, to where
 //! `aim YAW PITCH` looks: (cos yaw cos pitch, sin pitch, sin yaw cos pitch), and rolls it about that.
 
+use std::collections::HashMap;
+
 use glam::{DVec2, DVec3};
 use serde::Deserialize;
 
@@ -373,6 +375,12 @@ impl Room {
             .iter()
             .enumerate()
             .find(|(_, object)| object.name == name)
+    }
+
+    /// The places of all objects among themselves by their names, for who looks for many.
+    pub fn places(&self) -> HashMap<&str, usize> {
+        let all = self.objects.iter().enumerate();
+        all.map(|(index, it)| (it.name.as_str(), index)).collect()
     }
 
     /// What is loose, each with its place among all objects and its mass, kilograms.

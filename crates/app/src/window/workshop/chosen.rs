@@ -1,6 +1,6 @@
 //! What is chosen: where it is, how large, and by which axes it is held.
 
-use std::collections::HashMap;
+use std::collections::HashSet;
 
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::Held;
@@ -20,8 +20,8 @@ const POINT_M: f64 = 0.3;
 pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     let room = scene.room();
     let poses = scene.poses();
-    let chosen = indices(scene);
-    let last = *chosen.last()?;
+    let last = last(scene)?;
+    let is_alone = scene.document().selection().len() == 1;
     let object = &room.objects[last];
     let axes = if own_axes {
         rotation_of(&poses[last])
@@ -30,7 +30,7 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     };
     let is_own = axes.abs_diff_eq(rotation_of(&poses[last]), 1e-9);
     let felt = match &object.what {
-        What::Aberration(it) if chosen.len() == 1 && is_own => match it.lengths {
+        What::Aberration(it) if is_alone && is_own => match it.lengths {
             Lengths::Felt { axis, .. } => Some(axis.index()),
             Lengths::Stretch(_) => None,
         },
@@ -44,6 +44,13 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
     })
 }
 
+/// The place of what was chosen last among all objects.
+pub fn last(scene: &RoomScene) -> Option<usize> {
+    let names = scene.document().selection().iter().rev();
+    let mut found = names.filter_map(|it| scene.room().find(it));
+    found.next().map(|(index, _)| index)
+}
+
 /// The places of what is chosen among all objects, in the order in which it was chosen.
 pub fn indices(scene: &RoomScene) -> Vec<usize> {
     let (room, names) = (scene.room(), scene.document().selection());
@@ -51,10 +58,7 @@ pub fn indices(scene: &RoomScene) -> Vec<usize> {
         let found = names.iter().filter_map(|name| room.find(name));
         return found.map(|(index, _)| index).collect();
     }
-    let objects = room.objects.iter().enumerate();
-    let places: HashMap<&str, usize> = objects
-        .map(|(index, it)| (it.name.as_str(), index))
-        .collect();
+    let places = room.places();
     let found = names
         .iter()
         .filter_map(|name| places.get(name.as_str()).copied());
@@ -76,20 +80,24 @@ pub fn own_spaces(room: &Room, index: usize) -> Vec<usize> {
 
 /// What is chosen and not carried by something else that is.
 pub fn roots(room: &Room, chosen: &[String]) -> Vec<usize> {
-    let carries = |object: &Object| {
+    let places = room.places();
+    let names: HashSet<&str> = chosen.iter().map(String::as_str).collect();
+    let is_carried = |object: &Object| {
         let mut group = object.group.as_deref();
         for _ in 0..antipode_rooms::bounds::MOST_DEEP {
             let Some(name) = group else { return false };
-            if chosen.iter().any(|it| it == name) {
+            if names.contains(name) {
                 return true;
             }
-            group = room.find(name).and_then(|(_, it)| it.group.as_deref());
+            let outer = places.get(name);
+            group = outer.and_then(|it| room.objects[*it].group.as_deref());
         }
         false
     };
-    let all = chosen.iter().filter_map(|name| room.find(name));
-    let free = all.filter(|(_, object)| !carries(object));
-    free.map(|(index, _)| index).collect()
+    let all = chosen.iter().filter_map(|it| places.get(it.as_str()));
+    all.copied()
+        .filter(|it| !is_carried(&room.objects[*it]))
+        .collect()
 }
 
 /// The axes of a pose, of length 1.
@@ -155,12 +163,14 @@ pub fn middle(scene: &RoomScene) -> Option<DVec3> {
 fn extent(scene: &RoomScene, index: usize) -> (DVec3, f64) {
     let (room, pose) = (scene.room(), &scene.poses()[index]);
     let object = &room.objects[index];
-    match bounds_of_group(room, scene.poses(), &object.name) {
-        Some((low, high)) if object.what == What::Group => {
+    let is_group = object.what == What::Group;
+    let bounds = is_group.then(|| bounds_of_group(room, scene.poses(), &object.name));
+    match bounds.flatten() {
+        Some((low, high)) => {
             let middle = pose.transform_point3((low + high) / 2.0);
             (middle, (high - low).length() / 2.0)
         }
-        _ => (pose.translation, half(&object.what).length()),
+        None => (pose.translation, half(&object.what).length()),
     }
 }
 

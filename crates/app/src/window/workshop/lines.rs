@@ -188,7 +188,7 @@ fn add_handles(
 
 /// How long the chosen aberration is outside and inside, in words.
 fn lengths(scene: &RoomScene, texts: &Texts) -> Option<String> {
-    let index = *chosen::indices(scene).last()?;
+    let index = chosen::last(scene)?;
     let What::Aberration(it) = &scene.room().objects[index].what else {
         return None;
     };

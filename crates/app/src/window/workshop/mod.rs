@@ -193,7 +193,7 @@ impl Workshop {
     /// The handles of what is chosen, and through what they are seen.
     fn handles<'s>(&self, scene: &'s RoomScene) -> Option<(Through<'s>, Handles)> {
         let held = chosen::held(scene, self.bar.own_axes || self.tool() == Tool::Scale)?;
-        let last = chosen::indices(scene).last().copied();
+        let last = chosen::last(scene);
         let own = last.map_or_else(Vec::new, |it| chosen::own_spaces(scene.room(), it));
         let (through, at) = self.through(scene, held.origin, &own)?;
         let handles = Handles::of(&through, at, held, self.tool())?;
