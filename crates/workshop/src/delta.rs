@@ -1,5 +1,6 @@
 //! The way from one room to another and back, exactly: what was taken out, put in and changed, and the room's own fields.
 
+use std::cell::LazyCell;
 use std::collections::HashSet;
 
 use antipode_rooms::{Object, Room};
@@ -37,21 +38,20 @@ impl Delta {
     /// Walks both lists at once. What has another name in the same place is taken for renamed if neither name is in the
     /// other list.
     fn walk(&mut self, old: &[Object], new: &[Object]) {
-        let (in_old, in_new) = (names(old), names(new));
+        // Mostly every name is in its place.
+        let (in_old, in_new) = (LazyCell::new(|| names(old)), LazyCell::new(|| names(new)));
         let (mut i, mut j) = (0, 0);
         while i < old.len() || j < new.len() {
             match (old.get(i), new.get(j)) {
                 (Some(a), Some(b)) => {
-                    let (stays, was) = (
-                        in_new.contains(a.name.as_str()),
-                        in_old.contains(b.name.as_str()),
-                    );
-                    if a.name == b.name || (!stays && !was) {
+                    let stays = || in_new.contains(a.name.as_str());
+                    let was = || in_old.contains(b.name.as_str());
+                    if a.name == b.name || (!stays() && !was()) {
                         if a != b {
                             self.changed.push((j, a.clone(), b.clone()));
                         }
                         (i, j) = (i + 1, j + 1);
-                    } else if was {
+                    } else if was() {
                         self.removed.push((i, a.clone()));
                         i += 1;
                     } else {

@@ -30,7 +30,7 @@ const MOST_MARKS: usize = 72;
 const LAMP_M: f64 = 0.15;
 /// Most things whose edges are drawn.
 const MOST: usize = 12;
-/// Pieces of an edge.
+/// Pieces of an edge that is seen through faces or portals.
 const PIECES: usize = 8;
 
 /// All of them.
@@ -240,15 +240,22 @@ fn edges(
 }
 
 fn edge(through: &Through<'_>, from: DVec2, point: impl Fn(f64) -> DVec3, all: &mut Vec<ViewLine>) {
-    let mut at = from;
-    let mut points = Vec::with_capacity(PIECES + 1);
-    for piece in 0..=PIECES {
-        let share = 2.0 * piece as f64 / PIECES as f64 - 1.0;
-        if let Some(seen) = through.seen_at(point(share), at) {
-            at = seen;
-            points.push(flat(&seen));
+    let seen = |pieces: usize| {
+        let mut at = from;
+        let mut points = Vec::with_capacity(pieces + 1);
+        for piece in 0..=pieces {
+            let share = 2.0 * piece as f64 / pieces as f64 - 1.0;
+            if let Some(seen) = through.seen_at(point(share), at) {
+                at = seen;
+                points.push(flat(&seen));
+            }
         }
-    }
+        points
+    };
+    // What no face turns is seen straight; of what has an end behind the eye a part is seen.
+    let straight = through.chain.is_empty().then(|| seen(1));
+    let whole = straight.filter(|it| it.len() == 2);
+    let points = whole.unwrap_or_else(|| seen(PIECES));
     if points.len() > 1 {
         all.push(ViewLine {
             points,
