@@ -27,13 +27,9 @@ fn left_of(spot: Spot, length_m: f32) -> f32 {
 // So many of a noise's cells are its length.
 const NOISE_CELLS: f32 = 1.2;
 
-// Value noise about zero, -1 to 1, with its gradient; so many cells a metre, a power of two, or none at all.
-fn grain_noise(spot: Spot, frequency: f32) -> vec4<f32> {
-    let left = left_of(spot, NOISE_CELLS / max(frequency, 1e-3));
-    if left <= 0.0 || frequency <= 0.0 {
-        return vec4<f32>(0.0);
-    }
-    let q = spot.p * frequency;
+// Value noise about zero, -1 to 1, with its gradient; so many cells a metre, a power of two.
+fn noise_at(p: vec3<f32>, frequency: f32) -> vec4<f32> {
+    let q = p * frequency;
     let mask = u32(256.0 * frequency) - 1u;
     let base = floor(q);
     let f = q - base;
@@ -57,7 +53,16 @@ fn grain_noise(spot: Spot, frequency: f32) -> vec4<f32> {
     let along_x = mix(mix(v100 - v000, v110 - v010, s.y), mix(v101 - v001, v111 - v011, s.y), s.z);
     let along_y = mix(mix(v010 - v000, v110 - v100, s.x), mix(v011 - v001, v111 - v101, s.x), s.z);
     let gradient = vec3<f32>(along_x, along_y, far - near) * d * frequency;
-    return (vec4<f32>(mix(near, far, s.z), gradient) * 2.0 - vec4<f32>(1.0, 0.0, 0.0, 0.0)) * left;
+    return vec4<f32>(mix(near, far, s.z), gradient) * 2.0 - vec4<f32>(1.0, 0.0, 0.0, 0.0);
+}
+
+// The same at a pixel, or none at all where it has no cells.
+fn grain_noise(spot: Spot, frequency: f32) -> vec4<f32> {
+    let left = left_of(spot, NOISE_CELLS / max(frequency, 1e-3));
+    if left <= 0.0 || frequency <= 0.0 {
+        return vec4<f32>(0.0);
+    }
+    return noise_at(spot.p, frequency) * left;
 }
 
 // The nearest of scattered middles: the way from it, and how far it and the next are, in cells; a number of its own, 0 to 1;

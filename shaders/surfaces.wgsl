@@ -96,7 +96,7 @@ fn detail_of(kind: u32, spot: Spot) -> Detail {
 // where edges are halved, does not change the picture; strong patterns of 2 m are only hinted at.
 fn coarse_tone(kind: u32, p: vec3<f32>) -> vec3<f32> {
     let is_quick = kind == SOIL || kind == GRAVEL || kind == CLAY;
-    let wide = grain_noise(Spot(p, vec3<f32>(0.0), 0.0), select(0.25, 0.5, is_quick)).x;
+    let wide = noise_at(p, select(0.25, 0.5, is_quick)).x;
     switch kind {
         case 1u: { return 1.0 + wide * vec3<f32>(0.22, 0.10, 0.07); }
         case 3u, 5u, 7u: { return vec3<f32>(1.0 + 0.08 * wide); }
