@@ -107,6 +107,8 @@ fn number(
     let drag = DragValue::new(&mut value)
         .speed(speed)
         .range(amount.range.0..=amount.range.1)
+        // What stands for values that differ would be brought into the range, and set.
+        .clamp_existing_to_range(false)
         .update_while_editing(false)
         .custom_formatter(|value, _| {
             if is_mixed {
