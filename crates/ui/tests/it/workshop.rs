@@ -317,6 +317,32 @@ fn a_number_is_typed_with_its_unit_and_a_drag_of_it_tells_when_it_ends() {
 }
 
 #[test]
+fn sizes_that_differ_stay_as_they_are_until_one_is_set() {
+    let mut harness = wide();
+    let differing = Amount {
+        value: None,
+        range: (0.01, 1000.0),
+    };
+    let sizes = FieldKind::Numbers(vec![differing; 3], Unit::Metres);
+    harness.state_mut().fields = vec![field("size", "Size", sizes)];
+    harness.run();
+    assert_eq!(asked(&mut harness), []);
+    harness.get_by_label("Size y").click();
+    harness.run();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.event(Event::Text("2".to_owned()));
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    let set = WorkshopWish::Set {
+        key: "size".to_owned(),
+        value: FieldValue::Number(1, 2.0),
+        done: true,
+    };
+    assert_eq!(asked(&mut harness), [set]);
+}
+
+#[test]
 fn panes_lie_as_they_were_left() {
     let lies = "row(0.300 tabs(view* list inspector parts messages) 0.700 tabs(history*))";
     let mut kept = bench(Language::English, 1280.0);
