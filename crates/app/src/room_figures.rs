@@ -28,10 +28,73 @@ struct Numbers {
     materials: usize,
 }
 
+/// A model that was read.
+#[derive(Debug)]
+struct Figure {
+    bent: Arc<BentMesh>,
+    mesh: Arc<Mesh>,
+    materials: Vec<Material>,
+}
+
+impl Figure {
+    fn read(model: ModelId) -> Result<Self, Failure> {
+        let bent = BentMesh::new(model)?;
+        let (triangles, materials) = looks(&bent.surfaces());
+        let corners = bent.corners(&Posture::default());
+        let mesh = Mesh {
+            positions: corners.places,
+            triangles: bent.triangles().to_vec(),
+            normals: corners.normals,
+            uvs: Vec::new(),
+            colours: bent.surfaces().iter().map(|it| it.colour).collect(),
+            materials: triangles,
+        };
+        Ok(Self {
+            bent: Arc::new(bent),
+            mesh: Arc::new(mesh),
+            materials,
+        })
+    }
+
+    /// Adds it to the meshes of a scene that may move.
+    fn add_to(&self, scene: &mut RayScene) -> Numbers {
+        let numbers = Numbers {
+            mesh: scene.movables.len(),
+            materials: scene.materials.len(),
+        };
+        scene.movables.push(self.mesh.clone());
+        scene.materials.extend(self.materials.iter().cloned());
+        numbers
+    }
+}
+
+/// What figures in all rooms are drawn of.
+#[derive(Debug)]
+pub struct FigureModels {
+    astronaut: Figure,
+    /// What can be held, and its flash.
+    things: Vec<(ModelId, Figure)>,
+}
+
+impl FigureModels {
+    /// Reads them.
+    ///
+    /// # Errors
+    /// When a model of the game cannot be read; a test reads them all.
+    pub fn read() -> Result<Self, Failure> {
+        let things = [Item::Gun.into(), ModelId::Flash];
+        let things = things.map(|model| Ok((model, Figure::read(model)?)));
+        Ok(Self {
+            astronaut: Figure::read(ModelId::Astronaut)?,
+            things: things.into_iter().collect::<Result<_, Failure>>()?,
+        })
+    }
+}
+
 /// What is drawn of who walks, and of what they hold.
 #[derive(Debug)]
 pub struct RoomFigures {
-    astronaut: BentMesh,
+    astronaut: Arc<BentMesh>,
     numbers: Numbers,
     /// What can be held, and its flash.
     things: Vec<(ModelId, Numbers)>,
@@ -41,22 +104,16 @@ pub struct RoomFigures {
 
 impl RoomFigures {
     /// Adds to a scene what figures need.
-    ///
-    /// # Errors
-    /// When a model of the game cannot be read; a test reads them all.
-    pub fn add_to(scene: &mut RayScene) -> Result<Self, Failure> {
-        let astronaut = BentMesh::new(ModelId::Astronaut)?;
-        let numbers = add(scene, &astronaut);
-        let things = [Item::Gun.into(), ModelId::Flash].map(|model| {
-            let mesh = BentMesh::new(model)?;
-            Ok((model, add(scene, &mesh)))
-        });
-        Ok(Self {
-            astronaut,
+    pub fn add_to(scene: &mut RayScene, models: &FigureModels) -> Self {
+        let numbers = models.astronaut.add_to(scene);
+        let things = models.things.iter();
+        let things = things.map(|(model, figure)| (*model, figure.add_to(scene)));
+        Self {
+            astronaut: models.astronaut.bent.clone(),
             numbers,
-            things: things.into_iter().collect::<Result<_, Failure>>()?,
+            things: things.collect(),
             posture: None,
-        })
+        }
     }
 
     /// Puts who walks and what else moves into the next picture; nothing is done while all stays as it is.
@@ -132,26 +189,6 @@ fn before_the_eye(fov_y_rad: f32) -> Affine3A {
     Affine3A::from_scale(NEARER * Vec3::new(wider, wider, 1.0))
 }
 
-/// Adds a model to the meshes that may move.
-fn add(scene: &mut RayScene, model: &BentMesh) -> Numbers {
-    let numbers = Numbers {
-        mesh: scene.movables.len(),
-        materials: scene.materials.len(),
-    };
-    let (triangles, looks) = looks(&model.surfaces());
-    let corners = model.corners(&Posture::default());
-    scene.movables.push(Arc::new(Mesh {
-        positions: corners.places,
-        triangles: model.triangles().to_vec(),
-        normals: corners.normals,
-        uvs: Vec::new(),
-        colours: model.surfaces().iter().map(|it| it.colour).collect(),
-        materials: triangles,
-    }));
-    scene.materials.extend(looks);
-    numbers
-}
-
 /// The material of each triangle, and the materials: what glows has one for each of its colours.
 fn looks(surfaces: &[BentSurface]) -> (Vec<u32>, Vec<Material>) {
     let mut known: Vec<Material> = Vec::new();
@@ -184,7 +221,8 @@ mod tests {
             materials: vec![Material::default()],
             ..RayScene::default()
         };
-        let figures = RoomFigures::add_to(&mut scene).unwrap();
+        let models = FigureModels::read().unwrap();
+        let figures = RoomFigures::add_to(&mut scene, &models);
         let mesh = &scene.movables[figures.numbers.mesh];
         assert_eq!(mesh.triangles.len(), mesh.materials.len());
         let most = *mesh.materials.iter().max().unwrap() as usize;

@@ -11,7 +11,7 @@ use antipode_room_scene::{Moment, RoomScene, SignBoard};
 use image::RgbaImage;
 
 use crate::failure::Failure;
-use crate::room_figures::RoomFigures;
+use crate::room_figures::{FigureModels, RoomFigures};
 use crate::room_texts::RoomTexts;
 
 mod signs;
@@ -27,6 +27,7 @@ pub struct RoomPainter {
     rays: Rays,
     tonemap: Tonemap,
     signs: Signs,
+    figures: FigureModels,
 }
 
 /// What pictures of a room are drawn of.
@@ -84,10 +85,10 @@ fn strength_at(share: f32) -> f32 {
 }
 
 impl RoomPainter {
-    /// Compiles what pictures are drawn with, for targets of the format that the options name.
+    /// Compiles what pictures are drawn with, for targets of the format that the options name, and reads the models of figures.
     ///
     /// # Errors
-    /// When the adapter cannot trace rays or refuses a shader.
+    /// When the adapter cannot trace rays or refuses a shader, or a model cannot be read.
     pub fn new(gpu: &Gpu, options: &Options) -> Result<Self, Failure> {
         // While something moves there are as few pixels as can be traced in time.
         let is_scaled = true;
@@ -96,6 +97,7 @@ impl RoomPainter {
             rays: Rays::new(&gpu.device)?,
             tonemap: Tonemap::accepted(&gpu.device, Shaders::default(), format, is_scaled)?,
             signs: Signs::default(),
+            figures: FigureModels::read()?,
         })
     }
 
@@ -145,7 +147,7 @@ impl RoomPainter {
             writing.write(gpu, said)
         })?;
         drop(writing);
-        let figures = RoomFigures::add_to(&mut scene)?;
+        let figures = RoomFigures::add_to(&mut scene, &self.figures);
         let loaded = self.rays.upload(&gpu.device, &gpu.queue, &scene)?;
         Ok(Drawable {
             scene,

@@ -11,13 +11,13 @@ use antipode_rooms::shipped;
 pub struct RoomTexts(HashMap<String, String>);
 
 impl RoomTexts {
-    /// In that language. Reads all rooms of the game.
+    /// In that language.
     pub fn of(texts: &Texts) -> Self {
-        let told = |(text, key): (String, String)| {
+        let told = |(text, key): &(String, String)| {
             let key = format!("room-{key}");
-            texts.has(&key).then(|| (text, texts.say(&key)))
+            texts.has(&key).then(|| (text.clone(), texts.say(&key)))
         };
-        Self(shipped::words().into_iter().filter_map(told).collect())
+        Self(shipped::words().iter().filter_map(told).collect())
     }
 
     /// What is shown of a text: the game's own in the player's language, all others as they are.

@@ -60,8 +60,9 @@ impl Bvh {
     /// Of boxes, each by its least and its greatest corner, with at most `most` of them in a leaf.
     pub fn with_leaves(boxes: &[(Vec3, Vec3)], most: u32) -> Self {
         let mut bvh = Self {
+            // As many as there are at most in a hierarchy whose leaves hold one box each, or two.
+            nodes: Vec::with_capacity(2 * boxes.len().div_ceil(most.clamp(1, 2) as usize)),
             order: (0..boxes.len() as u32).collect(),
-            ..Self::default()
         };
         if boxes.is_empty() {
             return bvh;
@@ -86,6 +87,11 @@ impl Bvh {
     /// The nodes.
     pub fn nodes(&self) -> &[BvhNode] {
         &self.nodes
+    }
+
+    /// The nodes, and the numbers of the boxes in the order of the leaves.
+    pub fn into_parts(self) -> (Vec<BvhNode>, Vec<u32>) {
+        (self.nodes, self.order)
     }
 
     /// The numbers of the boxes in the order of the leaves.

@@ -110,7 +110,8 @@ impl Solids {
             let slack = mul_abs(&back, DVec3::splat(SLACK_M));
             Stood { it, back, slack }
         };
-        let all: Vec<_> = list.into_iter().filter(has_any).map(of).collect();
+        let mut all = Vec::with_capacity(list.len());
+        all.extend(list.into_iter().filter(has_any).map(of));
         let boxes: Vec<_> = all.iter().map(|it| it.it.form.reach(&it.it.pose)).collect();
         Self {
             bvh: Arc::new(Bvh::with_leaves(&boxes, 1)),

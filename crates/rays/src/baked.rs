@@ -5,9 +5,10 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use crate::error::RaysError;
-use crate::mesh::{Mesh, bounds, triangle};
+use crate::mesh::{Mesh, TRIANGLE_TEXELS, bounds, triangle};
 use crate::scene::{Instance, RayScene};
 use crate::tree::{Node, TRIANGLES, Tree};
+use crate::trees::Trees;
 
 /// Triangles in a leaf at most.
 const LEAF: u32 = 2;
@@ -34,7 +35,9 @@ impl Baked {
         for (number, mesh) in scene.meshes.iter().enumerate() {
             mesh.check(number)?;
         }
-        let mut listed = Vec::new();
+        let of_instance = |it: &Instance| scene.meshes.get(it.mesh).map(|it| it.triangles.len());
+        let count: usize = scene.instances.iter().filter_map(of_instance).sum();
+        let mut listed = Vec::with_capacity(count);
         let mut whole = Vec::new();
         for (number, instance) in scene.instances.iter().enumerate() {
             let mesh = checked(instance, scene)?;
@@ -62,7 +65,8 @@ impl Baked {
             nodes,
             root,
             bounds: tree.bounds(),
-            ..Self::default()
+            triangles: Vec::with_capacity(count * TRIANGLE_TEXELS),
+            attributes: Vec::with_capacity(count * TRIANGLE_TEXELS),
         };
         for (at, number) in order.iter().enumerate() {
             let (instance, one, corners) = listed[*number as usize];
@@ -137,10 +141,16 @@ pub struct Movable {
 }
 
 impl Movable {
-    /// Checks a mesh and makes its hierarchy; its nodes and triangles will have numbers from `bases` on.
-    pub fn new(mesh: &Arc<Mesh>, number: usize, bases: (u32, u32)) -> Result<Self, RaysError> {
-        mesh.check(number)?;
-        let tree = Tree::new(&boxes(mesh, &mesh.positions), LEAF);
+    /// Checks a mesh and makes its hierarchy, unless that is there; its nodes and triangles will have numbers from `bases` on.
+    pub fn new(
+        (mesh, number): (&Arc<Mesh>, usize),
+        trees: &Trees,
+        bases: (u32, u32),
+    ) -> Result<Self, RaysError> {
+        let tree = trees.of(mesh, |mesh| {
+            mesh.check(number)?;
+            Ok(Tree::new(&boxes(mesh, &mesh.positions), LEAF))
+        })?;
         let mesh = mesh.clone();
         Ok(Self { mesh, tree, bases })
     }

@@ -32,6 +32,7 @@ mod texels;
 mod textures;
 mod top;
 mod tree;
+mod trees;
 
 pub use error::RaysError;
 pub use loaded::Loaded;

@@ -19,6 +19,7 @@ use crate::top::{
     INSTANCE_TEXELS, MOST_MOVERS, Placed, Resting, Top, bounds, build, pack, plane_in,
 };
 use crate::tree::NODE_TEXELS;
+use crate::trees::Trees;
 
 /// A scene in the adapter's memory. What stays, materials, pictures and aberrations are as they were loaded; movers may be
 /// others in every picture, and meshes that may move may change their shape.
@@ -58,9 +59,9 @@ impl Loaded {
         device: &Device,
         queue: &Queue,
         (scene, textures): (&RayScene, TextureView),
-        sorted: bool,
+        (trees, sorted): (&Trees, bool),
     ) -> Result<Self, RaysError> {
-        let (parts, movables) = bake_all(scene, sorted)?;
+        let (parts, movables) = bake_all(scene, trees, sorted)?;
         let pairs = movables.iter().zip(&parts[1..]);
         let placed = pairs.map(|(one, baked)| placed(one, baked)).collect();
         let (neighbours, near, ways) = crate::packed::neighbours(scene);
@@ -72,11 +73,8 @@ impl Loaded {
         let instances = movers_at + MOST_MOVERS * INSTANCE_TEXELS;
         let sum = |of: fn(&Baked) -> usize| parts.iter().map(of).sum::<usize>();
         let nodes = MOST_MOVERS + sum(|part| part.nodes.len());
-        let attributes: Vec<_> = parts
-            .iter()
-            .flat_map(|it| &it.attributes)
-            .copied()
-            .collect();
+        let attributes: Vec<_> = parts.iter().map(|it| it.attributes.as_slice()).collect();
+        let attributes = attributes.concat();
         let packed: Vec<_> = scene.instances.iter().map(pack).collect();
         let (node_parts, triangle_parts) = texels_of(&parts);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -206,7 +204,11 @@ impl Loaded {
 }
 
 /// What stays, then each mesh that may move, numbered behind each other.
-fn bake_all(scene: &RayScene, sorted: bool) -> Result<(Vec<Baked>, Vec<Movable>), RaysError> {
+fn bake_all(
+    scene: &RayScene,
+    trees: &Trees,
+    sorted: bool,
+) -> Result<(Vec<Baked>, Vec<Movable>), RaysError> {
     let mut parts = vec![Baked::room(scene, sorted, MOST_MOVERS as u32)?];
     let mut movables = Vec::with_capacity(scene.movables.len());
     let mut bases = (
@@ -214,7 +216,7 @@ fn bake_all(scene: &RayScene, sorted: bool) -> Result<(Vec<Baked>, Vec<Movable>)
         parts[0].triangles.len() / TRIANGLE_TEXELS,
     );
     for (number, mesh) in scene.movables.iter().enumerate() {
-        let movable = Movable::new(mesh, number, (bases.0 as u32, bases.1 as u32))?;
+        let movable = Movable::new((mesh, number), trees, (bases.0 as u32, bases.1 as u32))?;
         let (nodes, triangles) = movable.sizes();
         bases = (bases.0 + nodes, bases.1 + triangles);
         parts.push(movable.rest());

@@ -20,6 +20,7 @@ use crate::rastered::sight;
 use crate::scene::{Eye, RayScene};
 use crate::shaders::{PICTURE, compile};
 use crate::textures::Uploads;
+use crate::trees::Trees;
 
 /// Pixels of a group along each side.
 pub const GROUP: u32 = 8;
@@ -37,6 +38,7 @@ pub struct Rays {
     pub(crate) lamps: Buffer,
     sampler: wgpu::Sampler,
     uploads: Uploads,
+    trees: Trees,
 }
 
 impl Rays {
@@ -74,6 +76,7 @@ impl Rays {
                     wgpu::BufferUsages::UNIFORM,
                 ),
                 uploads: Uploads::default(),
+                trees: Trees::default(),
                 sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                     label: Some("room textures"),
                     address_mode_u: wgpu::AddressMode::Repeat,
@@ -112,7 +115,7 @@ impl Rays {
         scene: &RayScene,
     ) -> Result<Loaded, RaysError> {
         let textures = self.uploads.put(device, queue, &scene.textures)?;
-        Loaded::new(device, queue, (scene, textures), true)
+        Loaded::new(device, queue, (scene, textures), (&self.trees, true))
     }
 
     /// The same without a hierarchy in the meshes: a ray asks every triangle of a mesh whose box it meets, as that of the
@@ -127,7 +130,7 @@ impl Rays {
         scene: &RayScene,
     ) -> Result<Loaded, RaysError> {
         let textures = self.uploads.put(device, queue, &scene.textures)?;
-        Loaded::new(device, queue, (scene, textures), false)
+        Loaded::new(device, queue, (scene, textures), (&self.trees, false))
     }
 
     /// Records the pass for a whole picture, as [`Self::draw_rows`] does.

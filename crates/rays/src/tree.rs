@@ -48,9 +48,10 @@ impl Tree {
             inner - u32::from(node.count == 0)
         });
         let numbers = numbers.collect();
+        let (nodes, order) = bvh.into_parts();
         Self {
-            nodes: bvh.nodes().to_vec(),
-            order: bvh.order().to_vec(),
+            nodes,
+            order,
             numbers,
             inner: inner as usize,
         }

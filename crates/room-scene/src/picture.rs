@@ -76,6 +76,8 @@ impl RoomScene {
 
     fn add_solids(&self, scene: &mut RayScene, pictures: &mut Pictures) {
         let mut known: HashMap<*const Shape, usize> = HashMap::new();
+        scene.instances.reserve(self.meshes.len());
+        scene.materials.reserve(self.meshes.len());
         for solid in &self.meshes {
             let mesh = *known.entry(Arc::as_ptr(&solid.shape)).or_insert_with(|| {
                 scene.meshes.push(Arc::new(mesh_of(&solid.shape)));

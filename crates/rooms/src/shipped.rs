@@ -3,6 +3,8 @@
 //! What can be read in them is English in their files. Whoever has words in other languages finds them by their keys
 //! ([`words`]), in copies of these rooms, too, as long as nobody has changed what is read there.
 
+use std::sync::LazyLock;
+
 use crate::error::RoomError;
 use crate::files::ROOM_FILE;
 use crate::folder::{Assets, Loaded};
@@ -54,9 +56,11 @@ pub fn find(id: &str) -> Option<&'static Shipped> {
     ROOMS.iter().find(|it| it.id == id)
 }
 
-/// What can be read in all of them, word for word as in their files, each with its key. It reads them all.
-pub fn words() -> Vec<(String, String)> {
-    ROOMS.iter().flat_map(Shipped::words).collect()
+/// What can be read in all of them, word for word as in their files, each with its key. The first call reads them all.
+pub fn words() -> &'static [(String, String)] {
+    static WORDS: LazyLock<Vec<(String, String)>> =
+        LazyLock::new(|| ROOMS.iter().flat_map(Shipped::words).collect());
+    &WORDS
 }
 
 impl Shipped {

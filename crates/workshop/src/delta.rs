@@ -40,6 +40,11 @@ impl Delta {
     fn walk(&mut self, old: &[Object], new: &[Object]) {
         // Mostly every name is in its place.
         let (in_old, in_new) = (LazyCell::new(|| names(old)), LazyCell::new(|| names(new)));
+        if old.len() == new.len() {
+            // Growing would write all of what it holds over and over.
+            let differ = old.iter().zip(new).filter(|(a, b)| a != b).count();
+            self.changed.reserve_exact(differ);
+        }
         let (mut i, mut j) = (0, 0);
         while i < old.len() || j < new.len() {
             match (old.get(i), new.get(j)) {

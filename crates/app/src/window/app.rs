@@ -105,6 +105,7 @@ impl ApplicationHandler for App {
                 open.stage.window.request_redraw();
                 self.next_frame = (self.next_frame + open.game.frame_time()).max(now);
             } else {
+                open.game.waits.nothing_to_show();
                 self.next_frame = open.next_look(now);
             }
         }

@@ -127,12 +127,14 @@ impl Open {
         self.game.waits.spent_on(Part::Drawing);
         self.take_pictures();
         self.game.waits.spent_on(Part::Input);
-        self.prepare_room();
         let frame = self.game.frame(self.stage.aspect(), self.stage.height_px());
         let room = self.game.room_view(self.stage.aspect());
         self.game.waits.spent_on(Part::Scene);
         let output = self.interface();
         self.game.waits.spent_on(Part::Interface);
+        // After what may have changed the room: it is made ready to be drawn while this frame is.
+        self.prepare_room();
+        self.game.waits.spent_on(Part::Scene);
         let repaint = output.viewport_output.get(&egui::ViewportId::ROOT);
         let wait = repaint.map_or(Duration::MAX, |viewport| viewport.repaint_delay);
         let showing = Showing {

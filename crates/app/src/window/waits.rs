@@ -144,15 +144,27 @@ impl Waits {
         self.since = None;
     }
 
-    /// A frame has been shown.
-    pub fn shown(&mut self) {
-        let Some(since) = self.since else { return };
+    /// There was nothing to draw: what that took is no part of the frame that comes.
+    pub fn nothing_to_show(&mut self) {
+        self.spent_on(Part::Input);
+        let _ = self.closed();
+    }
+
+    /// The account of what came since the last, which is told of where it is worth it.
+    fn closed(&mut self) -> Frame {
         let frame = std::mem::take(&mut self.frame);
         if frame.is_worth_telling() {
             tracing::debug!("{}", frame.told());
         }
         #[cfg(test)]
         self.waited.push((frame.undrawn().blocked, frame.told()));
+        frame
+    }
+
+    /// A frame has been shown.
+    pub fn shown(&mut self) {
+        let Some(since) = self.since else { return };
+        let frame = self.closed();
         self.walls.push(frame.wall());
         self.undrawn.push(frame.undrawn());
         let told = *self.told.get_or_insert(since.at());
@@ -228,9 +240,12 @@ mod tests {
         waits.spent_on(Part::Steps);
         assert_eq!(waits.frame.0[Part::Steps as usize], Spent::default());
         waits.since = Some(waits.clock.now());
+        std::thread::sleep(Duration::from_millis(2));
+        waits.nothing_to_show();
         waits.spent_on(Part::Steps);
         waits.shown();
         assert_eq!(waits.walls.len(), 1);
+        assert!(waits.walls[0] < Duration::from_millis(2));
         assert_eq!(waits.frame.wall(), Duration::ZERO);
     }
 }

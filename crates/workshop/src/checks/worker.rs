@@ -3,12 +3,17 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread::JoinHandle;
+use std::time::Duration;
 
 use antipode_deformation::WalkerShape;
 use antipode_rooms::{Assets, Room};
 use crossbeam_channel::{Receiver, Sender, unbounded};
 
 use super::{Finding, find};
+
+/// A room is looked at when it has stayed as it is for so long: what is drawn of it is made meanwhile, and edits that follow each
+/// other at once are looked at together.
+const RESTS: Duration = Duration::from_millis(150);
 
 /// What was found in a room.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,8 +55,10 @@ impl Checker {
         let thread = std::thread::Builder::new()
             .name("antipode-checks".to_owned())
             .spawn(move || {
-                while let Ok(job) = taken.recv() {
-                    let job = taken.try_iter().last().unwrap_or(job);
+                while let Ok(mut job) = taken.recv() {
+                    while let Ok(newer) = taken.recv_timeout(RESTS) {
+                        job = newer;
+                    }
                     look(&job, &shape, &wanted, &told);
                 }
             })?;

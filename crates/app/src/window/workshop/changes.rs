@@ -13,14 +13,15 @@ use super::chosen::roots;
 /// The edit; none where it would change nothing.
 pub fn edit(room: &Room, chosen: &[String], origin: DVec3, change: &Change) -> Option<Edit> {
     let poses = poses(room);
-    let edits: Vec<_> = roots(room, chosen)
-        .into_iter()
-        .filter_map(|index| {
-            let object = &room.objects[index];
-            let fields = fields(object, &poses[index], origin, change);
-            (!fields.is_empty()).then(|| Edit::Change(object.name.clone(), fields))
-        })
-        .collect();
+    let roots = roots(room, chosen);
+    let mut edits = Vec::with_capacity(roots.len());
+    for index in roots {
+        let object = &room.objects[index];
+        let fields = fields(object, &poses[index], origin, change);
+        if !fields.is_empty() {
+            edits.push(Edit::Change(object.name.clone(), fields));
+        }
+    }
     (!edits.is_empty()).then_some(Edit::Several(edits))
 }
 
