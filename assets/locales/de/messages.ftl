@@ -125,4 +125,4 @@ graphics-software = Das Spiel wurde neu gestartet, und jetzt zeichnet der Prozes
 
 # Ein Absturz des Spiels zuvor.
 crash-title = Das Spiel ist abgestürzt
-crash = Das Spiel wurde unerwartet beendet und neu gestartet. Deine Welt ist so, wie sie zuletzt gespeichert wurde, höchstens einige Sekunden vorher. Was über den Absturz bekannt ist, steht in { $report }.
+crash = Das Spiel wurde unerwartet beendet und neu gestartet. Deine Welten und Räume sind so, wie sie zuletzt gespeichert wurden, höchstens einige Sekunden vorher. Was über den Absturz bekannt ist, steht in { $report }.

@@ -6,6 +6,7 @@ workshop-rooms-load = Bauen
 workshop-rooms-load-named = In „{ $name }“ bauen
 workshop-not-own = Dieser Raum gehört zum Spiel. Kopiere ihn, und baue in der Kopie.
 workshop-not-kept = Der Raum konnte nicht gespeichert werden: { $reason }
+workshop-kept = Der Raum ist gespeichert. Er speichert sich auch selbst: jeden Schritt innerhalb von zwei Sekunden.
 
 # Die Felder des Fensters.
 workshop-pane-view = Ansicht
@@ -369,6 +370,7 @@ workshop-told-ill-placed = Es ist geschlossen: es oder „{ $name }“ steht, wo
 
 # Files from the disk.
 workshop-do-from-file = Modell oder Bild aus einer Datei
+workshop-do-keep = Sofort speichern
 workshop-chooser-title = Ein Modell oder ein Bild
 workshop-chooser-about = Ein Modell (glb, gltf, fbx, obj) steht dann vor dir; ein Bild (png, jpg) liegt auf dem, was gewählt ist.
 workshop-chooser-path = Pfad

@@ -131,4 +131,4 @@ graphics-software = The game has restarted and the processor draws now, which is
 
 # A crash of the game before this one.
 crash-title = The game has crashed
-crash = The game stopped unexpectedly and has restarted. Your world is as it was last saved, a few seconds earlier at most. The file { $report } says what is known about the crash.
+crash = The game stopped unexpectedly and has restarted. Your worlds and rooms are as they were last saved, a few seconds earlier at most. The file { $report } says what is known about the crash.

@@ -6,6 +6,7 @@ workshop-rooms-load = Build
 workshop-rooms-load-named = Build in “{ $name }”
 workshop-not-own = This room comes with the game. Duplicate it, and build in the copy.
 workshop-not-kept = The room could not be kept: { $reason }
+workshop-kept = The room is saved. It saves itself, too: each step within two seconds.
 
 # Panes.
 workshop-pane-view = View
@@ -369,6 +370,7 @@ workshop-told-ill-placed = It is closed: it or “{ $name }” stands where none
 
 # Files from the disk.
 workshop-do-from-file = Model or picture from a file
+workshop-do-keep = Save at once
 workshop-chooser-title = A model or a picture
 workshop-chooser-about = A model (glb, gltf, fbx, obj) stands before you then; a picture (png, jpg) lies on what is selected.
 workshop-chooser-path = Path

@@ -125,4 +125,4 @@ graphics-software = El juego se ha vuelto a iniciar y ahora dibuja el procesador
 
 # Un fallo de la ejecución anterior.
 crash-title = El juego ha fallado
-crash = El juego se detuvo de forma inesperada y se ha vuelto a iniciar. Tu mundo está como se guardó por última vez, a lo sumo unos segundos antes. Lo que se sabe del fallo está en { $report }.
+crash = El juego se detuvo de forma inesperada y se ha vuelto a iniciar. Tus mundos y salas están como se guardaron por última vez, a lo sumo unos segundos antes. Lo que se sabe del fallo está en { $report }.

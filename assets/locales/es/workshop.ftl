@@ -6,6 +6,7 @@ workshop-rooms-load = Construir
 workshop-rooms-load-named = Construir en «{ $name }»
 workshop-not-own = Esta sala viene con el juego. Duplícala y construye en la copia.
 workshop-not-kept = No se pudo guardar la sala: { $reason }
+workshop-kept = La sala está guardada. También se guarda sola: cada paso en menos de dos segundos.
 
 # Paneles.
 workshop-pane-view = Vista
@@ -369,6 +370,7 @@ workshop-told-ill-placed = Está cerrado: él o «{ $name }» está donde no pue
 
 # Files from the disk.
 workshop-do-from-file = Modelo o imagen de un archivo
+workshop-do-keep = Guardar ahora
 workshop-chooser-title = Un modelo o una imagen
 workshop-chooser-about = Un modelo (glb, gltf, fbx, obj) quedará delante de ti; una imagen (png, jpg), sobre lo seleccionado.
 workshop-chooser-path = Ruta

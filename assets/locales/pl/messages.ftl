@@ -133,4 +133,4 @@ graphics-software = Gra uruchomiła się na nowo i teraz rysuje procesor, co jes
 
 # Awaria poprzedniego uruchomienia gry.
 crash-title = Gra uległa awarii
-crash = Gra nieoczekiwanie się zatrzymała i uruchomiła na nowo. Twój świat jest taki, jak przy ostatnim zapisie, najwyżej kilka sekund wcześniej. To, co wiadomo o awarii, jest w { $report }.
+crash = Gra nieoczekiwanie się zatrzymała i uruchomiła na nowo. Twoje światy i pokoje są takie, jak przy ostatnim zapisie, najwyżej kilka sekund wcześniej. To, co wiadomo o awarii, jest w { $report }.

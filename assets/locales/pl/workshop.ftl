@@ -6,6 +6,7 @@ workshop-rooms-load = Buduj
 workshop-rooms-load-named = Buduj w „{ $name }”
 workshop-not-own = Ten pokój należy do gry. Zduplikuj go i buduj w kopii.
 workshop-not-kept = Nie udało się zapisać pokoju: { $reason }
+workshop-kept = Pokój jest zapisany. Zapisuje się też sam: każdy krok w ciągu dwóch sekund.
 
 # Panele.
 workshop-pane-view = Widok
@@ -409,6 +410,7 @@ workshop-told-ill-placed = Jest zamknięty: on lub „{ $name }” stoi tam, gdz
 
 # Files from the disk.
 workshop-do-from-file = Model lub obraz z pliku
+workshop-do-keep = Zapisz od razu
 workshop-chooser-title = Model lub obraz
 workshop-chooser-about = Model (glb, gltf, fbx, obj) stanie przed tobą; obraz (png, jpg) położy się na tym, co zaznaczone.
 workshop-chooser-path = Ścieżka

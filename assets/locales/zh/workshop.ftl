@@ -6,6 +6,7 @@ workshop-rooms-load = 建造
 workshop-rooms-load-named = 在“{ $name }”中建造
 workshop-not-own = 这个房间是游戏自带的。请复制它，然后在副本中建造。
 workshop-not-kept = 房间无法保存：{ $reason }
+workshop-kept = 房间已保存。它也会自动保存：每一步都在两秒之内。
 
 # 面板。
 workshop-pane-view = 视图
@@ -311,6 +312,7 @@ workshop-told-ill-placed = 处于关闭状态：它或“{ $name }”所在之�
 
 # Files from the disk.
 workshop-do-from-file = 从文件中取模型或图片
+workshop-do-keep = 立即保存
 workshop-chooser-title = 模型或图片
 workshop-chooser-about = 模型（glb、gltf、fbx、obj）会出现在你面前；图片（png、jpg）会贴在所选的物体上。
 workshop-chooser-path = 路径

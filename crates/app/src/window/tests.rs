@@ -20,6 +20,7 @@ mod sprint;
 mod standing;
 mod views;
 mod workshop;
+mod workshop_hands;
 mod workshop_lists;
 mod workshop_newcomers;
 mod workshop_pictures;

@@ -432,6 +432,8 @@ pub enum WorkshopWish {
     ShowMessage(usize),
     /// The room is played from here.
     Play,
+    /// What was built is saved at once.
+    Keep,
     /// A model or a picture is to be chosen from the disk.
     ChooseFile,
     /// Something while a file is chosen.

@@ -55,14 +55,20 @@ pub fn last(scene: &RoomScene) -> Option<usize> {
 pub fn indices(scene: &RoomScene) -> Vec<usize> {
     let (room, names) = (scene.room(), scene.document().selection());
     if names.len() <= FEW {
-        let found = names.iter().filter_map(|name| room.find(name));
-        return found.map(|(index, _)| index).collect();
+        return first(scene, FEW);
     }
     let places = room.places();
     let found = names
         .iter()
         .filter_map(|name| places.get(name.as_str()).copied());
     found.collect()
+}
+
+/// The same of those that were chosen first, at most so many. They are looked for one by one.
+pub fn first(scene: &RoomScene, most: usize) -> Vec<usize> {
+    let names = scene.document().selection().iter();
+    let found = names.filter_map(|name| scene.room().find(name));
+    found.map(|(index, _)| index).take(most).collect()
 }
 
 /// The spaces of a thing, by their places among all objects: those that a group carries, or the thing itself. It is held from outside
@@ -172,6 +178,25 @@ fn extent(scene: &RoomScene, index: usize) -> (DVec3, f64) {
         }
         None => (pose.translation, half(&object.what).length()),
     }
+}
+
+/// How far all that is chosen reaches along x, metres, in whole steps: so far aside a copy stands free.
+pub fn width_m(scene: &RoomScene, step_m: f64) -> Option<f64> {
+    let room = scene.room();
+    let spans = indices(scene).into_iter().map(|index| {
+        let (object, pose) = (&room.objects[index], &scene.poses()[index]);
+        let is_group = object.what == What::Group;
+        let bounds = is_group.then(|| bounds_of_group(room, scene.poses(), &object.name));
+        let half = half(&object.what);
+        let (low, high) = bounds.flatten().unwrap_or((-half, half));
+        let middle = pose.transform_point3((low + high) / 2.0).x;
+        let out = pose.matrix3.row(0).abs().dot((high - low) / 2.0);
+        (middle - out, middle + out)
+    });
+    let both = spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    // What rounding adds is no step.
+    let steps = ((both.1 - both.0) / step_m - 1e-6).ceil();
+    Some(steps.max(1.0) * step_m)
 }
 
 /// The lowest and highest corner of the box about a thing, or about what a group carries, and the others of its front.

@@ -2,9 +2,12 @@
 
 use std::time::Duration;
 
+use antipode_room_scene::RoomScene;
+use antipode_room_scene::tuning::EYE_M;
 use antipode_rooms::RoomsDir;
 use antipode_ui::ToastKind;
 use antipode_ui::workshop::{BarModel, LessonChoice, WorkshopModel, WorkshopPanes, WorkshopWish};
+use glam::DVec3;
 
 use super::wishes::{Bench, Outcome};
 use super::{Lesson, Workshop, findings, lines};
@@ -149,7 +152,12 @@ impl Game {
         };
         let room = visit.room.scene.room();
         match wish {
-            WorkshopWish::BeginLesson(choice) => visit.lesson = Some(Lesson::begin(*choice, room)),
+            WorkshopWish::BeginLesson(choice) => {
+                visit.lesson = Some(Lesson::begin(*choice, room));
+                if let Some(workshop) = &mut visit.workshop {
+                    workshop.step_out(&visit.room.scene);
+                }
+            }
             WorkshopWish::SkipStep => {
                 let goes_on = (visit.lesson.as_mut()).is_some_and(|it| it.skip(room));
                 if !goes_on {
@@ -202,7 +210,7 @@ impl Game {
             slug: &slug,
             reading: &mut visit.reading,
         };
-        let mut plays = false;
+        let (mut plays, mut keeps) = (false, false);
         let mut refused = None;
         let mut of_lesson = Vec::new();
         for wish in wishes {
@@ -213,11 +221,16 @@ impl Game {
             }
             match workshop.follow(&mut bench, wish) {
                 Some(Outcome::Play) => plays = true,
+                Some(Outcome::Keep) => keeps = true,
                 Some(Outcome::Refused(why)) => refused = Some(why),
                 None => {}
             }
         }
         visit.workshop = Some(workshop);
+        if keeps {
+            visit.keep_at_last();
+            self.menus.toast(ToastKind::Info, "workshop-kept", &[]);
+        }
         self.go_on_reading();
         for wish in of_lesson {
             self.follow_lesson(&wish);
@@ -252,6 +265,16 @@ impl Workshop {
     /// Where the room is seen, points.
     fn view_rect(&self) -> Option<egui::Rect> {
         self.panes.as_ref().map(WorkshopPanes::view_rect)
+    }
+
+    /// Who looks from within a space looks from where one begins.
+    fn step_out(&mut self, scene: &RoomScene) {
+        if !self.camera.eye(scene.space(), 1.0).place.stack.is_empty() {
+            let spawn = scene.room().spawn;
+            self.camera.point = spawn.at + DVec3::Y * EYE_M;
+            self.camera.aim_deg = spawn.look;
+            self.forget_chain();
+        }
     }
 
     /// The room was changed from elsewhere.
@@ -328,11 +351,7 @@ impl Workshop {
     }
 
     /// What stands at the lower end of the view: what keys do just now.
-    fn status(
-        &self,
-        texts: &antipode_language::Texts,
-        scene: &antipode_room_scene::RoomScene,
-    ) -> String {
+    fn status(&self, texts: &antipode_language::Texts, scene: &RoomScene) -> String {
         if self.bar.flies {
             texts.say("workshop-status-flies")
         } else if scene.document().selection().is_empty() {

@@ -2,12 +2,13 @@
 
 use antipode_deformation::Chain;
 use antipode_room_scene::RoomScene;
-use antipode_room_scene::workshop::{Change, Drag, Handle, Held, Sight, Viewpoint};
+use antipode_room_scene::workshop::{Change, Drag, Handle, Sight, Viewpoint};
 use antipode_rooms::{Room, What, poses};
 use antipode_ui::workshop::ViewEvent;
 use antipode_workshop::Edit;
 use glam::{DVec2, DVec3};
 
+use super::dragging::{Dragging, body_drag};
 use super::{GRIP_POINTS, Seen, Workshop, changes, chosen};
 
 /// Radians for a point of a drag that turns the view.
@@ -28,20 +29,6 @@ pub enum Deed {
     Moment(Edit),
     /// A step of its own.
     Step(Edit),
-}
-
-/// A drag that goes on.
-#[derive(Clone, Debug)]
-pub struct Dragging {
-    drag: Drag,
-    /// What is held, by name.
-    names: Vec<String>,
-    /// Where handles of it were at the beginning.
-    origin: DVec3,
-    /// Half its height, metres: what lies on a surface stands on its lower end.
-    half: DVec3,
-    /// Whether anything was done yet.
-    pub begun: bool,
 }
 
 /// What could be meant by the last click: clicks at the same place go through it.
@@ -135,6 +122,7 @@ impl Workshop {
             names: names.clone(),
             origin: held.origin,
             half: held.half,
+            aside: DVec2::ZERO,
             begun: false,
         };
         if let Some((through, handles)) = self.handles(scene)
@@ -151,6 +139,9 @@ impl Workshop {
         if is_held(scene.room(), seen.object, &names) {
             let drag = body_drag(scene, &view, held, &seen, at);
             self.dragging = drag.map(taken);
+            if let Some(dragging) = &mut self.dragging {
+                dragging.aside = dragging.footing(scene, &view, at).unwrap_or_default();
+            }
             self.frame = None;
         }
     }
@@ -169,7 +160,7 @@ impl Workshop {
         let change = if on_surface {
             dragging.on_surface(scene, &view, at)?
         } else {
-            let through = scene.through(&view, dragging.drag.chain.clone());
+            let through = dragging.through(scene, &view);
             dragging.drag.change(&through, at, &snap)?
         };
         if !std::mem::replace(&mut dragging.begun, true) {
@@ -311,40 +302,6 @@ impl Workshop {
     }
 }
 
-impl Dragging {
-    /// Moves what is held onto what is seen under the pointer, itself left out.
-    fn on_surface(&self, scene: &RoomScene, view: &Viewpoint, at: DVec2) -> Option<Change> {
-        let hidden: Vec<usize> = (0..scene.room().objects.len())
-            .filter(|index| is_held(scene.room(), *index, &self.names))
-            .collect();
-        let seen = scene.seen_beside(view, at, &hidden)?;
-        let out = seen.normal.abs().dot(self.half);
-        Some(Change::Move(
-            seen.place.point + seen.normal * out - self.origin,
-        ))
-    }
-}
-
-/// A drag of a thing by what is seen of it. An aberration is held from outside, whatever of it is seen from within.
-fn body_drag(
-    scene: &RoomScene,
-    view: &Viewpoint,
-    held: Held,
-    seen: &Sight,
-    at: DVec2,
-) -> Option<Drag> {
-    let is_box = matches!(scene.room().objects[seen.object].what, What::Aberration(_));
-    if !is_box {
-        let through = scene.through(view, seen.chain.clone());
-        return Drag::begin_body(&through, held, seen.place.point, at);
-    }
-    let (through, _) = scene.way_to(view, held.origin, &[seen.object])?;
-    let leg = through.leg(at)?;
-    let way = (held.origin - leg.place.point).dot(leg.velocity) / leg.velocity.length_squared();
-    let nearest = leg.place.point + leg.velocity * way;
-    Drag::begin_body(&through, held, nearest, at)
-}
-
 /// All that can be meant by a click there. A thing of a group means the group first. What is much larger than the opening through
 /// which it is seen, as a floor is, is taken for the background of that opening, which is meant first.
 fn meant(scene: &RoomScene, view: &Viewpoint, at: DVec2) -> Vec<usize> {
@@ -382,7 +339,7 @@ fn outermost(room: &Room, index: usize) -> usize {
 }
 
 /// Whether an object is one of these, or carried by one.
-fn is_held(room: &Room, index: usize, names: &[String]) -> bool {
+pub fn is_held(room: &Room, index: usize, names: &[String]) -> bool {
     let mut object = &room.objects[index];
     for _ in 0..=antipode_rooms::bounds::MOST_DEEP {
         if names.contains(&object.name) {

@@ -40,12 +40,8 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
     if scene.leaves_out_walls() {
         left_out(workshop, scene, &mut all);
     }
-    let chosen = chosen::indices(scene);
-    if !chosen.is_empty() {
-        let poses = scene.poses();
-        for index in chosen.into_iter().take(MOST) {
-            edges(workshop, scene, (index, &poses[index]), &mut all);
-        }
+    for index in chosen::first(scene, MOST) {
+        edges(workshop, scene, (index, &scene.poses()[index]), &mut all);
     }
     if let Some([a, b]) = workshop.frame
         && a != b

@@ -71,6 +71,12 @@ fn surface(id: &str) -> Surface {
         "wall" | "tunnel" => Colour([0xc9, 0x8a, 0x5e]),
         "floor" => Colour([0x9a, 0xa0, 0x94]),
         "stairs" | "ramp" => Colour([0x8f, 0x9b, 0xb0]),
+        // Not as the floor is on which they mostly stand.
+        "box" => Colour([0xd4, 0xae, 0x5c]),
+        "arch" => Colour([0xc2, 0xa4, 0x86]),
+        "pyramid" => Colour([0xb0, 0x86, 0xbf]),
+        "cylinder" => Colour([0x74, 0x9f, 0xc4]),
+        "ball" => Colour([0xc8, 0x6c, 0x66]),
         _ => return Surface::default(),
     };
     Surface {

@@ -25,6 +25,8 @@ const ARRAY: u32 = 4;
 pub enum Outcome {
     /// The room is walked through.
     Play,
+    /// What was built is kept at once.
+    Keep,
     /// Something could not be done, for that reason.
     Refused(String),
 }
@@ -82,6 +84,9 @@ impl Workshop {
     pub fn follow(&mut self, bench: &mut Bench<'_>, wish: WorkshopWish) -> Option<Outcome> {
         if wish == WorkshopWish::Play {
             return Some(Outcome::Play);
+        }
+        if wish == WorkshopWish::Keep {
+            return Some(Outcome::Keep);
         }
         let is_choice = matches!(
             wish,
@@ -193,7 +198,7 @@ impl Workshop {
             },
             WorkshopWish::Duplicate => Edit::Duplicate {
                 names: all()?,
-                by: aside,
+                by: DVec3::X * chosen::width_m(scene, step)?,
             },
             WorkshopWish::Array => {
                 let held = chosen::held(scene, false)?;

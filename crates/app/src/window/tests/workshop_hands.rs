@@ -1,0 +1,83 @@
+//! Where things come to lie in the workshop, and what is said of what is kept.
+
+use antipode_ui::workshop::{LessonChoice, ViewEvent, WorkshopWish};
+
+use super::workshop::{ask, building, chosen, press, put, scene};
+use super::*;
+
+fn place(game: &Game, name: &str) -> glam::DVec3 {
+    scene(game).room().find(name).unwrap().1.at
+}
+
+#[test]
+fn what_is_dragged_on_surfaces_goes_on_from_where_it_stands_and_stays_on_the_ground() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("box"), WorkshopWish::OnSurfaces(true)]);
+    assert_eq!(chosen(&game), ["box"]);
+    let before = place(&game, "box");
+    // At its front, well above its foot.
+    let held = [-0.02, -0.3];
+    let pull = |at: [f64; 2]| WorkshopWish::View(ViewEvent::Pull { at, free: false });
+    ask(
+        &mut game,
+        [
+            WorkshopWish::View(ViewEvent::Grab(held)),
+            pull([held[0] + 0.002, held[1]]),
+        ],
+    );
+    let begun = place(&game, "box");
+    assert!(begun.distance(before) < 0.05, "{before} {begun}");
+    ask(&mut game, [pull([held[0] + 0.3, held[1]])]);
+    let aside = place(&game, "box");
+    assert!(aside.x > before.x + 0.3, "{aside}");
+    assert!((aside.y - before.y).abs() < 1e-6, "{aside}");
+}
+
+#[test]
+fn a_copy_stands_free_of_what_it_is_of() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("box"), WorkshopWish::Duplicate]);
+    let copy = chosen(&game)[0].clone();
+    let way = place(&game, &copy) - place(&game, "box");
+    assert_eq!(way, glam::DVec3::X, "a box is 1 m wide");
+    ask(&mut game, [put("house"), WorkshopWish::Duplicate]);
+    let house = place(&game, "house");
+    let copy = chosen(&game)[0].clone();
+    let aside = place(&game, &copy).x - house.x;
+    assert!(aside > 4.0, "{aside} m, and it is wider than that");
+}
+
+#[test]
+fn a_room_is_saved_when_that_is_asked_for_and_says_that_it_saves_itself() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let slug = game.play.phase.visit().unwrap().slug();
+    let file = game.play.worlds.rooms().path().join(slug).join("room.ron");
+    let has_box = |_: &Game| fs::read_to_string(&file).is_ok_and(|text| text.contains("\"box\""));
+    ask(&mut game, [put("box"), WorkshopWish::Keep]);
+    assert!(words(&mut game).contains("It saves itself"));
+    tick_until(&mut game, has_box);
+}
+
+#[test]
+fn a_lesson_that_is_begun_inside_a_house_begins_before_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("house")]);
+    let room = scene(&game).room();
+    let (index, _) = room.find("house inside").unwrap();
+    let inside = antipode_rooms::poses(room)[index].translation - glam::DVec3::Y * 1.2;
+    press(&mut game, "F5");
+    let visit = game.play.phase.visit_mut().unwrap();
+    visit.room.scene.teleport(inside).unwrap();
+    press(&mut game, "F5");
+    let is_inside = |game: &mut Game| {
+        let view = game.room_view(1.5).unwrap();
+        !view.moment.eye.place.stack.is_empty()
+    };
+    assert!(is_inside(&mut game));
+    ask(&mut game, [WorkshopWish::BeginLesson(LessonChoice::Doors)]);
+    assert!(!is_inside(&mut game));
+}
