@@ -63,7 +63,7 @@ impl Figure {
             materials: scene.materials.len(),
         };
         scene.movables.push(self.mesh.clone());
-        scene.materials.extend(self.materials.iter().cloned());
+        scene.materials.extend(self.materials.iter().copied());
         numbers
     }
 }

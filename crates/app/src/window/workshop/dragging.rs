@@ -53,6 +53,7 @@ impl Dragging {
         })
     }
 
+    /// The way by which it was taken hold of.
     pub fn through<'a>(&self, scene: &'a RoomScene, view: &Viewpoint) -> Through<'a> {
         scene.through(view, self.drag.chain.clone())
     }
