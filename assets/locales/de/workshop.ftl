@@ -6,7 +6,7 @@ workshop-rooms-load = Bauen
 workshop-rooms-load-named = In „{ $name }“ bauen
 workshop-not-own = Dieser Raum gehört zum Spiel. Kopiere ihn, und baue in der Kopie.
 workshop-not-kept = Der Raum konnte nicht gespeichert werden: { $reason }
-workshop-kept = Der Raum ist gespeichert. Er speichert sich auch selbst: jeden Schritt innerhalb von zwei Sekunden.
+workshop-kept = Der Raum wird gespeichert. Er speichert sich auch selbst: jeden Schritt innerhalb von zwei Sekunden.
 
 # Die Felder des Fensters.
 workshop-pane-view = Ansicht

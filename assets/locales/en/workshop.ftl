@@ -6,7 +6,7 @@ workshop-rooms-load = Build
 workshop-rooms-load-named = Build in “{ $name }”
 workshop-not-own = This room comes with the game. Duplicate it, and build in the copy.
 workshop-not-kept = The room could not be kept: { $reason }
-workshop-kept = The room is saved. It saves itself, too: each step within two seconds.
+workshop-kept = The room is being saved. It saves itself, too: each step within two seconds.
 
 # Panes.
 workshop-pane-view = View

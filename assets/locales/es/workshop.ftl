@@ -6,7 +6,7 @@ workshop-rooms-load = Construir
 workshop-rooms-load-named = Construir en «{ $name }»
 workshop-not-own = Esta sala viene con el juego. Duplícala y construye en la copia.
 workshop-not-kept = No se pudo guardar la sala: { $reason }
-workshop-kept = La sala está guardada. También se guarda sola: cada paso en menos de dos segundos.
+workshop-kept = La sala se está guardando. También se guarda sola: cada paso en menos de dos segundos.
 
 # Paneles.
 workshop-pane-view = Vista

@@ -6,7 +6,7 @@ workshop-rooms-load = Buduj
 workshop-rooms-load-named = Buduj w „{ $name }”
 workshop-not-own = Ten pokój należy do gry. Zduplikuj go i buduj w kopii.
 workshop-not-kept = Nie udało się zapisać pokoju: { $reason }
-workshop-kept = Pokój jest zapisany. Zapisuje się też sam: każdy krok w ciągu dwóch sekund.
+workshop-kept = Pokój jest zapisywany. Zapisuje się też sam: każdy krok w ciągu dwóch sekund.
 
 # Panele.
 workshop-pane-view = Widok

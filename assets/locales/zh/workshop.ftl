@@ -6,7 +6,7 @@ workshop-rooms-load = 建造
 workshop-rooms-load-named = 在“{ $name }”中建造
 workshop-not-own = 这个房间是游戏自带的。请复制它，然后在副本中建造。
 workshop-not-kept = 房间无法保存：{ $reason }
-workshop-kept = 房间已保存。它也会自动保存：每一步都在两秒之内。
+workshop-kept = 房间正在保存。它也会自动保存：每一步都在两秒之内。
 
 # 面板。
 workshop-pane-view = 视图

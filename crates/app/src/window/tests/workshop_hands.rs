@@ -42,11 +42,48 @@ fn a_copy_stands_free_of_what_it_is_of() {
     let copy = chosen(&game)[0].clone();
     let way = place(&game, &copy) - place(&game, "box");
     assert_eq!(way, glam::DVec3::X, "a box is 1 m wide");
-    ask(&mut game, [put("house"), WorkshopWish::Duplicate]);
-    let house = place(&game, "house");
+    // A group counts by what it carries.
+    ask(&mut game, [put("house")]);
+    let room = scene(&game).room();
+    let (low, high) = antipode_rooms::poses(room)
+        .iter()
+        .zip(&room.objects)
+        .filter(|(_, it)| it.group.as_deref() == Some("house"))
+        .map(|(pose, _)| pose.translation.x)
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+    ask(&mut game, [WorkshopWish::Duplicate]);
     let copy = chosen(&game)[0].clone();
-    let aside = place(&game, &copy).x - house.x;
-    assert!(aside > 4.0, "{aside} m, and it is wider than that");
+    let aside = place(&game, &copy).x - place(&game, "house").x;
+    assert!(aside > high - low, "{aside} m, from {low} to {high}");
+    // A floor's would be out of sight.
+    let floor = WorkshopWish::Choose {
+        name: "floor".to_owned(),
+        adds: false,
+    };
+    ask(&mut game, [floor, WorkshopWish::Duplicate]);
+    let copy = chosen(&game)[0].clone();
+    let way = place(&game, &copy).distance(place(&game, "floor"));
+    assert!(way > 0.0 && way < 2.0, "{way}");
+}
+
+#[test]
+fn saving_in_the_middle_of_a_drag_leaves_it_as_it_is() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("box")]);
+    let before = place(&game, "box");
+    let pull = |x: f64| {
+        let at = [x, -0.3];
+        WorkshopWish::View(ViewEvent::Pull { at, free: true })
+    };
+    let grab = WorkshopWish::View(ViewEvent::Grab([-0.02, -0.3]));
+    ask(&mut game, [grab.clone(), pull(0.2), pull(0.3)]);
+    let meant = place(&game, "box");
+    assert!(meant.x > before.x + 0.2, "{meant}");
+    ask(&mut game, [pull(0.2), WorkshopWish::Keep, pull(0.3)]);
+    assert!(place(&game, "box").distance(meant) < 1e-9, "{meant}");
 }
 
 #[test]

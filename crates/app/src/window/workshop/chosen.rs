@@ -13,6 +13,8 @@ use super::kits::bounds_of_group;
 
 /// So many names are looked for one by one.
 const FEW: usize = 8;
+/// What is wider has its copy near it, though they overlap, metres.
+const WIDEST_M: f64 = 20.0;
 /// Half sizes of what has none of its own, metres.
 const POINT_M: f64 = 0.3;
 
@@ -180,7 +182,8 @@ fn extent(scene: &RoomScene, index: usize) -> (DVec3, f64) {
     }
 }
 
-/// How far all that is chosen reaches along x, metres, in whole steps: so far aside a copy stands free.
+/// How far all that is chosen reaches along x, metres, in whole steps: so far aside a copy stands free. None where that is too far
+/// for the copy to be in view.
 pub fn width_m(scene: &RoomScene, step_m: f64) -> Option<f64> {
     let room = scene.room();
     let spans = indices(scene).into_iter().map(|index| {
@@ -196,7 +199,7 @@ pub fn width_m(scene: &RoomScene, step_m: f64) -> Option<f64> {
     let both = spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
     // What rounding adds is no step.
     let steps = ((both.1 - both.0) / step_m - 1e-6).ceil();
-    Some(steps.max(1.0) * step_m)
+    Some(steps.max(1.0) * step_m).filter(|it| *it <= WIDEST_M)
 }
 
 /// The lowest and highest corner of the box about a thing, or about what a group carries, and the others of its front.

@@ -227,7 +227,8 @@ impl Game {
             }
         }
         visit.workshop = Some(workshop);
-        if keeps {
+        // A drag that goes on is kept when it ends.
+        if keeps && !visit.room.scene.document().is_dragging() {
             visit.keep_at_last();
             self.menus.toast(ToastKind::Info, "workshop-kept", &[]);
         }

@@ -198,7 +198,7 @@ impl Workshop {
             },
             WorkshopWish::Duplicate => Edit::Duplicate {
                 names: all()?,
-                by: DVec3::X * chosen::width_m(scene, step)?,
+                by: chosen::width_m(scene, step).map_or(aside, |it| DVec3::X * it),
             },
             WorkshopWish::Array => {
                 let held = chosen::held(scene, false)?;
