@@ -129,6 +129,34 @@ impl Solids {
             lowest.min(form.lowest(pose, up))
         })
     }
+
+    /// What a path x + v t meets first up to a time, as [`SceneQuery::first`], of those objects that `takes` takes.
+    pub fn first_of(
+        &self,
+        x: DVec3,
+        v: DVec3,
+        longest: f64,
+        takes: impl Fn(u32) -> bool,
+    ) -> Option<SceneHit> {
+        let path = Slabs::new(x, v);
+        let nearest = std::cell::Cell::new(longest);
+        let mut found = None;
+        let enter = |low: DVec3, high: DVec3| {
+            let slack = DVec3::splat(SLACK_M);
+            path.enters(low - slack, high + slack, nearest.get())
+        };
+        self.bvh.visit(enter, |number| {
+            let one = &self.all[number as usize];
+            if !takes(one.it.object) {
+                return;
+            }
+            if let Some(hit) = one.first(x, v, nearest.get()) {
+                nearest.set(hit.time);
+                found = Some(hit);
+            }
+        });
+        found
+    }
 }
 
 impl Stood {
@@ -183,20 +211,7 @@ impl Stood {
 
 impl SceneQuery for Solids {
     fn first(&self, x: DVec3, v: DVec3, longest: f64) -> Option<SceneHit> {
-        let path = Slabs::new(x, v);
-        let nearest = std::cell::Cell::new(longest);
-        let mut found = None;
-        let enter = |low: DVec3, high: DVec3| {
-            let slack = DVec3::splat(SLACK_M);
-            path.enters(low - slack, high + slack, nearest.get())
-        };
-        self.bvh.visit(enter, |number| {
-            if let Some(hit) = self.all[number as usize].first(x, v, nearest.get()) {
-                nearest.set(hit.time);
-                found = Some(hit);
-            }
-        });
-        found
+        self.first_of(x, v, longest, |_| true)
     }
 
     fn near(&self, low: DVec3, high: DVec3, show: &mut dyn FnMut([DVec3; 3])) {

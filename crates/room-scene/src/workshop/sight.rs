@@ -12,8 +12,6 @@ use crate::tuning::PICK_M;
 /// From so high above a point the ground below it is looked for, and so far down, metres.
 const ABOVE_M: f64 = 1.0;
 const DOWN_M: f64 = 4.0;
-/// Surfaces in a row that are left out at most.
-const MOST_LEFT_OUT: u32 = 256;
 
 /// An eye and the shape of its picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,20 +79,8 @@ struct Beside<'a> {
 
 impl SceneQuery for Beside<'_> {
     fn first(&self, x: DVec3, v: DVec3, longest: f64) -> Option<SceneHit> {
-        let mut from = 0.0;
-        // Whatever is left out is gone through, one surface after another.
-        for _ in 0..MOST_LEFT_OUT {
-            let hit = self.solids.first(x + v * from, v, longest - from)?;
-            let time = from + hit.time;
-            if !self.hidden.contains(&(hit.object as usize)) {
-                return Some(SceneHit { time, ..hit });
-            }
-            from = time + 1e-9 * (1.0 + time);
-            if from >= longest {
-                return None;
-            }
-        }
-        None
+        let takes = |object: u32| !self.hidden.contains(&(object as usize));
+        self.solids.first_of(x, v, longest, takes)
     }
 
     fn near(&self, low: DVec3, high: DVec3, show: &mut dyn FnMut([DVec3; 3])) {
