@@ -6,8 +6,9 @@
 
 use glam::{DVec3, Vec3};
 
-/// Bins along an axis.
+/// Bins along an axis, and at most so many for each thing: most nodes hold few, and empty bins are all there is to look at then.
 const BINS: usize = 16;
+const BINS_EACH: usize = 2;
 /// Below this level boxes are halved by number, so that no list of boxes can make the hierarchy deep.
 const DEEPEST_CUT: usize = 40;
 /// What a node costs, beside what is in a leaf.
@@ -186,6 +187,7 @@ impl Bvh {
 struct Cut {
     axis: usize,
     bin: usize,
+    bins: usize,
     start: f32,
     scale: f32,
     /// Expected work, in things.
@@ -194,12 +196,12 @@ struct Cut {
 
 impl Cut {
     fn is_before(&self, middle: Vec3) -> bool {
-        bin_of(middle[self.axis], self.start, self.scale) < self.bin
+        bin_of(middle[self.axis], self.start, self.scale, self.bins) < self.bin
     }
 }
 
-fn bin_of(middle: f32, start: f32, scale: f32) -> usize {
-    (((middle - start) * scale) as usize).min(BINS - 1)
+fn bin_of(middle: f32, start: f32, scale: f32, bins: usize) -> usize {
+    (((middle - start) * scale) as usize).min(bins - 1)
 }
 
 /// The cut with the least expected work, if there is any that parts the things. Middles count doubled.
@@ -210,26 +212,29 @@ fn best_cut(boxes: &[(Vec3, Vec3)], things: &[u32]) -> Option<Cut> {
         middles.grow(low + high, low + high);
         whole.grow(low, high);
     }
+    let count = BINS.min(BINS_EACH * things.len());
     let mut best: Option<Cut> = None;
     for axis in 0..3 {
         let (start, width) = (middles.low[axis], middles.high[axis] - middles.low[axis]);
-        let scale = BINS as f32 / width;
+        let scale = count as f32 / width;
         if width <= 0.0 || !scale.is_finite() {
             continue;
         }
         let mut bins = [(Extent::NONE, 0_u32); BINS];
+        let bins = &mut bins[..count];
         for number in things {
             let (low, high) = boxes[*number as usize];
-            let bin = &mut bins[bin_of(low[axis] + high[axis], start, scale)];
+            let bin = &mut bins[bin_of(low[axis] + high[axis], start, scale, count)];
             bin.0.grow(low, high);
             bin.1 += 1;
         }
-        let (bin, work) = cheapest(&bins);
+        let (bin, work) = cheapest(bins);
         let cost = NODE_COST + work / whole.half_area().max(f32::MIN_POSITIVE);
         if best.as_ref().is_none_or(|best| cost < best.cost) {
             best = Some(Cut {
                 axis,
                 bin,
+                bins: count,
                 start,
                 scale,
                 cost,
@@ -240,7 +245,7 @@ fn best_cut(boxes: &[(Vec3, Vec3)], things: &[u32]) -> Option<Cut> {
 }
 
 /// The bin before which to cut, and the sum of area times count of both sides there.
-fn cheapest(bins: &[(Extent, u32); BINS]) -> (usize, f32) {
+fn cheapest(bins: &[(Extent, u32)]) -> (usize, f32) {
     let mut after = [0.0; BINS];
     let (mut extent, mut count) = (Extent::NONE, 0);
     for (at, bin) in bins.iter().enumerate().rev() {
@@ -250,7 +255,7 @@ fn cheapest(bins: &[(Extent, u32); BINS]) -> (usize, f32) {
     }
     let (mut extent, mut count) = (Extent::NONE, 0);
     let mut best = (1, f32::INFINITY);
-    for at in 1..BINS {
+    for at in 1..bins.len() {
         extent.grow(bins[at - 1].0.low, bins[at - 1].0.high);
         count += bins[at - 1].1;
         let work = extent.half_area() * count as f32 + after[at];

@@ -1,5 +1,7 @@
 //! An open room: what is worked out of it, and who is in it.
 
+use std::sync::Arc;
+
 use antipode_deformation::{Place, Solids, Space, Triangles, Walker};
 use antipode_frame::Hand;
 use antipode_frame::hand::HandMotion;
@@ -29,7 +31,7 @@ fn without_walls(room: &Room) -> Room {
     let mut room = room.clone();
     for object in &mut room.objects {
         if matches!(&object.what, What::Aberration(it) if it.sides == Sides::Walls) {
-            object.what = What::Group;
+            Arc::make_mut(object).what = What::Group;
         }
     }
     room
@@ -84,7 +86,7 @@ pub struct RoomScene {
     /// How high the lowest of all that stands in the room is, metres against gravity.
     pub(crate) lowest_m: f64,
     /// Of the room's objects, in their order.
-    poses: Vec<DAffine3>,
+    pub(crate) poses: Vec<DAffine3>,
     revision: u64,
     /// Whether what is hidden in the document is left out of solids and pictures.
     leaves_out: bool,
@@ -260,7 +262,7 @@ impl RoomScene {
         let space = (&mut self.space, &mut self.boxes, &mut self.portals);
         self.known
             .renew_space(unwalled.as_ref().unwrap_or(room), space);
-        (self.meshes, self.loose_meshes) = self.known.meshes(room, &self.assets);
+        (self.meshes, self.loose_meshes) = self.known.meshes((room, &self.poses), &self.assets);
         if self.leaves_out {
             let marked = self.document.marked();
             let is_shown = |mesh: &SolidMesh| !marked.is_hidden(&room.objects[mesh.object]);
@@ -278,7 +280,7 @@ impl RoomScene {
         self.lowest_m = all.fold(solids.lowest(up).min(loose_m), f64::min);
         self.solids = solids;
         self.grasp = Grasp::default();
-        self.bodies.changed(room, &self.space);
+        self.bodies.changed((room, &self.poses), &self.space);
         self.loose = self.bodies.solids(&self.space);
         let place = &mut self.walker.body.place;
         *place = Place {

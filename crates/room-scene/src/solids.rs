@@ -8,7 +8,7 @@ use antipode_deformation::{Aberration, Form, Solids, Space, Standing};
 use antipode_rooms::mesh::{Shape, Shapes, SolidMesh};
 use antipode_rooms::solids::standing_again;
 use antipode_rooms::{Assets, Room, SpaceParts};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 /// What was made for a room so far, to be used again.
 #[derive(Clone, Debug, Default)]
@@ -64,10 +64,14 @@ impl Known {
         self.parts.boxes()
     }
 
-    /// Meshes of what stands, and of what is loose.
-    pub fn meshes(&mut self, room: &Room, assets: &Assets) -> (Vec<SolidMesh>, Vec<SolidMesh>) {
+    /// Meshes of what stands, and of what is loose, in a room whose objects have these poses.
+    pub fn meshes(
+        &mut self,
+        (room, poses): (&Room, &[DAffine3]),
+        assets: &Assets,
+    ) -> (Vec<SolidMesh>, Vec<SolidMesh>) {
         let stands = |mesh: &SolidMesh| room.objects[mesh.object].mass.is_none();
-        let all = standing_again(room, assets, &mut self.shapes);
+        let all = standing_again((room, poses), assets, &mut self.shapes);
         all.into_iter().partition(stands)
     }
 

@@ -198,9 +198,9 @@ impl RoomScene {
         self.bodies.step(&around);
         self.hear_knocks();
         let is_lost = self.is_lost();
-        let found = self
-            .bodies
-            .find_again(self.document.room(), &self.space, is_lost);
+        let found =
+            self.bodies
+                .find_again((self.document.room(), &self.poses), &self.space, is_lost);
         if found || self.bodies.have_moved() {
             self.loose = self.bodies.solids(&self.space);
         }
@@ -251,7 +251,7 @@ impl RoomScene {
         self.look = Look::of_degrees(spawn.look);
         self.things = Things::default();
         self.grasp = Grasp::default();
-        self.bodies = Bodies::new(self.room(), &self.space);
+        self.bodies = Bodies::new((self.document.room(), &self.poses), &self.space);
         self.loose = self.bodies.solids(&self.space);
         self.hands = self.hands.begun_anew();
         self.hand = HandMotion::default();

@@ -29,18 +29,20 @@ pub fn own_pose(object: &Object) -> DAffine3 {
 /// that carry themselves, carry nothing.
 pub fn poses(room: &Room) -> Vec<DAffine3> {
     let parents = parents(room);
-    (0..room.objects.len())
-        .map(|index| {
-            let mut pose = own_pose(&room.objects[index]);
-            let mut at = parents[index];
-            for _ in 0..crate::bounds::MOST_DEEP {
-                let Some(parent) = at else { break };
-                pose = own_pose(&room.objects[parent]) * pose;
-                at = parents[parent];
-            }
-            pose
-        })
-        .collect()
+    let all = 0..room.objects.len();
+    all.map(|index| pose(room, &parents, index)).collect()
+}
+
+/// The pose of one of them, by the groups that carry each.
+pub(crate) fn pose(room: &Room, parents: &[Option<usize>], index: usize) -> DAffine3 {
+    let mut pose = own_pose(&room.objects[index]);
+    let mut at = parents[index];
+    for _ in 0..crate::bounds::MOST_DEEP {
+        let Some(parent) = at else { break };
+        pose = own_pose(&room.objects[parent]) * pose;
+        at = parents[parent];
+    }
+    pose
 }
 
 /// The group that carries each object, by its place.
@@ -58,7 +60,7 @@ pub(crate) fn parents(room: &Room) -> Vec<Option<usize>> {
             .as_ref()
             .and_then(|it| groups.get(it.as_str()).copied())
     };
-    room.objects.iter().map(of).collect()
+    room.objects.iter().map(|it| of(it)).collect()
 }
 
 #[cfg(test)]
@@ -91,7 +93,7 @@ mod tests {
             let mut it = Object::new(name, at, What::Group);
             it.turn.x = yaw;
             it.group = within.map(str::to_owned);
-            room.objects.push(it);
+            room.push(it);
         };
         group("outer", DVec3::new(10.0, 0.0, 0.0), 90.0, None);
         group("inner", DVec3::new(1.0, 2.0, 0.0), 0.0, Some("outer"));

@@ -4,9 +4,10 @@
 //! `aim YAW PITCH` looks: (cos yaw cos pitch, sin pitch, sin yaw cos pitch), and rolls it about that.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 
 use crate::aberration::Aberration;
 use crate::colour::Colour;
@@ -42,8 +43,10 @@ pub struct Room {
     #[serde(default)]
     pub spawn: Spawn,
     /// What stands in it, at most 2,000; each has a name of its own.
-    #[serde(default)]
-    pub objects: Vec<Object>,
+    ///
+    /// Copies of a room share them: an editor keeps a thousand rooms that differ in a few things each.
+    #[serde(default, deserialize_with = "shared")]
+    pub objects: Vec<Arc<Object>>,
 }
 
 /// What is seen where nothing stands, and the light that comes from everywhere.
@@ -293,8 +296,14 @@ pub fn board() -> DVec2 {
 }
 
 /// A number that is written as one, without `Some(...)`.
-fn said<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+fn said<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     f64::deserialize(from).map(Some)
+}
+
+/// Objects, each to be shared by rooms.
+fn shared<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Arc<Object>>, D::Error> {
+    let all = Vec::<Object>::deserialize(from)?;
+    Ok(all.into_iter().map(Arc::new).collect())
 }
 
 fn one() -> f64 {
@@ -365,16 +374,32 @@ impl Room {
             sun: Some(Sun::default()),
             fog: None,
             spawn: Spawn::default(),
-            objects: vec![floor],
+            objects: vec![Arc::new(floor)],
         }
+    }
+
+    /// Puts an object in, behind all others.
+    pub fn push(&mut self, object: Object) {
+        self.objects.push(Arc::new(object));
+    }
+
+    /// An object to be changed; other rooms that share it keep it as it is.
+    pub fn object_mut(&mut self, index: usize) -> &mut Object {
+        Arc::make_mut(&mut self.objects[index])
     }
 
     /// The object of that name, and its place among all.
     pub fn find(&self, name: &str) -> Option<(usize, &Object)> {
         self.objects
             .iter()
+            .map(Arc::as_ref)
             .enumerate()
             .find(|(_, object)| object.name == name)
+    }
+
+    /// The names of all objects, in their order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.objects.iter().map(|it| it.name.as_str())
     }
 
     /// The places of all objects among themselves by their names, for who looks for many.
@@ -386,7 +411,7 @@ impl Room {
     /// What is loose, each with its place among all objects and its mass, kilograms.
     pub fn loose(&self) -> impl Iterator<Item = (usize, &Object, f64)> {
         let all = self.objects.iter().enumerate();
-        all.filter_map(|(index, object)| object.mass.map(|mass| (index, object, mass)))
+        all.filter_map(|(index, object)| object.mass.map(|mass| (index, object.as_ref(), mass)))
     }
 
     /// The portals, each with its place among all objects.

@@ -81,11 +81,11 @@ impl Shipped {
         };
         let key = |what: &str| format!("{}-{what}", self.id);
         let mut words = vec![(room.sentence, key("sentence"))];
-        for object in room.objects {
-            if let What::Sign { text: Some(it), .. } = object.what
+        for object in &room.objects {
+            if let What::Sign { text: Some(it), .. } = &object.what
                 && it.contains(char::is_alphabetic)
             {
-                words.push((it, key(&object.name)));
+                words.push((it.clone(), key(&object.name)));
             }
         }
         words

@@ -6,18 +6,24 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use antipode_deformation::{Form, Solids, Standing};
+use glam::DAffine3;
 
 use crate::folder::Assets;
 use crate::mesh::{Roundness, Shape, Shapes, SolidMesh, standing_meshes};
+use crate::pose::poses;
 use crate::room::Room;
 
 /// The meshes of all that stands in a room but the walls of its aberrations.
 pub fn standing(room: &Room, assets: &Assets) -> Vec<SolidMesh> {
-    standing_again(room, assets, &mut Shapes::default())
+    standing_again((room, &poses(room)), assets, &mut Shapes::default())
 }
 
-/// The same of a room that has changed, with the shapes that were made for what stood there before.
-pub fn standing_again(room: &Room, assets: &Assets, shapes: &mut Shapes) -> Vec<SolidMesh> {
+/// The same of a room that has changed, whose objects have these poses, with the shapes that were made for what stood there before.
+pub fn standing_again(
+    room: (&Room, &[DAffine3]),
+    assets: &Assets,
+    shapes: &mut Shapes,
+) -> Vec<SolidMesh> {
     standing_meshes(room, assets, Roundness::default(), shapes)
 }
 

@@ -10,18 +10,17 @@ use crate::bounds::{MOST_DEEP, STRETCHES};
 use crate::check::{fault, shown, wrong};
 use crate::error::Fault;
 use crate::portal::Opening;
-use crate::pose::{parents, poses, rotation};
+use crate::pose::{parents, pose, rotation};
 use crate::room::{Room, What};
 
 /// A room's aberrations where they stand, each with the place of its object among all.
 pub fn aberrations(room: &Room) -> Vec<(usize, deformation::Aberration)> {
-    let poses = poses(room);
     let parents = parents(room);
     room.aberrations()
         .map(|(index, it)| {
             let placed = deformation::Aberration {
                 name: room.objects[index].name.clone(),
-                centre: poses[index].translation,
+                centre: pose(room, &parents, index).translation,
                 turn: turn(room, &parents, index),
                 half: it.half,
                 // The quotient of a felt length at a bound may lie beyond it in its last digit.
@@ -72,7 +71,6 @@ fn ways(it: &Aberration) -> deformation::Ways {
 /// A room's portals where they stand, each with the place of its object among all. What leads to no portal leads to a number
 /// that there is not.
 pub fn portals(room: &Room) -> Vec<(usize, deformation::Portal)> {
-    let poses = poses(room);
     let parents = parents(room);
     let all: Vec<_> = room.portals().collect();
     let number_of = |name: &str| {
@@ -85,7 +83,7 @@ pub fn portals(room: &Room) -> Vec<(usize, deformation::Portal)> {
         .map(|(index, it)| {
             let placed = deformation::Portal {
                 name: room.objects[*index].name.clone(),
-                at: poses[*index].translation,
+                at: pose(room, &parents, *index).translation,
                 turn: turn(room, &parents, *index),
                 polygon: it.opening.polygon(),
                 to: number_of(&it.to),

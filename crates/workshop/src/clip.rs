@@ -1,6 +1,8 @@
 //! What was copied: objects with all that they carry, in the axes of the room they were copied from, as text, so that it can
 //! lie in the clipboard of the system, too.
 
+use std::sync::Arc;
+
 use antipode_rooms::{Object, Room, read_so_far, write_so_far};
 
 use crate::copies::{carried, into_room};
@@ -15,7 +17,7 @@ const NAME: &str = "Clip";
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Clip {
     /// In the order of the room they are from; those that no other of them carries are in no group.
-    pub(crate) objects: Vec<Object>,
+    pub(crate) objects: Vec<Arc<Object>>,
 }
 
 impl Clip {
@@ -33,7 +35,7 @@ impl Clip {
     }
 
     /// The objects in it.
-    pub fn objects(&self) -> &[Object] {
+    pub fn objects(&self) -> &[Arc<Object>] {
         &self.objects
     }
 

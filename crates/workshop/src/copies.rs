@@ -4,6 +4,7 @@
 //! sound and shows who looks in, until somebody links it.
 
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 use antipode_rooms::bounds::MOST_NAME_CHARS;
 use antipode_rooms::{Object, Room, What};
@@ -12,22 +13,22 @@ use glam::DAffine3;
 use crate::place::{Groups, put};
 
 /// The objects of these names with all that they carry, in the order of the room.
-pub(crate) fn carried<'r>(room: &'r Room, names: &[String]) -> Vec<&'r Object> {
+pub(crate) fn carried<'r>(room: &'r Room, names: &[String]) -> Vec<&'r Arc<Object>> {
     let within = closure(room, names);
     let all = room.objects.iter();
     all.filter(|it| within.contains(it.name.as_str())).collect()
 }
 
 /// These names and those of all that they carry.
-pub(crate) fn closure<'r>(room: &'r Room, names: &[String]) -> HashSet<&'r str> {
+pub fn closure<'r>(room: &'r Room, names: &[String]) -> HashSet<&'r str> {
     let mut members: HashMap<&str, Vec<&'r Object>> = HashMap::new();
-    for object in &room.objects {
+    for object in room.objects.iter().map(Arc::as_ref) {
         if let Some(group) = &object.group {
             members.entry(group).or_default().push(object);
         }
     }
     let wanted: HashSet<&str> = names.iter().map(String::as_str).collect();
-    let all = room.objects.iter();
+    let all = room.objects.iter().map(Arc::as_ref);
     let mut left: Vec<&Object> = all.filter(|it| wanted.contains(it.name.as_str())).collect();
     let mut within = HashSet::new();
     while let Some(object) = left.pop() {
@@ -39,13 +40,17 @@ pub(crate) fn closure<'r>(room: &'r Room, names: &[String]) -> HashSet<&'r str> 
 }
 
 /// Copies of objects in the axes of the room: what none of them carries is in no group, and where it was.
-pub(crate) fn into_room(room: &Room, picked: &[&Object]) -> Vec<Object> {
+pub(crate) fn into_room(room: &Room, picked: &[&Arc<Object>]) -> Vec<Arc<Object>> {
     let groups = Groups::of(room);
     let within: HashSet<&str> = picked.iter().map(|it| it.name.as_str()).collect();
     let all = picked.iter().map(|object| {
-        let mut copy = (*object).clone();
-        if let Some(group) = copy.group.take_if(|it| !within.contains(it.as_str())) {
-            put(&mut copy, groups.pose(Some(&group)), DAffine3::IDENTITY);
+        let mut copy = Arc::clone(object);
+        if let Some(group) = &object.group
+            && !within.contains(group.as_str())
+        {
+            let own = Arc::make_mut(&mut copy);
+            own.group = None;
+            put(own, groups.pose(Some(group)), DAffine3::IDENTITY);
         }
         copy
     });
@@ -63,21 +68,21 @@ impl Names {
     /// Those that a room has taken.
     pub fn of(room: &Room) -> Self {
         Self {
-            taken: room.objects.iter().map(|it| it.name.clone()).collect(),
+            taken: room.names().map(str::to_owned).collect(),
             numbers: HashMap::new(),
         }
     }
 
     /// Gives copies names that are free, and lets them name one another instead of what they are copies of. The groups of the
     /// room that carry originals carry their copies.
-    pub fn named_anew(&mut self, mut copies: Vec<Object>) -> Vec<Object> {
+    pub fn named_anew(&mut self, mut copies: Vec<Arc<Object>>) -> Vec<Arc<Object>> {
         let mut names = HashMap::new();
-        for copy in &mut copies {
+        for copy in copies.iter_mut().map(Arc::make_mut) {
             let name = self.free(&copy.name);
             self.taken.insert(name.clone());
             names.insert(std::mem::replace(&mut copy.name, name.clone()), name);
         }
-        for copy in &mut copies {
+        for copy in copies.iter_mut().map(Arc::make_mut) {
             if let Some(group) = copy.group.as_mut()
                 && let Some(name) = names.get(group)
             {

@@ -2,6 +2,7 @@
 
 use std::cell::LazyCell;
 use std::collections::HashSet;
+use std::sync::Arc;
 
 use antipode_rooms::{Object, Room};
 
@@ -9,11 +10,11 @@ use antipode_rooms::{Object, Room};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Delta {
     /// Taken out: its place before, rising.
-    pub(crate) removed: Vec<(usize, Object)>,
+    pub(crate) removed: Vec<(usize, Arc<Object>)>,
     /// Put in: its place after, rising.
-    pub(crate) inserted: Vec<(usize, Object)>,
+    pub(crate) inserted: Vec<(usize, Arc<Object>)>,
     /// Changed: its place after, rising; as it was, and as it is.
-    pub(crate) changed: Vec<(usize, Object, Object)>,
+    pub(crate) changed: Vec<(usize, Arc<Object>, Arc<Object>)>,
     /// The room without its objects, as it was and as it is, if that differs.
     pub(crate) frame: Option<Box<(Room, Room)>>,
 }
@@ -37,14 +38,9 @@ impl Delta {
 
     /// Walks both lists at once. What has another name in the same place is taken for renamed if neither name is in the
     /// other list.
-    fn walk(&mut self, old: &[Object], new: &[Object]) {
+    fn walk(&mut self, old: &[Arc<Object>], new: &[Arc<Object>]) {
         // Mostly every name is in its place.
         let (in_old, in_new) = (LazyCell::new(|| names(old)), LazyCell::new(|| names(new)));
-        if old.len() == new.len() {
-            // Growing would write all of what it holds over and over.
-            let differ = old.iter().zip(new).filter(|(a, b)| a != b).count();
-            self.changed.reserve_exact(differ);
-        }
         let (mut i, mut j) = (0, 0);
         while i < old.len() || j < new.len() {
             match (old.get(i), new.get(j)) {
@@ -52,7 +48,7 @@ impl Delta {
                     let stays = || in_new.contains(a.name.as_str());
                     let was = || in_old.contains(b.name.as_str());
                     if a.name == b.name || (!stays() && !was()) {
-                        if a != b {
+                        if !Arc::ptr_eq(a, b) && a != b {
                             self.changed.push((j, a.clone(), b.clone()));
                         }
                         (i, j) = (i + 1, j + 1);
@@ -87,10 +83,12 @@ impl Delta {
 
     /// Whether what was taken out and put in can have been so in a list of that length.
     pub(crate) fn is_in_order(&self, length: usize) -> bool {
-        let rises = |list: &[(usize, Object)]| list.windows(2).all(|pair| pair[0].0 < pair[1].0);
+        let rises =
+            |list: &[(usize, Arc<Object>)]| list.windows(2).all(|pair| pair[0].0 < pair[1].0);
         let (out, put) = (&self.removed, &self.inserted);
         let after = (length + put.len()).checked_sub(out.len());
-        let within = |list: &[(usize, Object)], length| list.last().is_none_or(|it| it.0 < length);
+        let within =
+            |list: &[(usize, Arc<Object>)], length| list.last().is_none_or(|it| it.0 < length);
         rises(out) && rises(put) && within(out, length) && after.is_some_and(|it| within(put, it))
     }
 
@@ -98,7 +96,7 @@ impl Delta {
     pub fn make(&self, room: &mut Room) {
         replace(&mut room.objects, &self.removed, &self.inserted);
         for (index, _, after) in &self.changed {
-            room.objects[*index].clone_from(after);
+            room.objects[*index] = after.clone();
         }
         if let Some(frames) = &self.frame {
             set_frame(room, &frames.1);
@@ -108,7 +106,7 @@ impl Delta {
     /// Goes the way back.
     pub fn take_back(&self, room: &mut Room) {
         for (index, before, _) in &self.changed {
-            room.objects[*index].clone_from(before);
+            room.objects[*index] = before.clone();
         }
         replace(&mut room.objects, &self.inserted, &self.removed);
         if let Some(frames) = &self.frame {
@@ -124,12 +122,16 @@ impl Delta {
     }
 }
 
-fn names(list: &[Object]) -> HashSet<&str> {
+fn names(list: &[Arc<Object>]) -> HashSet<&str> {
     list.iter().map(|it| it.name.as_str()).collect()
 }
 
 /// Takes out what is at its place before, and puts in what is to be at its place after, in one pass over the list.
-fn replace(list: &mut Vec<Object>, out: &[(usize, Object)], put: &[(usize, Object)]) {
+fn replace(
+    list: &mut Vec<Arc<Object>>,
+    out: &[(usize, Arc<Object>)],
+    put: &[(usize, Arc<Object>)],
+) {
     if out.is_empty() && put.is_empty() {
         return;
     }

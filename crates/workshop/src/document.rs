@@ -181,9 +181,11 @@ impl Document {
     }
 
     pub(crate) fn take_room(&mut self, room: Arc<Room>) {
-        self.room = room;
+        let was = std::mem::replace(&mut self.room, room);
         self.revision += 1;
-        self.marks.forget(&self.room);
+        if !was.names().eq(self.room.names()) {
+            self.marks.forget(&self.room);
+        }
     }
 
     /// Selects what the last step has put in, as far as no other of it carries it.

@@ -31,6 +31,7 @@ pub mod words;
 
 pub use checks::{Checker, FINDINGS, Finding, Findings, find as find_in};
 pub use clip::Clip;
+pub use copies::closure;
 pub use delta::Delta;
 pub use document::Document;
 pub use edit::{Array, Edit, Field};

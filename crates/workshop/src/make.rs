@@ -1,6 +1,7 @@
 //! What an edit makes of a room.
 
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 use antipode_rooms::words::{Pairs, set, set_spawn};
 use antipode_rooms::{Object, Room, What, own_pose, shown};
@@ -32,7 +33,7 @@ pub fn make(room: &Room, edit: &Edit) -> Result<Room, WorkshopError> {
 pub(crate) fn make_in(room: &mut Room, edit: &Edit) -> Made {
     match edit {
         Edit::Insert(object) => {
-            room.objects.push(object.clone());
+            room.push(object.clone());
             Ok(())
         }
         Edit::Remove(names) => remove(room, names),
@@ -81,7 +82,7 @@ fn several(room: &mut Room, edits: &[Edit]) -> Made {
         for (number, edit) in run.iter().enumerate() {
             match (edit, &at) {
                 (Edit::Change(_, fields), Some(at)) => {
-                    set(&mut room.objects[at[number]], &pairs(fields)?, false)?;
+                    set(room.object_mut(at[number]), &pairs(fields)?, false)?;
                 }
                 _ => make_in(room, edit)?,
             }
@@ -130,17 +131,18 @@ fn change(room: &mut Room, name: &str, fields: &[Field]) -> Made {
     let Some((index, _)) = room.find(name) else {
         return missing(name);
     };
-    set(&mut room.objects[index], &pairs, false)?;
-    if room.objects[index].name == name {
+    let object = room.object_mut(index);
+    set(object, &pairs, false)?;
+    if object.name == name {
         return Ok(());
     }
-    let new_name = room.objects[index].name.clone();
+    let new_name = object.name.clone();
     for object in &mut room.objects {
         if object.group.as_deref() == Some(name) {
-            object.group = Some(new_name.clone());
+            Arc::make_mut(object).group = Some(new_name.clone());
         }
-        if let What::Portal(it) = &mut object.what
-            && it.to == *name
+        if matches!(&object.what, What::Portal(it) if it.to == *name)
+            && let What::Portal(it) = &mut Arc::make_mut(object).what
         {
             it.to.clone_from(&new_name);
         }
@@ -152,7 +154,7 @@ fn group(room: &mut Room, name: &str, at: DVec3, members: &[String]) -> Made {
     exist(room, members)?;
     // Something else of that name is refused when the room is checked.
     if !has_group(room, name) {
-        room.objects.push(Object::new(name, at, What::Group));
+        room.push(Object::new(name, at, What::Group));
     }
     carry(room, Some(name), members)
 }
@@ -178,7 +180,7 @@ fn carry(room: &mut Room, group: Option<&str>, members: &[String]) -> Made {
         .map(|index| (index, groups.pose(room.objects[index].group.as_deref())))
         .collect();
     for (index, from) in from {
-        let object = &mut room.objects[index];
+        let object = room.object_mut(index);
         put(object, from, to);
         object.group = group.map(str::to_owned);
     }
@@ -188,7 +190,7 @@ fn carry(room: &mut Room, group: Option<&str>, members: &[String]) -> Made {
 fn ungroup(room: &mut Room, names: &[String]) -> Made {
     let gone: HashSet<&str> = names.iter().map(String::as_str).collect();
     exist(room, names)?;
-    let is_other = |it: &&Object| gone.contains(it.name.as_str()) && it.what != What::Group;
+    let is_other = |it: &&Arc<Object>| gone.contains(it.name.as_str()) && it.what != What::Group;
     if let Some(other) = room.objects.iter().find(is_other) {
         return refuse(format!("{} is no group.", shown(&other.name)));
     }
@@ -211,8 +213,9 @@ fn ungroup(room: &mut Room, names: &[String]) -> Made {
         ));
     }
     for (index, from, to, outer) in freed {
-        put(&mut room.objects[index], from, to);
-        room.objects[index].group = outer;
+        let object = room.object_mut(index);
+        put(object, from, to);
+        object.group = outer;
     }
     room.objects.retain(|it| !gone.contains(it.name.as_str()));
     Ok(())
@@ -237,13 +240,13 @@ fn copy_in_a_row(room: &mut Room, array: &Array) -> Made {
             group => Some(groups.pose(group.as_deref())),
         })
         .collect();
-    let originals: Vec<Object> = picked.into_iter().cloned().collect();
+    let originals: Vec<Arc<Object>> = picked.into_iter().cloned().collect();
     let mut names = Names::of(room);
     for number in 1..=array.count {
         let mut copies = originals.clone();
         for (copy, frame) in copies.iter_mut().zip(&frames) {
             if let Some(frame) = frame {
-                place_copy(copy, *frame, array, f64::from(number));
+                place_copy(Arc::make_mut(copy), *frame, array, f64::from(number));
             }
         }
         room.objects.extend(names.named_anew(copies));
@@ -276,10 +279,10 @@ fn place_copy(copy: &mut Object, frame: DAffine3, array: &Array, number: f64) {
 }
 
 /// The objects that a paste puts in, as they are called then.
-pub(crate) fn pasted(room: &Room, clip: &Clip, by: DVec3) -> Vec<Object> {
+pub(crate) fn pasted(room: &Room, clip: &Clip, by: DVec3) -> Vec<Arc<Object>> {
     let mut copies = clip.objects.clone();
     for copy in copies.iter_mut().filter(|it| it.group.is_none()) {
-        copy.at += by;
+        Arc::make_mut(copy).at += by;
     }
     Names::of(room).named_anew(copies)
 }

@@ -42,9 +42,8 @@ impl Document {
 
     /// Selects these objects and no others; those that are not there are left out.
     pub fn select(&mut self, names: impl IntoIterator<Item = String>) {
-        let objects = self.room().objects.iter();
         // Each once: what was taken is there no more.
-        let mut left: HashSet<&str> = objects.map(|it| it.name.as_str()).collect();
+        let mut left: HashSet<&str> = self.room().names().collect();
         let names = names.into_iter();
         let selected = names.filter(|it| left.remove(it.as_str())).collect();
         self.marks_mut().selected = selected;

@@ -1,6 +1,6 @@
 //! What an editor keeps of objects besides the room: which are selected, hidden and locked. None of it is a step.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use antipode_rooms::{Object, Room};
 
@@ -78,7 +78,7 @@ impl Marks {
         if self == &Self::default() {
             return;
         }
-        let names: BTreeSet<&str> = room.objects.iter().map(|it| it.name.as_str()).collect();
+        let names: HashSet<&str> = room.names().collect();
         self.selected.retain(|it| names.contains(it.as_str()));
         // What is hidden or locked stays so if it comes back by an undo.
     }

@@ -35,7 +35,7 @@ impl<'r> Groups<'r> {
         while let Some(index) = next
             && found.len() <= MOST_DEEP
         {
-            let object = &self.room.objects[*index];
+            let object: &Object = &self.room.objects[*index];
             found.push(object);
             next = object.group.as_deref().and_then(|it| self.by_name.get(it));
         }

@@ -15,6 +15,8 @@
 //!
 //! A word `;` alone parts commands that are one step together. A paste has no word of its own: it is the `add` of what it puts in.
 
+use std::sync::Arc;
+
 use antipode_rooms::wording::{number, three, words_of};
 use antipode_rooms::words::{Pairs, new_object};
 use antipode_rooms::{Object, Room, shown, words as rooms_words};
@@ -273,7 +275,13 @@ impl Edit {
             }
             Self::Paste { clip, by } => {
                 let objects = pasted(room, clip, *by).into_iter();
-                Self::Several(objects.map(Self::Insert).collect()).say(room, out);
+                Self::Several(
+                    objects
+                        .map(Arc::unwrap_or_clone)
+                        .map(Self::Insert)
+                        .collect(),
+                )
+                .say(room, out);
             }
             Self::Room(fields) => say("room", &["set".to_owned()], of_fields(fields)),
             Self::Spawn(fields) => say("add", &["spawn".to_owned()], of_fields(fields)),

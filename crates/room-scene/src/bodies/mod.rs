@@ -24,8 +24,8 @@ mod who;
 
 use antipode_deformation::{Place, SceneQuery, Space, Traveller, felt_gravity};
 use antipode_physics::{LooseBodies, LooseBody, LooseMotion};
-use antipode_rooms::{Object, Room, poses};
-use glam::{DMat3, DQuat, DVec3};
+use antipode_rooms::{Object, Room};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use crate::tuning::{PARTS, STEP_S};
 use frame::Frame;
@@ -114,9 +114,8 @@ impl std::fmt::Debug for Bodies {
 }
 
 impl Bodies {
-    /// What is loose in a room, where its file says.
-    pub fn new(room: &Room, space: &Space) -> Self {
-        let poses = poses(room);
+    /// What is loose in a room whose objects have these poses, where its file says.
+    pub fn new((room, poses): (&Room, &[DAffine3]), space: &Space) -> Self {
         let body = |(index, object, mass): (usize, &Object, f64)| {
             let made = made(&object.what, mass)?;
             let (_, turn, at) = poses[index].to_scale_rotation_translation();
@@ -146,7 +145,7 @@ impl Bodies {
     }
 
     /// The room has changed: what lay may fall, and places are in the boxes that there are now.
-    pub fn changed(&mut self, room: &Room, space: &Space) {
+    pub fn changed(&mut self, room: (&Room, &[DAffine3]), space: &Space) {
         let mut new = Self::new(room, space);
         for body in &mut new.all {
             let like =
@@ -227,7 +226,7 @@ impl Bodies {
     /// Whether anything was lost.
     pub fn find_again(
         &mut self,
-        room: &Room,
+        room: (&Room, &[DAffine3]),
         space: &Space,
         is_lost: impl Fn(DVec3) -> bool,
     ) -> bool {

@@ -1,5 +1,7 @@
 //! Shooting, throwing and lamps.
 
+use std::sync::Arc;
+
 use antipode_room_scene::tuning::{BULLET_REACH_M, MOST_BALLS, MOST_MARKS, REACH_M};
 use antipode_room_scene::{RoomHint, RoomProbe, RoomScene, RoomSound, Steer, Thing, ThingKind};
 use antipode_rooms::{Assets, What};
@@ -180,7 +182,7 @@ fn a_ball_flies_through_a_wall_that_is_taken_away_and_falls_where_the_floor_is()
 #[test]
 fn lamps_are_put_down_within_reach_and_taken_up_again() {
     let mut scene = room("long-house");
-    let own = |it: &&antipode_rooms::Object| matches!(it.what, What::Light { .. });
+    let own = |it: &&Arc<antipode_rooms::Object>| matches!(it.what, What::Light { .. });
     let room_for = 8 - scene.room().objects.iter().filter(own).count();
     after(&mut scene, &STAY, 0.5);
     scene.aim(90.0, -30.0);
@@ -248,7 +250,7 @@ fn a_lamp_that_cannot_be_put_down_says_why() {
     assert_eq!(scene.take_hints(), [RoomHint::NoPlaceForLamp]);
     scene.step(&place);
     assert_eq!(scene.take_hints(), [], "once for a press");
-    let is_lamp = |it: &&antipode_rooms::Object| matches!(it.what, What::Light { .. });
+    let is_lamp = |it: &&Arc<antipode_rooms::Object>| matches!(it.what, What::Light { .. });
     let own = scene.room().objects.iter().filter(is_lamp).count();
     for lamp in own..8 {
         let words = format!("add light name=own{lamp} at={lamp},9,0 power=1");

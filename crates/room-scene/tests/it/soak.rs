@@ -1,5 +1,7 @@
 //! Somebody walks, jumps, shoots and throws at random through every room of the game.
 
+use std::sync::Arc;
+
 use antipode_deformation::SceneQuery as _;
 use antipode_deformation::{Place, Sides, Space, Triangle, Triangles};
 use antipode_room_scene::tuning::{LOST_BELOW_M, STEP_S};
@@ -252,7 +254,7 @@ impl Player {
 fn begins(scene: &mut RoomScene, inside: &Inside, turn: usize) -> bool {
     let places = poses(scene.room());
     let spawn = scene.room().spawn.at;
-    let of_object = |(index, object): (usize, &Object)| {
+    let of_object = |(index, object): (usize, &Arc<Object>)| {
         let place = &places[index];
         match object.what {
             What::Aberration(_) => Some((place.translation, None)),

@@ -266,7 +266,7 @@ fn an_aberration_is_held_from_outside_whatever_is_seen_in_it() {
     let objects = &scene.room().objects;
     let is_box =
         |it: &antipode_rooms::Object| matches!(it.what, antipode_rooms::What::Aberration(_));
-    let index = objects.iter().position(is_box).unwrap();
+    let index = objects.iter().position(|it| is_box(it)).unwrap();
     let point = antipode_rooms::poses(scene.room())[index].translation;
     let mut found = 0;
     for view in views(&scene) {

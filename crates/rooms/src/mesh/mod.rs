@@ -81,15 +81,15 @@ impl Default for Roundness {
 pub fn meshes(room: &Room, assets: &Assets, roundness: Roundness) -> Vec<SolidMesh> {
     let walls = |what: &What| shape(what, roundness).map(Arc::new);
     let shapes = &mut Shapes::default();
-    listed(room, assets, |what| match what {
+    listed((room, &poses(room)), assets, |what| match what {
         What::Aberration(_) => walls(what),
         _ => shapes.of(what, roundness),
     })
 }
 
-/// The same without the walls of aberrations, with the shapes that are made already.
+/// The same without the walls of aberrations, of a room whose objects have these poses, with the shapes that are made already.
 pub fn standing_meshes(
-    room: &Room,
+    room: (&Room, &[DAffine3]),
     assets: &Assets,
     roundness: Roundness,
     shapes: &mut Shapes,
@@ -100,17 +100,17 @@ pub fn standing_meshes(
 }
 
 fn listed(
-    room: &Room,
+    (room, poses): (&Room, &[DAffine3]),
     assets: &Assets,
     mut shape_of: impl FnMut(&What) -> Option<Arc<Shape>>,
 ) -> Vec<SolidMesh> {
     let mut out = Vec::with_capacity(room.objects.len());
-    for (object, (it, pose)) in room.objects.iter().zip(poses(room)).enumerate() {
+    for (object, (it, pose)) in room.objects.iter().zip(poses).enumerate() {
         if let What::Model { file, scale } = &it.what {
             let Some(model) = assets.models.get(file) else {
                 continue;
             };
-            let pose = pose * DAffine3::from_scale(DVec3::splat(*scale));
+            let pose = *pose * DAffine3::from_scale(DVec3::splat(*scale));
             out.extend(model.parts.iter().map(|part| SolidMesh {
                 object,
                 pose,
@@ -124,7 +124,7 @@ fn listed(
         }
         out.extend(shape_of(&it.what).map(|shape| SolidMesh {
             object,
-            pose,
+            pose: *pose,
             shape,
             look: Look::Surface(it.surface.clone()),
         }));

@@ -16,7 +16,7 @@ fn with_model(file: &str, text: &str) -> TempDir {
         file: file.to_owned(),
         scale: 1.0,
     };
-    room.objects.push(Object::new("it", DVec3::ZERO, what));
+    room.push(Object::new("it", DVec3::ZERO, what));
     let dir = tempfile::tempdir().unwrap();
     fs::write(dir.path().join("room.ron"), write(&room).unwrap()).unwrap();
     fs::create_dir(dir.path().join("models")).unwrap();

@@ -34,7 +34,7 @@ fn picture(side: u32) -> Vec<u8> {
 
 fn with_model(file: &str) -> Room {
     let mut room = Room::new("Test");
-    room.objects.push(Object::new(
+    room.push(Object::new(
         "it",
         DVec3::ZERO,
         What::Model {
@@ -63,7 +63,7 @@ fn refusal(dir: &Path) -> String {
 #[test]
 fn models_and_textures_come_with_the_room() {
     let mut room = with_model("models/lamp.glb");
-    room.objects[0].surface.texture = Some(Texture {
+    room.object_mut(0).surface.texture = Some(Texture {
         file: "textures/a.png".to_owned(),
         size: 1.0,
     });
@@ -193,7 +193,7 @@ fn what_is_missing_broken_or_too_large_is_told_with_its_line() {
     let said = refusal(dir.path());
     assert!(said.contains("not a binary glTF file"), "{said}");
     let mut room = Room::new("Test");
-    room.objects[0].surface.texture = Some(Texture {
+    room.object_mut(0).surface.texture = Some(Texture {
         file: "textures/a.png".to_owned(),
         size: 1.0,
     });

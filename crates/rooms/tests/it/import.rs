@@ -33,8 +33,7 @@ fn picture() -> Vec<u8> {
 fn opened(dir: &Path, file: &str) -> folder::Assets {
     let mut room = Room::new("Test");
     let (file, scale) = (file.to_owned(), 1.0);
-    room.objects
-        .push(Object::new("it", DVec3::ZERO, What::Model { file, scale }));
+    room.push(Object::new("it", DVec3::ZERO, What::Model { file, scale }));
     folder::assets(dir, &room).unwrap()
 }
 

@@ -40,7 +40,7 @@ fn with_model(rooms: &RoomsDir) -> PathBuf {
         file: "models/lamp.glb".to_owned(),
         scale: 1.0,
     };
-    room.objects.push(Object::new("it", DVec3::ZERO, what));
+    room.push(Object::new("it", DVec3::ZERO, what));
     let dir = rooms.path().join(rooms.make(&Room::new("House")).unwrap());
     fs::create_dir(dir.join("models")).unwrap();
     fs::write(dir.join("models/lamp.glb"), LAMP).unwrap();
@@ -114,7 +114,7 @@ fn rooms_of_the_game_are_copied_to_be_changed() {
     assert_eq!(names(&rooms), ["The long house 2"]);
     let copy = rooms.find("The long house 2").unwrap();
     let mut room = rooms.open(&copy).unwrap().room;
-    room.objects[0].surface.glow = 0.5;
+    room.object_mut(0).surface.glow = 0.5;
     rooms.save(&slug, &room).unwrap();
     assert_eq!(rooms.open(&copy).unwrap().room, room);
     let mut without_file = room.clone();
@@ -122,9 +122,7 @@ fn rooms_of_the_game_are_copied_to_be_changed() {
         file: "models/none.glb".to_owned(),
         scale: 1.0,
     };
-    without_file
-        .objects
-        .push(Object::new("it", DVec3::ZERO, what));
+    without_file.push(Object::new("it", DVec3::ZERO, what));
     let said = rooms.save(&slug, &without_file).unwrap_err().to_string();
     assert!(
         said.contains("file of \"it\"") && said.contains("no such file"),

@@ -190,13 +190,13 @@ fn walls_stand_where_no_doors_are() {
 fn equal_solids_share_their_triangles_and_stand_where_they_are_said_to() {
     let mut room = Room::new("a");
     for (name, x) in [("a", 1.0), ("b", 2.0)] {
-        room.objects.push(Object::new(
+        room.push(Object::new(
             name,
             DVec3::new(x, 0.0, 0.0),
             What::Ball { radius: 1.0 },
         ));
     }
-    room.objects[1].turn.x = 90.0;
+    room.object_mut(1).turn.x = 90.0;
     let made = meshes(&room, &Assets::default(), ROUND);
     assert_eq!(made.len(), 3);
     assert!(Arc::ptr_eq(&made[1].shape, &made[2].shape));

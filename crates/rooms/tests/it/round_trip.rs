@@ -148,7 +148,7 @@ fn room() -> impl Strategy<Value = Room> {
                 object.turn = turn;
                 object.surface = surface;
                 object.group = group.filter(|_| in_group);
-                room.objects.push(object);
+                room.push(object);
             }
             room
         })
@@ -169,7 +169,7 @@ proptest! {
         let before = write(&room).unwrap();
         let mut room = room;
         let index = at % room.objects.len();
-        room.objects[index].surface.glow = 7.25;
+        room.object_mut(index).surface.glow = 7.25;
         let after = write(&room).unwrap();
         let changed = after.lines().filter(|line| !before.contains(line)).count();
         prop_assert!(changed <= 1, "{changed} lines");
@@ -185,7 +185,7 @@ proptest! {
 #[test]
 fn what_is_not_sound_is_not_written() {
     let mut room = Room::new("a");
-    room.objects[0].at.x = f64::NAN;
+    room.object_mut(0).at.x = f64::NAN;
     let said = write(&room).unwrap_err().to_string();
     assert!(said.starts_with("at of \"floor\" is to be"), "{said}");
 }

@@ -2,6 +2,8 @@
 
 use std::collections::HashSet;
 
+use std::sync::Arc;
+
 use antipode_language::{Language, Texts};
 use antipode_rooms::aberration::{Aberration, Lengths, stretch_of_thesis};
 use antipode_rooms::mesh::{Roundness, meshes};
@@ -66,7 +68,7 @@ fn all_that_is_read_in_them_is_there_in_every_language() {
     for (id, room) in rooms() {
         let own = |key: &str| key.starts_with(&format!("{id}-"));
         let words: Vec<_> = words.iter().filter(|(_, key)| own(key)).collect();
-        let is_sign = |it: &&Object| matches!(&it.what, What::Sign { text: Some(text), .. } if text.contains(char::is_alphabetic));
+        let is_sign = |it: &&Arc<Object>| matches!(&it.what, What::Sign { text: Some(text), .. } if text.contains(char::is_alphabetic));
         let signs = room.objects.iter().filter(is_sign).count();
         assert_eq!(words.len(), signs + 1, "{id}");
         for language in Language::ALL {

@@ -104,8 +104,7 @@ fn kill_after(times: impl Iterator<Item = Duration>) -> Duration {
     let dir = tempfile::tempdir().unwrap();
     let dir = dir.path();
     let mut room = Room::new("Hut");
-    room.objects
-        .push(Object::new("wall", DVec3::Y, What::Ball { radius: 1.0 }));
+    room.push(Object::new("wall", DVec3::Y, What::Ball { radius: 1.0 }));
     fs::write(dir.join(ROOM_FILE), write(&room).unwrap()).unwrap();
     let mut longest = Duration::ZERO;
     for time in times {

@@ -328,7 +328,7 @@ fn objects_of_the_rooms_of_the_game_have_words_that_make_them_again() {
             let words = words_of(object);
             let pairs = words.iter().map(|(key, value)| (*key, value.as_str()));
             let made = new_object(object.what.kind(), &Pairs::from_pairs(pairs).unwrap()).unwrap();
-            assert_eq!(made, *object, "{words:?}");
+            assert_eq!(made, **object, "{words:?}");
         }
     }
 }
@@ -340,8 +340,7 @@ fn room_of(objects: &[(u8, u8)]) -> Room {
         let name = format!("o{name}");
         if room.find(&name).is_none() {
             let radius = f64::from(*radius) + 1.0;
-            room.objects
-                .push(Object::new(&name, DVec3::ZERO, What::Ball { radius }));
+            room.push(Object::new(&name, DVec3::ZERO, What::Ball { radius }));
         }
     }
     room

@@ -71,7 +71,7 @@ fn bring(folder: &Path, from: &Path, mut room: Room) -> Brought {
             with.surface.texture = Some(Texture { file, size });
         }
     }
-    room.objects.push(with);
+    room.push(with);
     let files = assets(folder, &room).map_err(|why| why.to_string())?;
     Ok((brought, files))
 }

@@ -4,15 +4,19 @@ use antipode_room_scene::workshop::Change;
 use antipode_rooms::aberration::{Aberration, Lengths};
 use antipode_rooms::bounds::{HALVES_M, SIZES_M, STRETCHES};
 use antipode_rooms::portal::Opening;
-use antipode_rooms::{Object, Room, What, poses};
+use antipode_rooms::{Object, Room, What};
 use antipode_workshop::{Edit, Field, turn_of};
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
 use super::chosen::roots;
 
-/// The edit; none where it would change nothing.
-pub fn edit(room: &Room, chosen: &[String], origin: DVec3, change: &Change) -> Option<Edit> {
-    let poses = poses(room);
+/// The edit of a room whose objects have these poses; none where it would change nothing.
+pub fn edit(
+    (room, poses): (&Room, &[DAffine3]),
+    chosen: &[String],
+    origin: DVec3,
+    change: &Change,
+) -> Option<Edit> {
     let roots = roots(room, chosen);
     let mut edits = Vec::with_capacity(roots.len());
     for index in roots {
@@ -27,7 +31,10 @@ pub fn edit(room: &Room, chosen: &[String], origin: DVec3, change: &Change) -> O
 
 fn fields(object: &Object, pose: &DAffine3, origin: DVec3, change: &Change) -> Vec<Field> {
     // What carries it.
-    let parent = *pose * antipode_rooms::own_pose(object).inverse();
+    let parent = match object.group {
+        Some(_) => *pose * antipode_rooms::own_pose(object).inverse(),
+        None => DAffine3::IDENTITY,
+    };
     let at = |point: DVec3| Field::three("at", tidy(parent.inverse().transform_point3(point)));
     match change {
         Change::Move(way) if *way == DVec3::ZERO => Vec::new(),
@@ -145,6 +152,7 @@ pub fn felt(what: &What, times: f64) -> Option<Field> {
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
+    use antipode_rooms::poses;
     use antipode_workshop::make;
 
     use super::*;
@@ -159,13 +167,15 @@ mod tests {
             What::Box { size: DVec3::ONE },
         );
         block.group = Some("group".to_owned());
-        room.objects.extend([group, block]);
+        room.push(group);
+        room.push(block);
         room
     }
 
     fn changed(change: &Change, origin: DVec3) -> DAffine3 {
         let room = room();
-        let edit = edit(&room, &["block".to_owned()], origin, change).unwrap();
+        let all = poses(&room);
+        let edit = edit((&room, &all), &["block".to_owned()], origin, change).unwrap();
         poses(&make(&room, &edit).unwrap())[2]
     }
 

@@ -3,9 +3,7 @@
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::{Change, Drag, Held, Sight, Through, Viewpoint};
 use antipode_rooms::What;
-use glam::{DVec2, DVec3};
-
-use super::hand::is_held;
+use glam::{DAffine3, DVec2, DVec3};
 
 /// So near to a surface something lies on it, metres.
 const TOUCHES_M: f64 = 0.02;
@@ -16,6 +14,10 @@ pub struct Dragging {
     pub drag: Drag,
     /// What is held, by name.
     pub names: Vec<String>,
+    /// The same with all that it carries, by their places among all objects.
+    pub held: Vec<usize>,
+    /// The poses of all objects before it was dragged.
+    pub poses: Vec<DAffine3>,
     /// Where handles of it were at the beginning.
     pub origin: DVec3,
     /// Half its height, metres: what lies on a surface stands on its lower end.
@@ -27,16 +29,8 @@ pub struct Dragging {
 }
 
 impl Dragging {
-    /// What is held, by its places among all objects.
-    fn held(&self, scene: &RoomScene) -> Vec<usize> {
-        let all = 0..scene.room().objects.len();
-        all.filter(|index| is_held(scene.room(), *index, &self.names))
-            .collect()
-    }
-
     /// How far from the pointer that side of it is seen which lies on a surface; none where none does.
     pub fn footing(&self, scene: &RoomScene, view: &Viewpoint, at: DVec2) -> Option<DVec2> {
-        let hidden = self.held(scene);
         let sides = [
             DVec3::NEG_Y,
             DVec3::X,
@@ -48,7 +42,7 @@ impl Dragging {
         sides.into_iter().find_map(|side| {
             let foot = self.origin + side * self.half;
             let seen_at = self.through(scene, view).seen_at(foot, at)?;
-            let seen = scene.seen_beside(view, seen_at, &hidden)?;
+            let seen = scene.seen_beside(view, seen_at, &self.held)?;
             (seen.place.point.distance(foot) < TOUCHES_M).then_some(seen_at - at)
         })
     }
@@ -60,7 +54,7 @@ impl Dragging {
 
     /// Moves what is held onto what is seen beside the pointer, itself left out.
     pub fn on_surface(&self, scene: &RoomScene, view: &Viewpoint, at: DVec2) -> Option<Change> {
-        let seen = scene.seen_beside(view, at + self.aside, &self.held(scene))?;
+        let seen = scene.seen_beside(view, at + self.aside, &self.held)?;
         let out = seen.normal.abs().dot(self.half);
         Some(Change::Move(
             seen.place.point + seen.normal * out - self.origin,

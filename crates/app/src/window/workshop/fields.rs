@@ -1,5 +1,7 @@
 //! What can be changed of what is chosen, as rows of the inspector; of the room itself where nothing is chosen.
 
+use std::sync::Arc;
+
 use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
 use antipode_rooms::aberration::{Aberration, Axis, Lengths, Sides, Ways, thesis_of_stretch};
@@ -12,7 +14,7 @@ use antipode_rooms::{Colour, Object, Room, What};
 use antipode_ui::workshop::{Amount, FieldKind, FieldRow, Unit};
 use glam::{DVec2, DVec3};
 
-use super::{bent, chosen};
+use super::bent;
 
 mod joined;
 
@@ -25,9 +27,8 @@ const THESIS: (f64, f64) = (-31.0 / 32.0, 31.0);
 const MOST_KNOWN: usize = 8;
 
 /// The rows of what is chosen.
-pub fn rows(texts: &Texts, scene: &RoomScene) -> Vec<FieldRow> {
+pub fn rows(texts: &Texts, scene: &RoomScene, chosen: &[usize]) -> Vec<FieldRow> {
     let room = scene.room();
-    let chosen = chosen::indices(scene);
     let Some((first, others)) = chosen.split_first() else {
         return of_room(texts, room);
     };
@@ -157,7 +158,7 @@ fn of_object(texts: &Texts, scene: &RoomScene, index: usize, alone: bool) -> Vec
 
 /// Which group carries something; none where there is no group that could.
 fn of_group(rows: &mut Rows<'_>, room: &Room, object: &Object) {
-    let is_other = |it: &&Object| it.what == What::Group && it.name != object.name;
+    let is_other = |it: &&Arc<Object>| it.what == What::Group && it.name != object.name;
     let groups = room.objects.iter().filter(is_other);
     let none = (String::new(), rows.texts.say("workshop-choice-group-none"));
     let named = groups.map(|it| (it.name.clone(), it.name.clone()));

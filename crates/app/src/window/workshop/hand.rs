@@ -3,9 +3,9 @@
 use antipode_deformation::Chain;
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::{Change, Drag, Handle, Sight, Viewpoint};
-use antipode_rooms::{Room, What, poses};
+use antipode_rooms::{Room, What};
 use antipode_ui::workshop::ViewEvent;
-use antipode_workshop::Edit;
+use antipode_workshop::{Edit, closure};
 use glam::{DVec2, DVec3};
 
 use super::dragging::{Dragging, body_drag};
@@ -119,6 +119,8 @@ impl Workshop {
         };
         let taken = |drag: Drag| Dragging {
             drag,
+            held: all_held(scene.room(), &names),
+            poses: scene.poses().to_vec(),
             names: names.clone(),
             origin: held.origin,
             half: held.half,
@@ -136,7 +138,7 @@ impl Workshop {
         let Some(seen) = scene.seen(&view, at) else {
             return;
         };
-        if is_held(scene.room(), seen.object, &names) {
+        if all_held(scene.room(), &names).contains(&seen.object) {
             let drag = body_drag(scene, &view, held, &seen, at);
             self.dragging = drag.map(taken);
             if let Some(dragging) = &mut self.dragging {
@@ -167,6 +169,7 @@ impl Workshop {
             scene.document_mut().begin_drag();
         }
         let before = scene.document().room_before_drag();
+        let before = (before, &*dragging.poses);
         changes::edit(before, &dragging.names, dragging.origin, &change)
     }
 
@@ -338,19 +341,13 @@ fn outermost(room: &Room, index: usize) -> usize {
     index
 }
 
-/// Whether an object is one of these, or carried by one.
-pub fn is_held(room: &Room, index: usize, names: &[String]) -> bool {
-    let mut object = &room.objects[index];
-    for _ in 0..=antipode_rooms::bounds::MOST_DEEP {
-        if names.contains(&object.name) {
-            return true;
-        }
-        let Some((_, group)) = object.group.as_ref().and_then(|it| room.find(it)) else {
-            return false;
-        };
-        object = group;
-    }
-    false
+/// Objects of these names and all that they carry, by their places, rising.
+fn all_held(room: &Room, names: &[String]) -> Vec<usize> {
+    let held = closure(room, names);
+    let all = room.objects.iter().enumerate();
+    all.filter(|(_, it)| held.contains(it.name.as_str()))
+        .map(|(index, _)| index)
+        .collect()
 }
 
 /// A step of the arrow keys: to the right, up, and towards who looks, along the axis of the room that is nearest to that.
@@ -373,16 +370,6 @@ pub fn nudge(scene: &RoomScene, workshop: &Workshop, by: [i8; 3]) -> Option<Edit
     let way = level(right) * x + DVec3::Y * y - level(front) * z;
     let names = scene.document().selection();
     let change = Change::Move(way * step);
-    changes::edit(scene.room(), names, DVec3::ZERO, &change)
-}
-
-/// Where the middles of objects are.
-pub fn middle(room: &Room, names: &[String]) -> DVec3 {
-    let poses = poses(room);
-    let found: Vec<_> = names.iter().filter_map(|it| room.find(it)).collect();
-    let sum: DVec3 = found
-        .iter()
-        .map(|(index, _)| poses[*index].translation)
-        .sum();
-    sum / found.len().max(1) as f64
+    let before = (scene.room(), scene.poses());
+    changes::edit(before, names, DVec3::ZERO, &change)
 }

@@ -2,6 +2,7 @@
 //! `assets/workshop`, whose groups stand on the ground with their fronts to +z.
 
 use std::collections::HashSet;
+use std::sync::Arc;
 
 use antipode_rooms::bounds::MOST_LIGHTS;
 use antipode_rooms::{Object, Room, What, poses, rotation, space_in_parts};
@@ -47,7 +48,7 @@ pub const KITS: &[(&str, &str)] = kits![
 ];
 
 /// What a kit consists of, as its file has it.
-pub fn objects(id: &str) -> Option<Vec<Object>> {
+pub fn objects(id: &str) -> Option<Vec<Arc<Object>>> {
     let (_, text) = KITS.iter().find(|(known, _)| *known == id)?;
     let clip = Clip::parse(text).ok()?;
     Some(clip.objects().to_vec())
@@ -78,11 +79,11 @@ pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
 /// The same of one thing alone.
 pub fn put_alone(room: &Room, object: Object, site: &Site<'_>) -> Option<Edit> {
     let lift_m = half(&object.what).y;
-    place(room, &[object], lift_m, site)
+    place(room, &[object.into()], lift_m, site)
 }
 
 /// Finds a place for things whose middles are so far over the ground.
-fn place(room: &Room, kit: &[Object], lift_m: f64, site: &Site<'_>) -> Option<Edit> {
+fn place(room: &Room, kit: &[Arc<Object>], lift_m: f64, site: &Site<'_>) -> Option<Edit> {
     // Yaw f takes +z to (-sin f, 0, cos f), which is to be against where one looks.
     let quarter = (site.front.x.atan2(-site.front.z).to_degrees() / 90.0).round() * 90.0;
     let turn = DVec3::new(quarter, 0.0, 0.0);
@@ -106,7 +107,7 @@ fn place(room: &Room, kit: &[Object], lift_m: f64, site: &Site<'_>) -> Option<Ed
         let places = ELSEWHERE_M.into_iter();
         places.flat_map(move |place| shares.iter().map(move |it| (place, *it)))
     };
-    let fits = |objects: &Vec<Object>| {
+    let fits = |objects: &Vec<Arc<Object>>| {
         let made = make(room, &paste(objects));
         made.is_ok_and(|made| space_in_parts(&made).closed.len() <= closed)
     };
@@ -120,22 +121,22 @@ fn place(room: &Room, kit: &[Object], lift_m: f64, site: &Site<'_>) -> Option<Ed
     Some(paste(&found?))
 }
 
-fn lifted(mut objects: Vec<Object>, lift_m: f64) -> Vec<Object> {
+fn lifted(mut objects: Vec<Arc<Object>>, lift_m: f64) -> Vec<Arc<Object>> {
     let alone = objects.iter_mut().filter(|it| it.group.is_none());
-    alone.for_each(|it| it.at.y += lift_m);
+    alone.for_each(|it| Arc::make_mut(it).at.y += lift_m);
     objects
 }
 
 /// A room that has as many lamps as it may have takes in a kit without its own.
-fn leave_lights_out(kit: &mut Vec<Object>, room: &Room) {
-    let is_light = |it: &&Object| matches!(it.what, What::Light { .. });
+fn leave_lights_out(kit: &mut Vec<Arc<Object>>, room: &Room) {
+    let is_light = |it: &&Arc<Object>| matches!(it.what, What::Light { .. });
     let lights = room.objects.iter().chain(&*kit).filter(is_light).count();
     if lights > MOST_LIGHTS {
         kit.retain(|it| !is_light(&it));
     }
 }
 
-fn paste(objects: &[Object]) -> Edit {
+fn paste(objects: &[Arc<Object>]) -> Edit {
     let mut room = Room::new("kit");
     room.objects = objects.to_vec();
     let names: Vec<_> = objects.iter().map(|it| it.name.clone()).collect();
@@ -145,26 +146,27 @@ fn paste(objects: &[Object]) -> Edit {
     }
 }
 
-fn has_second(kit: &[Object]) -> bool {
+fn has_second(kit: &[Arc<Object>]) -> bool {
     kit.iter().filter(|it| it.group.is_none()).count() > 1
 }
 
 /// How far its things reach to its front, metres.
-fn reach(kit: &[Object]) -> f64 {
+fn reach(kit: &[Arc<Object>]) -> f64 {
     let boxes = boxes_of(kit);
     boxes.iter().map(|it| it.1.z).fold(0.0, f64::max)
 }
 
 /// A kit at a place: its second group stands so many times as far from the first as in the file, on the ground there.
 fn laid(
-    kit: &[Object],
+    kit: &[Arc<Object>],
     at: DVec3,
     turn: DVec3,
     apart: f64,
     ground: &dyn Fn(DVec3) -> Option<DVec3>,
-) -> Option<Vec<Object>> {
+) -> Option<Vec<Arc<Object>>> {
     let mut objects = kit.to_vec();
-    for object in objects.iter_mut().filter(|it| it.group.is_none()) {
+    let alone = objects.iter_mut().filter(|it| it.group.is_none());
+    for object in alone.map(Arc::make_mut) {
         let aside = rotation(turn) * (object.at * apart);
         let mut there = at + aside;
         if aside != DVec3::ZERO {
@@ -192,7 +194,7 @@ fn takes_room(object: &Object) -> bool {
     !matches!(object.what, What::Group | What::Light { .. })
 }
 
-fn boxes_of(objects: &[Object]) -> Vec<Bounds> {
+fn boxes_of(objects: &[Arc<Object>]) -> Vec<Bounds> {
     let mut room = Room::new("kit");
     room.objects = objects.to_vec();
     poses_of(&room)
@@ -205,7 +207,7 @@ fn poses_of(room: &Room) -> Vec<Bounds> {
 }
 
 /// What is before portals, as boxes.
-fn before_portals(objects: &[Object]) -> Vec<Bounds> {
+fn before_portals(objects: &[Arc<Object>]) -> Vec<Bounds> {
     let mut room = Room::new("kit");
     room.objects = objects.to_vec();
     let all = room.objects.iter().zip(poses(&room));
@@ -223,7 +225,7 @@ fn before_portals(objects: &[Object]) -> Vec<Bounds> {
 }
 
 /// Whether something that stands in the room is where a kit would stand. Space that holds all of the kit is not in its way.
-fn is_in_the_way(room: &[Bounds], kit: &[Object]) -> bool {
+fn is_in_the_way(room: &[Bounds], kit: &[Arc<Object>]) -> bool {
     let mut own = boxes_of(kit);
     own.extend(before_portals(kit));
     let lowest = own.iter().fold(DVec3::INFINITY, |it, own| it.min(own.0));
@@ -406,12 +408,12 @@ mod tests {
         });
         // One of its sides is where the second of the pair would stand, and a wall on the other side.
         let at = DVec3::new(5.0, 2.0, -4.0);
-        room.objects.push(Object::new("tunnel", at, hall));
+        room.push(Object::new("tunnel", at, hall));
         let wall = What::Box {
             size: DVec3::new(2.0, 3.0, 1.0),
         };
         let at = DVec3::new(-6.0, 1.5, -4.0);
-        room.objects.push(Object::new("wall", at, wall));
+        room.push(Object::new("wall", at, wall));
         let edit = put_in(&room, "portals", DVec3::NEG_Z * 4.0, DVec3::NEG_Z).unwrap();
         let made = make(&room, &edit).unwrap();
         assert!(space_in_parts(&made).closed.is_empty());

@@ -214,7 +214,8 @@ mod tests {
         let mut room = Room::new("a");
         for (number, id) in ["portals", "portals-of-size"].into_iter().enumerate() {
             let mut objects = kits::objects(id).unwrap();
-            for object in objects.iter_mut().filter(|it| it.group.is_none()) {
+            let alone = objects.iter_mut().filter(|it| it.group.is_none());
+            for object in alone.map(std::sync::Arc::make_mut) {
                 object.at.z -= 20.0 * number as f64;
             }
             room.objects.extend(objects);

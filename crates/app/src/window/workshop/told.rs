@@ -61,8 +61,9 @@ impl Told {
         }
         self.of = Some(now);
         self.objects = rows::objects(texts, scene);
-        self.fields = fields::rows(texts, scene);
-        self.chosen = chosen_words(texts, scene);
+        let chosen = chosen::indices(scene);
+        self.fields = fields::rows(texts, scene, &chosen);
+        self.chosen = chosen_words(texts, scene, &chosen);
         let steps = scene.document().history().steps();
         match &self.lasting {
             Some((language, last)) if *language == now.1 => {
@@ -85,8 +86,8 @@ impl Told {
 }
 
 /// What is told of what is chosen.
-fn chosen_words(texts: &Texts, scene: &RoomScene) -> String {
-    match chosen::indices(scene)[..] {
+fn chosen_words(texts: &Texts, scene: &RoomScene, chosen: &[usize]) -> String {
+    match *chosen {
         [] => texts.say("workshop-room-itself"),
         [index] => {
             let object = &scene.room().objects[index];

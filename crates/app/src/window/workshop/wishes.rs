@@ -7,7 +7,7 @@ use antipode_ui::workshop::{ViewSide, WorkshopWish};
 use antipode_workshop::{Array, Edit, WorkshopError};
 use glam::{DVec2, DVec3};
 
-use super::hand::{Deed, middle, nudge};
+use super::hand::{Deed, nudge};
 use super::kits::Site;
 use super::rows::free_name;
 use super::{Workshop, chosen, parts, set};
@@ -212,7 +212,7 @@ impl Workshop {
             }
             WorkshopWish::Group => Edit::Group {
                 name: free_name(room, "group"),
-                at: middle(room, &all()?),
+                at: chosen::middle(scene)?,
                 members: all()?,
             },
             WorkshopWish::Ungroup => Edit::Ungroup(all()?),

@@ -123,7 +123,7 @@ fn of(id: &str) -> (Room, (DVec3, DVec2)) {
         aim: DVec2::new(60.0, 48.0),
         ..Default::default()
     });
-    room.objects = vec![floor()];
+    room.objects = vec![floor().into()];
     let site = Site {
         point: DVec3::ZERO,
         normal: DVec3::Y,
@@ -165,8 +165,9 @@ fn by_night(room: &mut Room) {
         colour: Colour([0x20, 0x28, 0x3c]),
         light: 0.05,
     };
-    let is_lamp = |it: &&mut Object| matches!(it.what, What::Light { .. });
-    let lamp = room.objects.iter_mut().find(is_lamp).unwrap();
+    let mut all = room.objects.iter();
+    let lamp = all.position(|it| matches!(it.what, What::Light { .. }));
+    let lamp = room.object_mut(lamp.unwrap());
     lamp.at.y = 0.7;
     if let What::Light { power, .. } = &mut lamp.what {
         *power = 2.0;
@@ -174,7 +175,7 @@ fn by_night(room: &mut Room) {
     let mut ball = Object::new("glow", lamp.at, What::Ball { radius: 0.14 });
     ball.surface.colour = Colour([0xff, 0xe0, 0xb0]);
     ball.surface.glow = 2.0;
-    room.objects.push(ball);
+    room.push(ball);
 }
 
 /// How far two pictures are from each other, as the mean of all channels.
@@ -219,7 +220,7 @@ fn every_part_has_a_picture_as_the_game_draws_it() {
         }
         let mut alone = Room::new("floor");
         alone.sun = of("box").0.sun;
-        alone.objects = vec![floor()];
+        alone.objects = vec![floor().into()];
         let alone = studio.shoot(alone, from);
         assert!(apart(&drawn, &alone) > LEAST_SEEN, "{id} is not seen");
         let (_, kept) = PICTURES.iter().find(|(known, _)| *known == id).unwrap();
