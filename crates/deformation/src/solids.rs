@@ -5,7 +5,7 @@
 //! those of [`crate::Triangles`] are. What is rounded on the way there, 1e-13 of at most 1 km, is far below [`SLACK_M`], by which
 //! boxes are widened.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DAffine3, DVec3, Vec3};
 
@@ -85,11 +85,19 @@ pub struct Standing {
     pub object: u32,
 }
 
-/// Forms that stand in a scene.
+/// Forms that stand in a scene. Copies share all of it.
 #[derive(Clone, Debug, Default)]
 pub struct Solids {
-    all: Arc<Vec<Stood>>,
-    bvh: Arc<Bvh>,
+    all: Arc<Vec<Standing>>,
+    sorted: Arc<OnceLock<Sorted>>,
+}
+
+/// What paths are followed by. It is made by the first that is: whoever moves 2,000 things does not wait for it, and seldom sees
+/// where a path leads before another thread has asked.
+#[derive(Debug)]
+struct Sorted {
+    all: Vec<Stood>,
+    bvh: Bvh,
 }
 
 #[derive(Debug)]
@@ -105,24 +113,34 @@ impl Solids {
     /// Of a list; forms without triangles are as though they were not there.
     pub fn new(list: Vec<Standing>) -> Self {
         let has_any = |it: &Standing| !it.form.triangles.is_empty();
-        let of = |it: Standing| {
-            let back = it.pose.inverse();
-            let slack = mul_abs(&back, DVec3::splat(SLACK_M));
-            Stood { it, back, slack }
-        };
-        let mut all = Vec::with_capacity(list.len());
-        all.extend(list.into_iter().filter(has_any).map(of));
-        let boxes: Vec<_> = all.iter().map(|it| it.it.form.reach(&it.it.pose)).collect();
+        let mut all = list;
+        all.retain(has_any);
         Self {
-            bvh: Arc::new(Bvh::with_leaves(&boxes, 1)),
             all: Arc::new(all),
+            sorted: Arc::default(),
         }
+    }
+
+    fn sorted(&self) -> &Sorted {
+        self.sorted.get_or_init(|| {
+            let of = |it: &Standing| {
+                let back = it.pose.inverse();
+                let slack = mul_abs(&back, DVec3::splat(SLACK_M));
+                let it = it.clone();
+                Stood { it, back, slack }
+            };
+            let boxes: Vec<_> = self.all.iter().map(|it| it.form.reach(&it.pose)).collect();
+            Sorted {
+                bvh: Bvh::with_leaves(&boxes, 1),
+                all: self.all.iter().map(of).collect(),
+            }
+        })
     }
 
     /// How low the lowest corner of all is, metres along `up`; infinite where there is none.
     pub fn lowest(&self, up: DVec3) -> f64 {
         self.all.iter().fold(f64::INFINITY, |lowest, one| {
-            let (form, pose) = (&one.it.form, &one.it.pose);
+            let (form, pose) = (&one.form, &one.pose);
             if form.lowest_of_box(pose, up) >= lowest {
                 return lowest;
             }
@@ -145,8 +163,9 @@ impl Solids {
             let slack = DVec3::splat(SLACK_M);
             path.enters(low - slack, high + slack, nearest.get())
         };
-        self.bvh.visit(enter, |number| {
-            let one = &self.all[number as usize];
+        let Sorted { all, bvh } = self.sorted();
+        bvh.visit(enter, |number| {
+            let one = &all[number as usize];
             if !takes(one.it.object) {
                 return;
             }
@@ -217,8 +236,9 @@ impl SceneQuery for Solids {
     fn near(&self, low: DVec3, high: DVec3, show: &mut dyn FnMut([DVec3; 3])) {
         let (from, to) = (low - SLACK_M, high + SLACK_M);
         let enter = |low: DVec3, high: DVec3| low.cmple(to).all() && high.cmpge(from).all();
-        self.bvh.visit(enter, |number| {
-            self.all[number as usize].near(low, high, show);
+        let Sorted { all, bvh } = self.sorted();
+        bvh.visit(enter, |number| {
+            all[number as usize].near(low, high, show);
         });
     }
 }
