@@ -163,11 +163,12 @@ fn spread(
     parts.is_empty()
 }
 
-/// What is near the beginning is looked at first; of the rest, what is near a part that is not reached.
+/// What is near the beginning is looked at first; of the rest, what is near a part that is not reached: of a cell
+/// another side may be nearer than that at which one came to it.
 fn key(it: &Reached, parts: &[DVec3]) -> f64 {
     let nearest = parts
         .iter()
-        .map(|at| at.distance(it.place.point))
+        .map(|at| (at.distance(it.place.point) - it.cell.edge_m()).max(0.0))
         .fold(f64::INFINITY, f64::min);
     if nearest.is_finite() {
         nearest + 0.5 * it.walked_m
