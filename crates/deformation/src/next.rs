@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::aberration::Aberration;
 use crate::event::{crossing_in, crossing_out};
 use crate::place::Place;
 use crate::scene::{SceneHit, SceneQuery};
@@ -12,6 +13,8 @@ use crate::stack::Stack;
 const ON_FACE: f64 = 1e-12;
 /// And as a length of way at most, metres.
 const LONGEST_BEYOND_M: f64 = 1e-6;
+/// A ball about a box is larger by this, far more than any rounding, metres.
+const BALL_SLACK_M: f64 = 1e-3;
 
 /// What comes next on a path, if no surface does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +86,7 @@ fn next_face(
     }
     let entrances = space.entrances(stack).iter();
     for number in entrances.map(|number| usize::from(*number)) {
-        if stack.contains(number) {
+        if stack.contains(number) || misses(&space.placed()[number].aberration, x, v, first.0) {
             continue;
         }
         let (l, u, h) = boxed(number);
@@ -99,6 +102,14 @@ fn next_face(
         }
     }
     first
+}
+
+/// Whether a path stays out of the ball about a box up to a time: so it does of most boxes of a large room.
+fn misses(it: &Aberration, x: DVec3, v: DVec3, longest: f64) -> bool {
+    let away = it.centre - x;
+    let nearest = (away.dot(v) / v.length_squared()).clamp(0.0, longest);
+    let radius = it.half.length() + BALL_SLACK_M;
+    (away - v * nearest).length_squared() > radius * radius
 }
 
 /// What a path at velocity v meets before the next event. What lies in a portal's plane is hidden by it from either side.

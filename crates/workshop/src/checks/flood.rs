@@ -1,29 +1,24 @@
-//! Where one can walk to: places spread from a beginning, in strides near what stands there and in long ways in the open.
-//!
-//! Places are kept by the cells that they are in, in felt metres of the boxes around them, so that a box with more room inside
-//! has more cells. A long way to a cell that another place is in adds nothing if both see each other.
+//! Where one can walk to: places spread from a beginning, from free cell to free cell in the open and in strides near what stands
+//! there.
 
 use std::cmp::Ordering;
-use std::collections::{BinaryHeap, HashMap, HashSet};
+use std::collections::{BinaryHeap, HashSet};
 
 use antipode_deformation::{Place, Traveller};
-use glam::{DQuat, DVec3, IVec3};
+use glam::DVec3;
 
-use super::ground::{Ground, STRIDE_M, Stride};
+use super::cells::{CELL_M, Cell, Cells, Frame, Kind};
+use super::ground::{STRIDE_M, Stride};
 
-/// The edge of a cell, and its height, felt metres.
-const CELL_M: f64 = 0.5;
-const CELL_HIGH_M: f64 = 1.0;
-/// The length of a long way, and the edge of the cells for these, felt metres.
-const LONG_M: f64 = 1.987;
-const FAR_CELL_M: f64 = 1.0;
-/// Directions in which one sets out.
+/// Directions in which one sets out near something.
 const WAYS: usize = 8;
-/// Strides to the next cell.
+/// Strides to the next of the least cells.
 const STRIDES: usize = 2;
+/// And at most, till one is out of a cell: so one goes through whatever parts it.
+const MOST_STRIDES: usize = 4;
 
-/// A cell: the innermost box around it, the size of who is there in eighths of octaves, and its numbers.
-type Cell = (usize, i32, IVec3);
+/// In which order places are gone on from: those with the least first.
+type Key<'a> = &'a dyn Fn(&Reached) -> f64;
 
 /// A place that was reached.
 #[derive(Clone, Copy)]
@@ -31,6 +26,9 @@ pub(crate) struct Reached {
     pub place: Place,
     /// Felt metres walked.
     pub walked_m: f64,
+    /// The cell that it stands for.
+    pub cell: Cell,
+    kind: Kind,
 }
 
 /// A place to go on from; the least key first.
@@ -41,11 +39,9 @@ struct Next {
 
 /// What spreads.
 pub(crate) struct Flood<'a> {
-    ground: &'a Ground<'a>,
-    upright: DQuat,
+    cells: &'a Cells<'a>,
     all: Vec<Reached>,
-    cells: HashSet<Cell>,
-    far_cells: HashMap<Cell, Vec<usize>>,
+    known: HashSet<Cell>,
     next: BinaryHeap<Next>,
     /// Portals that were gone through, by number.
     pub passed: HashSet<usize>,
@@ -78,23 +74,18 @@ impl Ord for Next {
 
 impl<'a> Flood<'a> {
     /// Begins where somebody stands.
-    pub fn new(ground: &'a Ground<'a>, start: &Place) -> Self {
-        let up = -ground.gravity.normalize_or(DVec3::NEG_Y);
+    pub fn new(cells: &'a Cells<'a>, start: &Place) -> Self {
         let mut flood = Self {
-            ground,
-            upright: DQuat::from_rotation_arc(up, DVec3::Y),
+            cells,
             all: Vec::new(),
-            cells: HashSet::new(),
-            far_cells: HashMap::new(),
+            known: HashSet::new(),
             next: BinaryHeap::new(),
             passed: HashSet::new(),
             void: None,
         };
-        let start = Reached {
-            place: *start,
-            walked_m: 0.0,
-        };
-        flood.add(start, 0.0);
+        let mut start = *start;
+        start.straighten();
+        flood.reach(start, 0.0, &|_| 0.0);
         flood
     }
 
@@ -105,21 +96,20 @@ impl<'a> Flood<'a> {
 
     /// Whether a place of the other is in a cell of this.
     pub fn meets(&self, other: &Self) -> bool {
-        self.cells.iter().any(|it| other.cells.contains(it))
+        !self.known.is_disjoint(&other.known)
     }
 
-    /// Goes on from the place with the least key; false if there is none left. `key` tells in which order places are gone on from.
-    pub fn go_on(&mut self, key: &dyn Fn(&Reached) -> f64) -> bool {
+    /// Goes on from the place with the least key; false if there is none left.
+    pub fn go_on(&mut self, key: Key<'_>) -> bool {
         let Some(next) = self.next.pop() else {
             return false;
         };
         let from = self.all[next.index];
-        let ways: Vec<_> = self.ways(&from.place).collect();
-        let far = ways.iter().filter(|w| self.go_far(&from, **w, key)).count();
-        if far < ways.len() {
-            // Something is near: here it matters where exactly one walks.
-            for w in ways {
-                self.go_near(&from, w, key);
+        if from.kind == Kind::Free {
+            self.cross(&from, key);
+        } else {
+            for w in self.ways(&from.place) {
+                self.walk(&from, w, key);
             }
         }
         true
@@ -131,7 +121,7 @@ impl<'a> Flood<'a> {
     }
 
     /// Orders what is left anew, after what is sought has changed.
-    pub fn reorder(&mut self, key: &dyn Fn(&Reached) -> f64) {
+    pub fn reorder(&mut self, key: Key<'_>) {
         let all = std::mem::take(&mut self.next).into_iter();
         self.next = all
             .map(|it| Next {
@@ -143,7 +133,7 @@ impl<'a> Flood<'a> {
 
     /// Level felt directions at a place.
     fn ways(&self, place: &Place) -> impl Iterator<Item = DVec3> + use<> {
-        let up = self.ground.up(place);
+        let up = self.cells.ground.up(place);
         let ahead = up.any_orthonormal_vector();
         let aside = up.cross(ahead);
         (0..WAYS).map(move |n| {
@@ -152,34 +142,60 @@ impl<'a> Flood<'a> {
         })
     }
 
-    /// Goes a long way, if there is one.
-    fn go_far(&mut self, from: &Reached, w: DVec3, key: &dyn Fn(&Reached) -> f64) -> bool {
-        let Some(place) = self.ground.long_way(&from.place, w, LONG_M) else {
-            return false;
-        };
-        let cell = self.cell(&place, FAR_CELL_M);
-        let known = self.far_cells.get(&cell).into_iter().flatten();
-        let sees = |it: &usize| self.ground.is_open_between(&place, &self.all[*it].place);
-        if !known.clone().any(sees) && !self.cells.contains(&self.cell(&place, CELL_M)) {
-            let walked_m = from.walked_m + LONG_M;
-            let reached = Reached { place, walked_m };
-            self.add(reached, key(&reached));
+    /// Goes from a free cell to all cells beside it: to free ones, and in strides to what is in the least of the others.
+    fn cross(&mut self, from: &Reached, key: Key<'_>) {
+        let cells = self.cells;
+        let frame = Frame::of(cells.ground, &from.place);
+        let knee = frame.felt * from.place.point;
+        let half = DVec3::new(1.0, 0.0, 1.0) * CELL_M / 2.0;
+        let (low, high) = from.cell.corners(knee.y, knee.y);
+        for out in [DVec3::X, DVec3::NEG_X, DVec3::Z, DVec3::NEG_Z] {
+            let along = DVec3::new(out.z.abs(), 0.0, out.x.abs());
+            // The middles of the least cells at this rim, one after the other.
+            let mut inside = low + half + (high - low - 2.0 * half) * out.max(DVec3::ZERO);
+            while along.dot(inside) < along.dot(high) {
+                let beside = cells.around(&frame, inside + out * CELL_M);
+                let mut step = CELL_M;
+                let mut to = inside;
+                if beside.1 == Kind::Free {
+                    let (least, most) = beside.0.corners(knee.y, knee.y);
+                    to = knee.clamp(least, most);
+                    step = along.dot(most + half - inside);
+                }
+                let point = frame.scene * to;
+                let mut there = Reached {
+                    place: Place {
+                        point,
+                        ..from.place
+                    },
+                    walked_m: from.walked_m + to.distance(knee),
+                    ..*from
+                };
+                if beside.1 == Kind::Free {
+                    (there.cell, there.kind) = beside;
+                    self.add(there, key);
+                } else {
+                    self.walk(&there, frame.upright.inverse() * out, key);
+                }
+                inside += along * step;
+            }
         }
-        true
     }
 
-    /// Goes to the next cell.
-    fn go_near(&mut self, from: &Reached, w: DVec3, key: &dyn Fn(&Reached) -> f64) {
-        let mut place = from.place;
-        let mut w = w;
-        for _ in 0..STRIDES {
+    /// Walks to the next of the least cells.
+    fn walk(&mut self, from: &Reached, w: DVec3, key: Key<'_>) {
+        if self.leads_to_known(from, w) {
+            return;
+        }
+        let ground = self.cells.ground;
+        let (mut place, mut w, mut walked_m) = (from.place, w, from.walked_m);
+        for n in 1..=MOST_STRIDES {
             let before = place;
-            match self.ground.stride(&place, w) {
+            match ground.stride(&place, w) {
                 Stride::Blocked => return,
                 Stride::Void(at) => {
-                    let walked = from.walked_m;
-                    if self.void.is_none_or(|(_, so_far)| walked < so_far) {
-                        self.void = Some((at, walked));
+                    if self.void.is_none_or(|(_, so_far)| walked_m < so_far) {
+                        self.void = Some((at, walked_m));
                     }
                     return;
                 }
@@ -191,44 +207,57 @@ impl<'a> Flood<'a> {
                     place = to;
                     let turned = !passed.is_empty();
                     self.passed.extend(passed);
-                    if turned {
+                    walked_m += STRIDE_M;
+                    if turned || (n >= STRIDES && self.cells.find(&place).0 != from.cell) {
                         break;
                     }
                 }
             }
             // Where up is another way than before, so is what is level.
-            let up = self.ground.up(&place);
-            if up != self.ground.up(&before) {
+            let up = ground.up(&place);
+            if up != ground.up(&before) {
                 w = w.reject_from(up).try_normalize().unwrap_or(w);
             }
         }
-        if !self.cells.contains(&self.cell(&place, CELL_M)) {
-            let walked_m = from.walked_m + STRIDE_M * STRIDES as f64;
-            let reached = Reached { place, walked_m };
-            self.add(reached, key(&reached));
+        self.reach(place, walked_m, key);
+    }
+
+    /// Whether one comes, straight on, to a cell that is known, and through nothing that leads elsewhere.
+    fn leads_to_known(&self, from: &Reached, w: DVec3) -> bool {
+        if from.kind == Kind::Faced {
+            return false;
         }
+        let ground = self.cells.ground;
+        let way = ground.space.carry(&from.place, w, &Traveller::Body) * w * STRIDE_M;
+        let after = |n: usize| {
+            let point = from.place.point + way * n as f64;
+            self.cells.find(&Place {
+                point,
+                ..from.place
+            })
+        };
+        let mut cells = (STRIDES..=MOST_STRIDES).map(after);
+        let next = cells.find(|it| it.0 != from.cell);
+        next.is_some_and(|(cell, kind)| kind != Kind::Faced && self.known.contains(&cell))
     }
 
-    fn add(&mut self, reached: Reached, key: f64) {
-        let index = self.all.len();
-        self.cells.insert(self.cell(&reached.place, CELL_M));
-        let far = self.cell(&reached.place, FAR_CELL_M);
-        self.far_cells.entry(far).or_default().push(index);
-        self.all.push(reached);
-        self.next.push(Next { key, index });
+    /// Comes to a place.
+    fn reach(&mut self, place: Place, walked_m: f64, key: Key<'_>) {
+        let (cell, kind) = self.cells.find(&place);
+        let reached = Reached {
+            place,
+            walked_m,
+            cell,
+            kind,
+        };
+        self.add(reached, key);
     }
 
-    fn cell(&self, place: &Place, edge_m: f64) -> Cell {
-        let k = self
-            .ground
-            .space
-            .squeeze(&place.stack, DVec3::ZERO, &Traveller::Body)
-            * place.scale;
-        let felt = self.upright * (k.inverse() * place.point);
-        let numbers = (felt / DVec3::new(edge_m, CELL_HIGH_M, edge_m))
-            .floor()
-            .as_ivec3();
-        let within = place.stack.innermost().map_or(0, |it| it + 1);
-        (within, (place.scale.log2() * 8.0).round() as i32, numbers)
+    fn add(&mut self, reached: Reached, key: Key<'_>) {
+        if self.known.insert(reached.cell) {
+            let (index, key) = (self.all.len(), key(&reached));
+            self.all.push(reached);
+            self.next.push(Next { key, index });
+        }
     }
 }

@@ -15,8 +15,6 @@ const DEEPEST_M: f64 = 3000.0;
 /// What is stepped over is looked at so often, felt metres. No round number, so that places do not come to lie in the planes of
 /// portals and at the rims of floors, which are at round places.
 pub(crate) const STRIDE_M: f64 = 0.2437;
-/// How much a floor may rise or sink on the way for the way to count as level.
-const LEVEL_M: f64 = 0.02;
 
 /// Where one may walk.
 pub(crate) struct Ground<'a> {
@@ -132,11 +130,17 @@ impl Ground<'_> {
         let Some(there) = self.free(&chest.place, w, STRIDE_M) else {
             return Stride::Blocked;
         };
-        self.come_down(&there)
+        self.come_down(&there, self.tallness(knee))
     }
 
-    /// From chest height to where one stands.
-    fn come_down(&self, way: &Trace) -> Stride {
+    /// Felt metres of a metre of the scene upwards, at a place.
+    fn tallness(&self, place: &Place) -> f64 {
+        let k = self.space.carry(place, DVec3::ZERO, &Traveller::Body);
+        (k.inverse() * self.gravity.normalize_or_zero()).length()
+    }
+
+    /// From chest height to where one stands, for who has come from where a metre upwards felt like that.
+    fn come_down(&self, way: &Trace, tallness: f64) -> Stride {
         let mut passed: Vec<usize> = portals(way).collect();
         let mut chest = way.place;
         let ahead = chest.turn * way.w;
@@ -155,7 +159,14 @@ impl Ground<'_> {
         let slope = STRIDE_M * self.shape.steepest_rad.tan();
         let is_sloped = hit.felt_normal.dot(up) < 0.999;
         let most_rise = self.shape.step_m + if is_sloped { slope } else { 0.0 };
-        if CHEST_M - below > most_rise || !self.carries(&hit, up) {
+        // At a face the floor goes on, and who crosses it is as high above it as before in the scene, not as it feels. A portal
+        // takes along how it feels.
+        let chest_m = if passed.is_empty() {
+            CHEST_M * self.tallness(&chest) / tallness
+        } else {
+            CHEST_M
+        };
+        if chest_m - below > most_rise || !self.carries(&hit, up) {
             return Stride::Blocked;
         }
         let down = below - self.knee_m();
@@ -176,30 +187,6 @@ impl Ground<'_> {
     fn is_rim(&self, chest: &Place, ahead: DVec3) -> bool {
         let on = self.free(chest, ahead, self.shape.radius_m);
         on.is_some_and(|it| matches!(self.under(&it.place), Under::Void))
-    }
-
-    /// A long way over level floor in the open, of so many felt metres: nothing near it, and no face or portal.
-    pub fn long_way(&self, knee: &Place, w: DVec3, length: f64) -> Option<Place> {
-        let up = self.up(knee);
-        let far = length + self.shape.radius_m;
-        let is_plain = |way: &Trace| way.events.is_empty();
-        let there = self.free(knee, w, length).filter(is_plain)?.place;
-        let chest = self
-            .free(knee, up, CHEST_M - self.knee_m())
-            .filter(is_plain)?
-            .place;
-        self.free(&chest, w, far).filter(is_plain)?;
-        for share in [0.25, 0.5, 0.75, 1.0] {
-            let mut at = *knee;
-            at.point = knee.point.lerp(there.point, share);
-            let Under::Floor(below, _) = self.under(&at) else {
-                return None;
-            };
-            if (below - self.knee_m()).abs() > LEVEL_M || !self.has_head_room(&at) {
-                return None;
-            }
-        }
-        Some(there)
     }
 
     /// Whether nothing is between two places, neither solid nor wall, face or portal.

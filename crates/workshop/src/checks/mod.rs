@@ -1,6 +1,8 @@
 //! What may be wrong with a room that is being edited, as far as rules cannot tell: each a finding in words, with the objects and
 //! the place that it leads to. What rules tell ([`antipode_rooms::check_each`]) is refused when it is edited, and is not said again.
 
+mod area;
+mod cells;
 mod fits;
 mod flood;
 mod ground;

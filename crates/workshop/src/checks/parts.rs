@@ -8,6 +8,7 @@ use antipode_deformation::Place;
 use antipode_rooms::{Room, SpaceSoFar};
 use glam::DVec3;
 
+use super::cells::Cells;
 use super::flood::{Flood, Reached};
 use super::ground::Ground;
 use super::{Finding, GoesOn};
@@ -44,7 +45,8 @@ pub(crate) fn find(
     found: &mut Vec<Finding>,
 ) {
     let mut parts = parts(so_far, ground);
-    let mut flood = Flood::new(ground, start);
+    let cells = Cells::new(ground);
+    let mut flood = Flood::new(&cells, start);
     let is_everywhere = spread(ground, &mut flood, &mut parts, goes_on);
     if !goes_on() {
         return;
@@ -59,7 +61,7 @@ pub(crate) fn find(
         });
     }
     for part in parts {
-        if !(is_everywhere || is_shut_off(ground, &flood, &part, goes_on)) || !goes_on() {
+        if !(is_everywhere || is_shut_off(&cells, &flood, &part, goes_on)) || !goes_on() {
             continue;
         }
         let name = room.objects[part.object].name.clone();
@@ -161,11 +163,12 @@ fn spread(
     parts.is_empty()
 }
 
-/// What is near the beginning is looked at first; of the rest, what is near a part that is not reached.
+/// What is near the beginning is looked at first; of the rest, what is near a part that is not reached: of a cell
+/// another side may be nearer than that at which one came to it.
 fn key(it: &Reached, parts: &[DVec3]) -> f64 {
     let nearest = parts
         .iter()
-        .map(|at| at.distance(it.place.point))
+        .map(|at| (at.distance(it.place.point) - it.cell.edge_m()).max(0.0))
         .fold(f64::INFINITY, f64::min);
     if nearest.is_finite() {
         nearest + 0.5 * it.walked_m
@@ -196,8 +199,8 @@ fn is_passed(ground: &Ground<'_>, part: &Part, flood: &Flood<'_>) -> bool {
 }
 
 /// Whether one comes from a part only to few places, and none of them was reached.
-fn is_shut_off(ground: &Ground<'_>, reached: &Flood<'_>, part: &Part, goes_on: GoesOn<'_>) -> bool {
-    let mut around = Flood::new(ground, &part.stands);
+fn is_shut_off(cells: &Cells<'_>, reached: &Flood<'_>, part: &Part, goes_on: GoesOn<'_>) -> bool {
+    let mut around = Flood::new(cells, &part.stands);
     for _ in 0..MOST_AROUND_PART {
         if !goes_on() {
             return false;

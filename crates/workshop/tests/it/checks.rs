@@ -9,7 +9,7 @@ use antipode_rooms::{Assets, Room};
 use antipode_workshop::{Arg, Checker, FINDINGS, Finding, find_in};
 
 /// Who walks in rooms.
-const SHAPE: WalkerShape = WalkerShape {
+pub const SHAPE: WalkerShape = WalkerShape {
     radius_m: 0.35,
     height_m: 1.8,
     eye_m: 1.27,

@@ -13,7 +13,7 @@ use glam::DVec3;
 const BUDGET: Duration = Duration::from_millis(8);
 
 /// 1,990 objects: 200 aberrations, 64 portals, 100 groups of three balls, and blocks.
-fn large() -> Room {
+pub fn large() -> Room {
     let mut objects = Vec::new();
     let mut add = |name: String, rest: String| {
         let number = objects.len();

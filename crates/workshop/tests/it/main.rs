@@ -14,3 +14,4 @@ mod keeping;
 mod killed;
 mod large;
 mod there_and_back;
+mod wide;
