@@ -1,10 +1,10 @@
 //! What makes a room sound, as far as it can be told without the files beside it. Whoever reads, writes or changes a
 //! room asks here, so there is one list of what is refused.
 
-use std::collections::HashMap;
 use std::ops::RangeInclusive;
 
 use antipode_storage::{MAX_NAME_CHARS, NameError, is_unprintable};
+use foldhash::fast::FixedState;
 use glam::{DVec2, DVec3};
 
 use crate::bounds::{
@@ -14,7 +14,7 @@ use crate::bounds::{
 use crate::check_kind::{check_kind, check_loose};
 use crate::error::Fault;
 use crate::pose::{parents, pose};
-use crate::room::{Object, Room, VERSION, What};
+use crate::room::{Object, Places, Room, VERSION, What};
 use crate::space::{space, space_so_far};
 
 /// A mark for what is wrong in a room, before it is known which field of which object it is.
@@ -62,7 +62,7 @@ pub fn check_each(room: &Room) -> Result<(), Fault> {
         path: it.field,
         reason: it.reason,
     })?;
-    let mut names = HashMap::new();
+    let mut names = Places::with_capacity_and_hasher(room.objects.len(), FixedState::default());
     for (index, object) in room.objects.iter().enumerate() {
         let in_object = |it: Wrong| fault(room, index, it);
         check_object(object).map_err(in_object)?;

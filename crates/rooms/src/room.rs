@@ -3,9 +3,10 @@
 //! Axes: y is up. A turn is (yaw, pitch, roll); it takes an object's own +x axis, its front, to where
 //! `aim YAW PITCH` looks: (cos yaw cos pitch, sin pitch, sin yaw cos pitch), and rolls it about that.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use foldhash::fast::FixedState;
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Deserializer};
 
@@ -15,6 +16,12 @@ use crate::portal::Portal;
 
 /// The version of the file that is written; older ones are read, newer ones refused.
 pub const VERSION: u32 = 1;
+
+/// Where objects are among all others, by their names.
+pub type Places<'r> = HashMap<&'r str, usize, FixedState>;
+
+/// Names of objects.
+pub type Names<'r> = HashSet<&'r str, FixedState>;
 
 /// A room.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -403,7 +410,7 @@ impl Room {
     }
 
     /// The places of all objects among themselves by their names, for who looks for many.
-    pub fn places(&self) -> HashMap<&str, usize> {
+    pub fn places(&self) -> Places<'_> {
         let all = self.objects.iter().enumerate();
         all.map(|(index, it)| (it.name.as_str(), index)).collect()
     }

@@ -176,5 +176,7 @@ pub fn two(it: DVec2) -> String {
 
 /// Three numbers as a word: `X,Y,Z`.
 pub fn three(it: DVec3) -> String {
-    format!("{},{},{}", number(it.x), number(it.y), number(it.z))
+    // 0 has no sign here, either.
+    let it = it + 0.0;
+    format!("{},{},{}", it.x, it.y, it.z)
 }

@@ -1,7 +1,5 @@
 //! From `key=value` words to what an object is.
 
-use std::collections::BTreeSet;
-
 use glam::{DVec2, DVec3};
 
 use crate::aberration::{Aberration, Axis, Exit, Lengths, Sides, Ways};
@@ -49,9 +47,10 @@ impl<'a> Pairs<'a> {
     /// If a key is said twice.
     pub fn from_pairs(pairs: impl IntoIterator<Item = (&'a str, &'a str)>) -> Taken<Self> {
         let pairs: Vec<_> = pairs.into_iter().collect();
-        let mut keys = BTreeSet::new();
-        match pairs.iter().find(|(key, _)| !keys.insert(*key)) {
-            Some((key, _)) => refuse(format!("{} is said twice.", shown(key))),
+        let mut keys: Vec<_> = pairs.iter().map(|(key, _)| *key).collect();
+        keys.sort_unstable();
+        match keys.windows(2).find(|it| it[0] == it[1]) {
+            Some(twice) => refuse(format!("{} is said twice.", shown(twice[0]))),
             None => Ok(Self(pairs)),
         }
     }

@@ -7,6 +7,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use antipode_rooms::bounds::MOST_NAME_CHARS;
+use antipode_rooms::room::Names;
 use antipode_rooms::{Object, Room, What};
 use glam::DAffine3;
 
@@ -20,17 +21,17 @@ pub(crate) fn carried<'r>(room: &'r Room, names: &[String]) -> Vec<&'r Arc<Objec
 }
 
 /// These names and those of all that they carry.
-pub fn closure<'r>(room: &'r Room, names: &[String]) -> HashSet<&'r str> {
+pub fn closure<'r>(room: &'r Room, names: &[String]) -> Names<'r> {
     let mut members: HashMap<&str, Vec<&'r Object>> = HashMap::new();
     for object in room.objects.iter().map(Arc::as_ref) {
         if let Some(group) = &object.group {
             members.entry(group).or_default().push(object);
         }
     }
-    let wanted: HashSet<&str> = names.iter().map(String::as_str).collect();
+    let wanted: Names<'_> = names.iter().map(String::as_str).collect();
     let all = room.objects.iter().map(Arc::as_ref);
     let mut left: Vec<&Object> = all.filter(|it| wanted.contains(it.name.as_str())).collect();
-    let mut within = HashSet::new();
+    let mut within = Names::default();
     while let Some(object) = left.pop() {
         if within.insert(object.name.as_str()) && object.what == What::Group {
             left.extend(members.get(object.name.as_str()).into_iter().flatten());
@@ -42,7 +43,7 @@ pub fn closure<'r>(room: &'r Room, names: &[String]) -> HashSet<&'r str> {
 /// Copies of objects in the axes of the room: what none of them carries is in no group, and where it was.
 pub(crate) fn into_room(room: &Room, picked: &[&Arc<Object>]) -> Vec<Arc<Object>> {
     let groups = Groups::of(room);
-    let within: HashSet<&str> = picked.iter().map(|it| it.name.as_str()).collect();
+    let within: Names<'_> = picked.iter().map(|it| it.name.as_str()).collect();
     let all = picked.iter().map(|object| {
         let mut copy = Arc::clone(object);
         if let Some(group) = &object.group
@@ -58,13 +59,13 @@ pub(crate) fn into_room(room: &Room, picked: &[&Arc<Object>]) -> Vec<Arc<Object>
 }
 
 /// The names that a room has, to find others for copies.
-pub(crate) struct Names {
+pub(crate) struct FreeNames {
     taken: HashSet<String>,
     /// Where the search for each begins, so that many copies take no longer than few.
     numbers: HashMap<String, usize>,
 }
 
-impl Names {
+impl FreeNames {
     /// Those that a room has taken.
     pub fn of(room: &Room) -> Self {
         Self {

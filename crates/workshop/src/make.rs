@@ -1,6 +1,6 @@
 //! What an edit makes of a room.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use antipode_rooms::words::{Pairs, set, set_spawn};
@@ -8,7 +8,7 @@ use antipode_rooms::{Object, Room, What, own_pose, shown};
 use glam::{DAffine3, DQuat, DVec3};
 
 use crate::clip::Clip;
-use crate::copies::{Names, carried, closure};
+use crate::copies::{FreeNames, carried, closure};
 use crate::edit::{Array, Edit, Field};
 use crate::error::{WorkshopError, missing, refuse};
 use crate::place::{Groups, put, tidy, turn_of};
@@ -62,12 +62,6 @@ pub(crate) fn make_in(room: &mut Room, edit: &Edit) -> Made {
     }
 }
 
-/// Where objects are by their names; nothing is put in, taken out or renamed meanwhile.
-fn places(room: &Room) -> HashMap<&str, usize> {
-    let all = room.objects.iter().enumerate().rev();
-    all.map(|(index, it)| (it.name.as_str(), index)).collect()
-}
-
 /// Changes of many objects in a row look for all of them at once.
 fn several(room: &mut Room, edits: &[Edit]) -> Made {
     let is_plain = |edit: &Edit| match edit {
@@ -93,7 +87,7 @@ fn several(room: &mut Room, edits: &[Edit]) -> Made {
 
 /// The place of the object of each change.
 fn indices(room: &Room, changes: &[Edit]) -> Result<Vec<usize>, WorkshopError> {
-    let places = places(room);
+    let places = room.places();
     let touched = changes.iter().flat_map(Edit::touched);
     touched
         .map(|name| places.get(name).copied().map_or_else(|| missing(name), Ok))
@@ -106,7 +100,7 @@ pub(crate) fn pairs(fields: &[Field]) -> Result<Pairs<'_>, WorkshopError> {
 }
 
 fn exist(room: &Room, names: &[String]) -> Made {
-    let places = places(room);
+    let places = room.places();
     match names
         .iter()
         .find(|name| !places.contains_key(name.as_str()))
@@ -173,7 +167,7 @@ fn carry(room: &mut Room, group: Option<&str>, members: &[String]) -> Made {
     }
     let groups = Groups::of(room);
     let to = groups.pose(group);
-    let places = places(room);
+    let places = room.places();
     let from: Vec<_> = members
         .iter()
         .filter_map(|name| places.get(name.as_str()).copied())
@@ -241,7 +235,7 @@ fn copy_in_a_row(room: &mut Room, array: &Array) -> Made {
         })
         .collect();
     let originals: Vec<Arc<Object>> = picked.into_iter().cloned().collect();
-    let mut names = Names::of(room);
+    let mut names = FreeNames::of(room);
     for number in 1..=array.count {
         let mut copies = originals.clone();
         for (copy, frame) in copies.iter_mut().zip(&frames) {
@@ -284,7 +278,7 @@ pub(crate) fn pasted(room: &Room, clip: &Clip, by: DVec3) -> Vec<Arc<Object>> {
     for copy in copies.iter_mut().filter(|it| it.group.is_none()) {
         Arc::make_mut(copy).at += by;
     }
-    Names::of(room).named_anew(copies)
+    FreeNames::of(room).named_anew(copies)
 }
 
 fn paste(room: &mut Room, clip: &Clip, by: DVec3) {

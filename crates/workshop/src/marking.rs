@@ -1,8 +1,7 @@
 //! Selecting, hiding and locking objects, and copying what is selected.
 
-use std::collections::HashSet;
-
 use antipode_rooms::Object;
+use antipode_rooms::room::Names;
 
 use crate::clip::Clip;
 use crate::document::Document;
@@ -13,7 +12,7 @@ use crate::place::Groups;
 /// grows with the square of their number.
 pub struct Marked<'a> {
     marks: &'a Marks,
-    selected: HashSet<&'a str>,
+    selected: Names<'a>,
     groups: Groups<'a>,
 }
 
@@ -43,7 +42,7 @@ impl Document {
     /// Selects these objects and no others; those that are not there are left out.
     pub fn select(&mut self, names: impl IntoIterator<Item = String>) {
         // Each once: what was taken is there no more.
-        let mut left: HashSet<&str> = self.room().names().collect();
+        let mut left: Names<'_> = self.room().names().collect();
         let names = names.into_iter();
         let selected = names.filter(|it| left.remove(it.as_str())).collect();
         self.marks_mut().selected = selected;

@@ -1,7 +1,8 @@
 //! What an editor keeps of objects besides the room: which are selected, hidden and locked. None of it is a step.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap};
 
+use antipode_rooms::room::Names;
 use antipode_rooms::{Object, Room};
 
 use crate::delta::Delta;
@@ -78,7 +79,7 @@ impl Marks {
         if self == &Self::default() {
             return;
         }
-        let names: HashSet<&str> = room.names().collect();
+        let names: Names<'_> = room.names().collect();
         self.selected.retain(|it| names.contains(it.as_str()));
         // What is hidden or locked stays so if it comes back by an undo.
     }

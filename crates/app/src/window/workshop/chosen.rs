@@ -1,11 +1,10 @@
 //! What is chosen: where it is, how large, and by which axes it is held.
 
-use std::collections::HashSet;
-
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::Held;
 use antipode_rooms::aberration::Lengths;
 use antipode_rooms::portal::Opening;
+use antipode_rooms::room::Names;
 use antipode_rooms::{Object, Room, What};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
@@ -89,7 +88,7 @@ pub fn own_spaces(room: &Room, index: usize) -> Vec<usize> {
 /// What is chosen and not carried by something else that is.
 pub fn roots(room: &Room, chosen: &[String]) -> Vec<usize> {
     let places = room.places();
-    let names: HashSet<&str> = chosen.iter().map(String::as_str).collect();
+    let names: Names<'_> = chosen.iter().map(String::as_str).collect();
     let is_carried = |object: &Object| {
         let mut group = object.group.as_deref();
         for _ in 0..antipode_rooms::bounds::MOST_DEEP {
