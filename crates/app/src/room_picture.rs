@@ -149,11 +149,14 @@ impl RoomPainter {
         drop(writing);
         let figures = RoomFigures::add_to(&mut scene, &self.figures);
         let loaded = self.rays.upload(&gpu.device, &gpu.queue, &scene)?;
-        Ok(Drawable {
+        let mut drawable = Drawable {
             scene,
             loaded,
             figures,
-        })
+        };
+        // Who walks is bent here, where nobody waits for it.
+        drawable.set(gpu, &room.now())?;
+        Ok(drawable)
     }
 
     /// Records some rows of a picture.

@@ -68,7 +68,8 @@ impl Document {
         &self.history
     }
 
-    pub(crate) fn marks(&self) -> &Marks {
+    /// What is selected, hidden and locked.
+    pub fn marks(&self) -> &Marks {
         &self.marks
     }
 

@@ -16,6 +16,9 @@ pub enum Edit {
     Remove(Vec<String>),
     /// Changes fields of an object; `name` among them renames it, and whoever names it follows.
     Change(String, Vec<Field>),
+    /// Puts objects elsewhere, or turns them. A [`Self::Change`] of each does the same by way of words, which takes a drag of 2,000
+    /// things longer than all else.
+    Place(Vec<Placed>),
     /// Makes a group at a place of the room, or takes one that is there, and lets it carry objects, which stay where they are.
     Group {
         /// Its name.
@@ -57,6 +60,17 @@ pub enum Edit {
     Spawn(Vec<Field>),
     /// Several, one after the other, as one step.
     Several(Vec<Edit>),
+}
+
+/// Where an object is put; in a group, from the group.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed {
+    /// Its name.
+    pub name: String,
+    /// Where it is from then on, if it is moved.
+    pub at: Option<DVec3>,
+    /// How it is turned from then on, (yaw, pitch, roll), if it is turned.
+    pub turn: Option<DVec3>,
 }
 
 /// Copies in a row or in a ring.
@@ -147,6 +161,7 @@ impl Edit {
                 names.iter().map(String::as_str).collect()
             }
             Self::Change(name, _) => vec![name],
+            Self::Place(placed) => placed.iter().map(|it| it.name.as_str()).collect(),
             Self::Group { members, .. } | Self::Carry { members, .. } => {
                 members.iter().map(String::as_str).collect()
             }

@@ -34,7 +34,7 @@ pub use clip::Clip;
 pub use copies::closure;
 pub use delta::Delta;
 pub use document::Document;
-pub use edit::{Array, Edit, Field};
+pub use edit::{Array, Edit, Field, Placed};
 pub use error::WorkshopError;
 pub use history::{History, LEAST_STEPS, Step};
 pub use journal::{FOLDER, Opened, Pace, is_in_use};

@@ -9,7 +9,7 @@ use glam::{DAffine3, DQuat, DVec3};
 
 use crate::clip::Clip;
 use crate::copies::{FreeNames, carried, closure};
-use crate::edit::{Array, Edit, Field};
+use crate::edit::{Array, Edit, Field, Placed};
 use crate::error::{WorkshopError, missing, refuse};
 use crate::place::{Groups, put, tidy, turn_of};
 use crate::room_fields::set_room;
@@ -38,6 +38,7 @@ pub(crate) fn make_in(room: &mut Room, edit: &Edit) -> Made {
         }
         Edit::Remove(names) => remove(room, names),
         Edit::Change(name, fields) => change(room, name, fields),
+        Edit::Place(placed) => place(room, placed),
         Edit::Group { name, at, members } => group(room, name, *at, members),
         Edit::Carry { group, members } => carry(room, group.as_deref(), members),
         Edit::Ungroup(names) => ungroup(room, names),
@@ -140,6 +141,21 @@ fn change(room: &mut Room, name: &str, fields: &[Field]) -> Made {
         {
             it.to.clone_from(&new_name);
         }
+    }
+    Ok(())
+}
+
+fn place(room: &mut Room, placed: &[Placed]) -> Made {
+    let places = room.places();
+    let found = placed.iter().map(|it| {
+        let index = places.get(it.name.as_str()).copied();
+        index.map_or_else(|| missing(&it.name), Ok)
+    });
+    let found: Vec<usize> = found.collect::<Result<_, _>>()?;
+    for (index, to) in found.into_iter().zip(placed) {
+        let object = room.object_mut(index);
+        object.at = to.at.unwrap_or(object.at);
+        object.turn = to.turn.unwrap_or(object.turn);
     }
     Ok(())
 }

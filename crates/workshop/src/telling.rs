@@ -1,8 +1,9 @@
 //! What is told of edits in the list of history.
 
 use antipode_rooms::Room;
+use glam::DVec3;
 
-use crate::edit::{Edit, Field};
+use crate::edit::{Edit, Field, Placed};
 use crate::said::Said;
 
 /// The ids of all that is told of steps. Each is put into `name`, the first object, and `count`, how many there are, but for
@@ -76,6 +77,7 @@ pub(crate) fn told(room: &Room, edit: &Edit) -> Said {
         Edit::Insert(object) => Said::of("add", std::slice::from_ref(&object.name)),
         Edit::Remove(names) => Said::of("remove", names),
         Edit::Change(name, fields) => changed(&[(name, fields.as_slice())]),
+        Edit::Place(placed) => self::placed(placed),
         Edit::Group { name, members, .. } => group(name, members),
         Edit::Carry {
             group: Some(it),
@@ -104,6 +106,19 @@ fn group(name: &str, members: &[String]) -> Said {
     Said::new("group")
         .with("name", name)
         .with_number("count", members.len() as f64)
+}
+
+fn placed(placed: &[Placed]) -> Said {
+    let has = |field: fn(&Placed) -> Option<DVec3>| placed.iter().any(|it| field(it).is_some());
+    let id = match (has(|it| it.at), has(|it| it.turn)) {
+        (_, false) => "move",
+        (false, true) => "turn",
+        (true, true) => "pose",
+    };
+    let first = placed.first().map(|it| it.name.clone());
+    Said::new(id)
+        .with("name", first.unwrap_or_default())
+        .with_number("count", placed.len() as f64)
 }
 
 /// Of changes of several objects: what is told of all of them, if that is the same.

@@ -22,7 +22,7 @@ use antipode_rooms::words::{Pairs, new_object};
 use antipode_rooms::{Object, Room, shown, words as rooms_words};
 use glam::DVec3;
 
-use crate::edit::{Array, Edit, Field};
+use crate::edit::{Array, Edit, Field, Placed};
 use crate::error::{WorkshopError, refuse};
 use crate::make::{MOST_COPIES, make_in, pasted};
 
@@ -251,6 +251,10 @@ impl Edit {
             Self::Change(name, fields) => {
                 say("change", std::slice::from_ref(name), of_fields(fields));
             }
+            Self::Place(placed) => {
+                let each = placed.iter().map(change_of);
+                say_several(&each.collect::<Vec<_>>(), room, out);
+            }
             Self::Group { name, at, members } => {
                 say("group", std::slice::from_ref(name), members.clone());
                 out.push(said("at", three(*at)));
@@ -301,6 +305,13 @@ fn say_several(edits: &[Edit], room: &Room, out: &mut Vec<String>) {
         // What is refused here is refused when it is made, too.
         let _ = make_in(&mut so_far, edit);
     }
+}
+
+/// What is put elsewhere as a change of its fields.
+fn change_of(placed: &Placed) -> Edit {
+    let at = placed.at.map(|it| Field::three("at", it));
+    let turn = placed.turn.map(|it| Field::three("turn", it));
+    Edit::Change(placed.name.clone(), turn.into_iter().chain(at).collect())
 }
 
 fn of_object(object: &Object) -> Vec<String> {

@@ -1,7 +1,7 @@
 //! What edits make of a room, as one who builds with them sees it.
 
 use antipode_rooms::{Object, Room, What, poses, read_so_far};
-use antipode_workshop::{Arg, Array, Clip, Document, Edit, Field, WorkshopError};
+use antipode_workshop::{Arg, Array, Clip, Document, Edit, Field, Placed, WorkshopError};
 use glam::{DAffine3, DVec3};
 
 const ROOM: &str = r#"(version: 1, name: "Hut", objects: [
@@ -199,6 +199,7 @@ fn what_is_locked_is_not_changed_but_copied_and_undone() {
             members: names(&["wing"]),
         },
         Edit::Several(vec![up("post"), up("wall")]),
+        Edit::Place(vec![placed("wall", Some(DVec3::Y), None)]),
     ] {
         assert!(
             matches!(it.edit(&edit), Err(WorkshopError::Locked(_))),
@@ -354,4 +355,28 @@ fn what_was_planned_of_an_older_room_is_refused() {
             .contains("meanwhile")
     );
     assert!(it.room().find("post").is_some());
+}
+
+fn placed(name: &str, at: Option<DVec3>, turn: Option<DVec3>) -> Placed {
+    let name = name.to_owned();
+    Placed { name, at, turn }
+}
+
+#[test]
+fn what_is_put_elsewhere_is_told_as_a_change_of_its_fields_is() {
+    let (at, turn) = (Some(DVec3::Y), Some(DVec3::new(30.0, 0.0, 0.0)));
+    for (at, turn, id) in [(at, None, "move"), (None, turn, "turn"), (at, turn, "pose")] {
+        let mut one = document();
+        let mut other = one.clone();
+        let edit = Edit::Place(vec![placed("lamp", at, turn), placed("wall", at, turn)]);
+        let words = edit.words(one.room());
+        one.edit(&edit).unwrap();
+        other
+            .command(&words.iter().map(String::as_str).collect::<Vec<_>>())
+            .unwrap();
+        assert_eq!(one.history().steps(), other.history().steps());
+        assert_eq!(one.history().steps()[0].said.id, id);
+    }
+    let nobody = Edit::Place(vec![placed("nobody", at, None)]);
+    assert!(document().edit(&nobody).is_err());
 }

@@ -9,7 +9,7 @@ use antipode_rooms::wording::words_of;
 use antipode_rooms::words::{Pairs, new_object};
 use antipode_rooms::{Object, Room, What, check, space_in_parts};
 use antipode_workshop::words::{Command, parse};
-use antipode_workshop::{Array, Clip, Delta, Document, Edit, Field, fields_of, make};
+use antipode_workshop::{Array, Clip, Delta, Document, Edit, Field, Placed, fields_of, make};
 use fastrand::Rng;
 use glam::DVec3;
 use proptest::prelude::*;
@@ -25,10 +25,11 @@ const BEGINNING: &str = r#"// A room with words of its own.
 ])
 "#;
 
-const KINDS: [&str; 14] = [
+const KINDS: [&str; 15] = [
     "insert",
     "remove",
     "change",
+    "place",
     "rename",
     "group",
     "carry",
@@ -121,6 +122,19 @@ fn change(room: &Room, random: &mut Rng) -> Option<Edit> {
     Some(Edit::Change(name, vec![field]))
 }
 
+fn placed(room: &Room, random: &mut Rng) -> Vec<Placed> {
+    let names = several(room, random).into_iter();
+    let placed = names.map(|name| {
+        let (moves, turns) = [(true, false), (false, true), (true, true)][random.usize(..3)];
+        Placed {
+            name,
+            at: moves.then(|| place(random)),
+            turn: turns.then(|| DVec3::new(random.f64() * 90.0, random.f64(), 0.1)),
+        }
+    });
+    placed.collect()
+}
+
 /// An edit of that kind, if the room has what it needs.
 fn edit(kind: &str, room: &Room, random: &mut Rng) -> Option<Edit> {
     let is_group = |it: &Object| it.what == What::Group;
@@ -129,6 +143,7 @@ fn edit(kind: &str, room: &Room, random: &mut Rng) -> Option<Edit> {
         "insert" => Edit::Insert(new(random)),
         "remove" => Edit::Remove(several(room, random)),
         "change" | "drag" => change(room, random)?,
+        "place" => Edit::Place(placed(room, random)),
         "rename" => Edit::rename(&some(room, random, |_| true)?, &a_word(random)),
         "group" => Edit::Group {
             name: a_word(random),

@@ -5,7 +5,7 @@ use antipode_rooms::aberration::{Aberration, Lengths};
 use antipode_rooms::bounds::{HALVES_M, SIZES_M, STRETCHES};
 use antipode_rooms::portal::Opening;
 use antipode_rooms::{Object, Room, What};
-use antipode_workshop::{Edit, Field, turn_of};
+use antipode_workshop::{Edit, Field, Placed, turn_of};
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
 use super::chosen::roots;
@@ -17,42 +17,60 @@ pub fn edit(
     origin: DVec3,
     change: &Change,
 ) -> Option<Edit> {
-    let roots = roots(room, chosen);
-    let mut edits = Vec::with_capacity(roots.len());
-    for index in roots {
-        let object = &room.objects[index];
-        let fields = fields(object, &poses[index], origin, change);
-        if !fields.is_empty() {
-            edits.push(Edit::Change(object.name.clone(), fields));
+    let roots = roots(room, chosen).into_iter();
+    let things = roots.map(|index| (room.objects[index].as_ref(), &poses[index]));
+    let sized = |fields: &dyn Fn(&What) -> Vec<Field>| {
+        let all = things.clone().map(|(it, _)| (it, fields(&it.what)));
+        let all = all.filter(|(_, fields)| !fields.is_empty());
+        Edit::Several(
+            all.map(|(it, fields)| Edit::Change(it.name.clone(), fields))
+                .collect(),
+        )
+    };
+    let edit = match *change {
+        Change::Move(way) if way == DVec3::ZERO => return None,
+        Change::Turn(_, rad) if rad == 0.0 => return None,
+        Change::Move(way) => Edit::Place(things.map(|(it, pose)| moved(it, pose, way)).collect()),
+        Change::Turn(axis, rad) => {
+            let turn = DQuat::from_axis_angle(axis, rad);
+            Edit::Place(
+                things
+                    .map(|(it, pose)| turned(it, pose, origin, turn))
+                    .collect(),
+            )
         }
-    }
-    (!edits.is_empty()).then_some(Edit::Several(edits))
+        Change::Scale(times) => sized(&|what| scaled(what, times)),
+        Change::Feel(times) => sized(&|what| felt(what, times).into_iter().collect()),
+    };
+    (!edit.touched().is_empty()).then_some(edit)
 }
 
-fn fields(object: &Object, pose: &DAffine3, origin: DVec3, change: &Change) -> Vec<Field> {
-    // What carries it.
-    let parent = match object.group {
+/// The pose of what carries an object.
+fn parent(object: &Object, pose: &DAffine3) -> DAffine3 {
+    match object.group {
         Some(_) => *pose * antipode_rooms::own_pose(object).inverse(),
         None => DAffine3::IDENTITY,
-    };
-    let at = |point: DVec3| Field::three("at", tidy(parent.inverse().transform_point3(point)));
-    match change {
-        Change::Move(way) if *way == DVec3::ZERO => Vec::new(),
-        Change::Move(way) => vec![at(pose.translation + *way)],
-        Change::Turn(_, rad) if *rad == 0.0 => Vec::new(),
-        Change::Turn(axis, rad) => {
-            let turn = DQuat::from_axis_angle(*axis, *rad);
-            let place = origin + turn * (pose.translation - origin);
-            let own = DMat3::from_quat(turn) * pose.matrix3;
-            let within = parent.matrix3.inverse() * own;
-            let mut fields = vec![Field::three("turn", turn_of(DQuat::from_mat3(&within)))];
-            if place.distance(pose.translation) > 1e-9 {
-                fields.push(at(place));
-            }
-            fields
-        }
-        Change::Scale(times) => scaled(&object.what, *times),
-        Change::Feel(times) => felt(&object.what, *times).into_iter().collect(),
+    }
+}
+
+fn moved(object: &Object, pose: &DAffine3, way: DVec3) -> Placed {
+    let within = parent(object, pose).inverse();
+    Placed {
+        name: object.name.clone(),
+        at: Some(tidy(within.transform_point3(pose.translation + way))),
+        turn: None,
+    }
+}
+
+fn turned(object: &Object, pose: &DAffine3, origin: DVec3, turn: DQuat) -> Placed {
+    let within = parent(object, pose).inverse();
+    let place = origin + turn * (pose.translation - origin);
+    let own = within.matrix3 * DMat3::from_quat(turn) * pose.matrix3;
+    let is_moved = place.distance(pose.translation) > 1e-9;
+    Placed {
+        name: object.name.clone(),
+        at: is_moved.then(|| tidy(within.transform_point3(place))),
+        turn: Some(turn_of(DQuat::from_mat3(&own))),
     }
 }
 

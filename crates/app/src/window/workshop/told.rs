@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use antipode_language::{Language, Texts};
 use antipode_room_scene::RoomScene;
+use antipode_rooms::Room;
 use antipode_ui::workshop::{FieldRow, HistoryRow, ObjectRow, PartRow, ViewEvent, WorkshopWish};
-use antipode_workshop::Step;
+use antipode_workshop::{Marks, Step};
 
 use super::{chosen, fields, parts, rows};
 
@@ -17,6 +18,8 @@ pub struct Told {
     of: Option<(u64, Language)>,
     /// In which language the parts and the steps are, and the last of these.
     lasting: Option<(Language, Option<Arc<Step>>)>,
+    /// Of which room, with which marks and in which language the list of objects is.
+    listed: Option<(Arc<Room>, Marks, Language)>,
     /// What stands in the room.
     pub objects: Vec<ObjectRow>,
     /// What can be changed of what is chosen.
@@ -60,7 +63,12 @@ impl Told {
             return false;
         }
         self.of = Some(now);
-        self.objects = rows::objects(texts, scene);
+        let document = scene.document();
+        let listed = (document.room(), document.marks(), now.1);
+        if !(self.listed.as_ref()).is_some_and(|it| reads_the_same((&it.0, &it.1, it.2), listed)) {
+            self.objects = rows::objects(texts, scene);
+            self.listed = Some((document.room_shared(), document.marks().clone(), now.1));
+        }
         let chosen = chosen::indices(scene);
         self.fields = fields::rows(texts, scene, &chosen);
         self.chosen = chosen_words(texts, scene, &chosen);
@@ -83,6 +91,19 @@ impl Told {
         self.lasting = Some((now.1, steps.last().cloned()));
         true
     }
+}
+
+/// What the list of objects is made of.
+type Listed<'a> = (&'a Room, &'a Marks, Language);
+
+/// Whether the list of objects is the same for both.
+fn reads_the_same(one: Listed<'_>, other: Listed<'_>) -> bool {
+    (one.1, one.2) == (other.1, other.2) && said(one.0).eq(said(other.0))
+}
+
+fn said(room: &Room) -> impl Iterator<Item = (&str, Option<&str>, &str)> {
+    let all = room.objects.iter();
+    all.map(|it| (it.name.as_str(), it.group.as_deref(), it.what.kind()))
 }
 
 /// What is told of what is chosen.
