@@ -29,7 +29,7 @@ pub fn edit(
     };
     let edit = match *change {
         Change::Move(way) if way == DVec3::ZERO => return None,
-        Change::Turn(_, rad) if rad == 0.0 => return None,
+        Change::Turn(_, 0.0) => return None,
         Change::Move(way) => Edit::Place(things.map(|(it, pose)| moved(it, pose, way)).collect()),
         Change::Turn(axis, rad) => {
             let turn = DQuat::from_axis_angle(axis, rad);
