@@ -8,6 +8,8 @@ use super::Shape;
 #[derive(Default)]
 pub(super) struct Builder {
     pub shape: Shape,
+    /// Half the lengths of a solid along its axes: pictures on it begin at its edges. Zero lets them begin at its middle.
+    pub half: DVec3,
 }
 
 impl Builder {
@@ -25,16 +27,18 @@ impl Builder {
     }
 
     /// A flat convex face, its corners anticlockwise from outside. What has no area is left out. Metres along it count
-    /// from the origin, so that the pattern of neighbouring faces in one plane goes on.
+    /// from the upper left edge of the whole solid, to the right and down as pixels do, so that the pattern of neighbouring faces in one plane goes on.
     pub fn face(&mut self, corners: &[DVec3]) {
         let Some(normal) = normal(corners) else {
             return;
         };
         let (across, up) = directions(normal);
-        let numbers: Vec<u32> = corners
-            .iter()
-            .map(|it| self.corner(*it, normal, DVec2::new(it.dot(across), it.dot(up))))
-            .collect();
+        // Of a box about the origin x . w is least at -h . |w|.
+        let along = |at: DVec3, way: DVec3| at.dot(way) + self.half.dot(way.abs());
+        let uv = |at: &DVec3| DVec2::new(along(*at, across), along(*at, -up));
+        let uvs: Vec<_> = corners.iter().map(uv).collect();
+        let all = corners.iter().zip(uvs);
+        let numbers: Vec<u32> = all.map(|(it, uv)| self.corner(*it, normal, uv)).collect();
         for pair in numbers[1..].windows(2) {
             self.triangle([numbers[0], pair[0], pair[1]]);
         }

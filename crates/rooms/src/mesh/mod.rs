@@ -135,7 +135,18 @@ fn listed(
 /// The triangles of something that is no model; nothing for what cannot be touched.
 pub fn shape(what: &What, roundness: Roundness) -> Option<Shape> {
     let around = roundness.around.max(3);
-    let mut builder = Builder::default();
+    let half = match what {
+        What::Box { size }
+        | What::Pyramid { size }
+        | What::Ramp { size }
+        | What::Stairs { size, .. }
+        | What::Arch { size, .. } => *size / 2.0,
+        _ => DVec3::ZERO,
+    };
+    let mut builder = Builder {
+        half,
+        ..Builder::default()
+    };
     match what {
         What::Box { size } => blocks::block(&mut builder, -*size / 2.0, *size / 2.0),
         What::Pyramid { size } => blocks::pyramid(&mut builder, *size),

@@ -17,7 +17,11 @@ pub(super) fn cylinder(out: &mut Builder, radius: f64, height: f64, around: u32)
         let corners = [(a, -half), (b, -half), (b, half), (a, half)].map(|(part, y)| {
             let along = TAU * radius * f64::from(part) / f64::from(around);
             let normal = outward(part);
-            out.corner(normal * radius + DVec3::Y * y, normal, DVec2::new(along, y))
+            out.corner(
+                normal * radius + DVec3::Y * y,
+                normal,
+                DVec2::new(along, half - y),
+            )
         });
         out.triangle([corners[0], corners[1], corners[2]]);
         out.triangle([corners[0], corners[2], corners[3]]);
@@ -47,11 +51,11 @@ pub(super) fn ball(out: &mut Builder, radius: f64, around: u32) {
             (std::f64::consts::PI * f64::from(row) / f64::from(rows)).sin_cos()
         };
         let normal = DVec3::new(sine * angle.cos(), -cosine, -sine * angle.sin());
-        let up = radius * std::f64::consts::PI * (f64::from(row) / f64::from(rows) - 0.5);
+        let down = radius * std::f64::consts::PI * (1.0 - f64::from(row) / f64::from(rows));
         out.corner(
             normal * radius,
             normal,
-            DVec2::new(TAU * radius * f64::from(part) / f64::from(around), up),
+            DVec2::new(TAU * radius * f64::from(part) / f64::from(around), down),
         )
     };
     for row in 0..rows {

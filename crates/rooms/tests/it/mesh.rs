@@ -34,6 +34,56 @@ fn assert_sound(shape: &Shape, what: &str) {
     assert_eq!(shape.positions.len(), shape.uvs.len());
 }
 
+/// A picture as large as a side of a block fills it, wherever the block's middle is.
+#[test]
+fn pictures_begin_at_the_edges_of_blocks_and_stairs() {
+    let size = DVec3::new(2.0, 3.0, 4.0);
+    for what in [What::Box { size }, What::Stairs { size, steps: 5 }] {
+        let shape = shape(&what, ROUND).unwrap();
+        for axis in DVec3::AXES {
+            let lies = |(normal, _): &(&DVec3, &DVec2)| normal.dot(axis) > 0.999;
+            let uvs = shape.normals.iter().zip(&shape.uvs).filter(lies);
+            let (least, most) = uvs.fold((DVec2::INFINITY, DVec2::ZERO), |(a, b), (_, uv)| {
+                (a.min(*uv), b.max(*uv))
+            });
+            let (across, up) = match axis {
+                DVec3::X => (4.0, 3.0),
+                DVec3::Y => (2.0, 4.0),
+                _ => (2.0, 3.0),
+            };
+            assert!(least.abs().max_element() < 1e-9, "{what:?} {axis} {least}");
+            let off = most - DVec2::new(across, up);
+            assert!(off.abs().max_element() < 1e-9, "{what:?} {axis} {most}");
+        }
+    }
+}
+
+/// Rows of a picture count from above.
+#[test]
+fn pictures_stand_upright_on_sides() {
+    let (radius, height) = (1.0, 3.0);
+    let solids = [
+        What::Box { size: DVec3::ONE },
+        What::Ball { radius },
+        What::Cylinder { radius, height },
+        What::Pyramid { size: DVec3::ONE },
+    ];
+    for what in solids {
+        let shape = shape(&what, ROUND).unwrap();
+        for corners in &shape.triangles {
+            let [a, b, c] = corners.map(|it| {
+                let it = it as usize;
+                (shape.positions[it], shape.uvs[it], shape.normals[it])
+            });
+            let is_side = a.2.y.abs() < 0.9;
+            for (one, other) in [(a, b), (b, c), (c, a)] {
+                let (higher, down) = (one.0.y - other.0.y, one.1.y - other.1.y);
+                assert!(!is_side || higher * down < 1e-9, "{what:?} {higher} {down}");
+            }
+        }
+    }
+}
+
 #[test]
 fn solids_hold_what_a_ruler_finds() {
     let size = DVec3::new(2.0, 3.0, 4.0);
