@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashSet};
 
-use antipode_deformation::{Place, Traveller};
+use antipode_deformation::{Passage, Place, Traveller};
 use glam::DVec3;
 
 use super::cells::{CELL_M, Cell, Cells, Frame, Kind};
@@ -164,8 +164,10 @@ impl<'a> Flood<'a> {
                 }
                 let point = frame.scene * to;
                 let mut there = Reached {
+                    // In a free cell there is no portal that one could have come out of just now, though perhaps its plane.
                     place: Place {
                         point,
+                        passage: Passage::default(),
                         ..from.place
                     },
                     walked_m: from.walked_m + to.distance(knee),

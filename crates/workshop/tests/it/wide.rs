@@ -220,3 +220,26 @@ fn a_stretched_box_in_the_open_is_entered() {
         assert_eq!(told(&(wide(600.0) + &bare)), [""; 0], "{x} {z}");
     }
 }
+
+/// The middles of cells lie in the planes of such doorways. Who came out of one and stands beside it has a floor below.
+#[test]
+fn beside_portals_in_whose_planes_one_walks_nobody_falls() {
+    let door = |name: &str, z: f64, to: &str| {
+        format!(
+            "(name: \"{name}\", at: (3.75, 1.24, {z}), turn: (180, 0, 0), what: Portal(size: (1.6, 2.5), to: \"{to}\")),
+             (name: \"{name} left\", at: (3.75, 1.32, {}), what: Box(size: (0.14, 2.64, 0.14))),
+             (name: \"{name} right\", at: (3.75, 1.32, {}), what: Box(size: (0.14, 2.64, 0.14))),",
+            z - 0.872,
+            z + 0.872,
+        )
+    };
+    let doors = door("a", -1.0, "b") + &door("b", 5.0, "a");
+    let found = find_in(
+        &room(&(wide(200.0) + &doors)),
+        &Assets::default(),
+        &SHAPE,
+        &|| true,
+        &mut |_| {},
+    );
+    assert!(found.is_empty(), "{found:?}");
+}
