@@ -1,14 +1,15 @@
 //! A camera that flies: no solid and no wall stops it, and faces and portals take it where they lead.
 
-use antipode_deformation::{Place, Space, Traveller, Void, trace};
+use antipode_deformation::{Place, SceneQuery as _, Space, Traveller, Void, trace};
 use antipode_rays::Eye;
+use antipode_rooms::bounds::FARTHEST_M;
 use antipode_rooms::direction;
 use glam::{DQuat, DVec2, DVec3};
 
 use super::sight::Viewpoint;
 use crate::moment::Moment;
 use crate::scene::RoomScene;
-use crate::tuning::PITCH_LIMIT_RAD;
+use crate::tuning::{EYE_M, PITCH_LIMIT_RAD};
 
 /// How far behind a wall it goes on, metres of the scene.
 const BEHIND_WALL_M: f64 = 1e-3;
@@ -235,11 +236,22 @@ impl RoomScene {
         }
     }
 
-    /// Puts who walks where a free camera is, so that they look as it does.
+    /// Puts who walks where a free camera is, so that they look as it does; on the ground where that is nearer than they are tall, or
+    /// where the camera is in it.
     pub fn walk_from(&mut self, camera: &FreeCamera) {
-        let eye_m = crate::tuning::EYE_M;
-        let (feet, _) = go(&self.space, &camera.place(&self.space), DVec3::NEG_Y, eye_m);
-        self.stand_at(feet.point);
+        let (eye_m, who) = (EYE_M, Traveller::Body);
+        let eye = camera.place(&self.space);
+        let above = self.solids.first(eye.point, DVec3::Y, 2.0 * FARTHEST_M);
+        let feet = match above.filter(|hit| hit.normal.y > 0.0) {
+            // Who looks up out of a solid sees its surface from within.
+            Some(hit) => eye.point + DVec3::Y * hit.time,
+            None => {
+                let down = trace(&self.space, &eye, DVec3::NEG_Y, eye_m, &self.solids, &who);
+                let free = || go(&self.space, &eye, DVec3::NEG_Y, eye_m).0;
+                down.hit().map_or_else(free, |_| down.place).point
+            }
+        };
+        self.stand_at(feet);
         self.aim(camera.aim_deg.x, camera.aim_deg.y);
     }
 }

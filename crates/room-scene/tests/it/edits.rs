@@ -31,6 +31,23 @@ fn a_free_camera_is_where_it_was_when_the_box_about_it_is_gone() {
     assert!(view.apart(after, before) < 1e-9, "{after} {before}");
 }
 
+/// Who walks on from a camera near the ground, or in it, stands on it.
+#[test]
+fn one_walks_on_from_a_camera_on_the_ground_however_low_that_is() {
+    for height in [3.0, 1.0, 0.2, -0.4, -0.9] {
+        let mut scene = empty();
+        let mut camera = FreeCamera::of(&scene.eye());
+        camera.point = DVec3::new(1.5, height, 2.5);
+        scene.walk_from(&camera);
+        for _ in 0..120 {
+            scene.step(&AHEAD);
+        }
+        let feet = scene.feet();
+        assert!(feet.y.abs() < 0.01, "from {height} to {feet}");
+        assert!(feet.z < 1.5, "from {height} to {feet}");
+    }
+}
+
 #[test]
 fn what_is_added_is_picked_met_and_taken_back() {
     let mut scene = empty();
