@@ -46,12 +46,14 @@ pub enum Edit {
     },
     /// Copies objects several times in a row or in a ring.
     Array(Array),
-    /// Puts copied objects in.
+    /// Puts copied objects in, or a part of several.
     Paste {
         /// What was copied.
         clip: Clip,
         /// How far off where they were when they were copied.
         by: DVec3,
+        /// It is a part of the game, and told as something that was added.
+        is_part: bool,
     },
     /// Changes the room itself: `name`, `sentence`, `gravity`, `sky`, `light`, `sun` (yaw and pitch, or `none`), `sun-colour`,
     /// `sun-power`, `fog` (its reach, or `none`), `fog-colour`.

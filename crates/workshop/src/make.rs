@@ -53,7 +53,7 @@ pub(crate) fn make_in(room: &mut Room, edit: &Edit) -> Made {
             copy_in_a_row(room, &array)
         }
         Edit::Array(array) => copy_in_a_row(room, array),
-        Edit::Paste { clip, by } => {
+        Edit::Paste { clip, by, .. } => {
             paste(room, clip, *by);
             Ok(())
         }

@@ -90,11 +90,11 @@ pub(crate) fn told(room: &Room, edit: &Edit) -> Said {
         Edit::Ungroup(names) => Said::of("ungroup", names),
         Edit::Duplicate { names, .. } => Said::of("duplicate", names),
         Edit::Array(array) => Said::of("array", &array.names),
-        Edit::Paste { clip, .. } => {
+        Edit::Paste { clip, is_part, .. } => {
             // What groups carry comes with them.
             let roots = clip.objects.iter().filter(|it| it.group.is_none());
             let names: Vec<_> = roots.map(|it| it.name.clone()).collect();
-            Said::of("paste", &names)
+            Said::of(if *is_part { "add" } else { "paste" }, &names)
         }
         Edit::Room(_) => Said::new("room"),
         Edit::Spawn(_) => Said::new("spawn"),

@@ -277,7 +277,7 @@ impl Edit {
                 rest.extend(array.about.map(|it| said("about", three(it))));
                 say("array", &array.names, rest);
             }
-            Self::Paste { clip, by } => {
+            Self::Paste { clip, by, .. } => {
                 let objects = pasted(room, clip, *by).into_iter();
                 Self::Several(
                     objects

@@ -18,6 +18,7 @@ pub struct WorkshopPanes {
     rect: Rect,
     /// How the panes lay when they were drawn first.
     first: Option<String>,
+    is_changed: bool,
     /// Whether the page of what is possible is up.
     examples: bool,
     chooser: chooser::ChooserState,
@@ -41,6 +42,7 @@ impl WorkshopPanes {
             view: view::ViewState::default(),
             rect: Rect::NOTHING,
             first: None,
+            is_changed: false,
             examples: false,
             chooser: chooser::ChooserState::default(),
             shown_for: None,
@@ -73,11 +75,9 @@ impl WorkshopPanes {
             .make_active(|_, tile| matches!(tile, egui_tiles::Tile::Pane(it) if *it == pane));
     }
 
-    /// How the panes lie, as a text, if that is otherwise than when they were drawn first.
+    /// How the panes lie, as a text, if that was ever otherwise than when they were drawn first: what is put back is told, too.
     pub fn changed_layout(&self) -> Option<String> {
-        let now = self.layout();
-        let first = self.first.as_ref()?;
-        (now != *first).then_some(now)
+        self.is_changed.then(|| self.layout())
     }
 
     /// How the panes lie, as a text.
@@ -135,9 +135,8 @@ impl WorkshopPanes {
         examples::show(&ui, model, &mut self.examples, &mut wishes);
         chooser::show(&ui, model, &mut self.chooser, &mut wishes);
         wishes.append(&mut asked);
-        if self.first.is_none() {
-            self.first = Some(self.layout());
-        }
+        let now = self.layout();
+        self.is_changed |= *self.first.get_or_insert_with(|| now.clone()) != now;
         wishes
     }
 }

@@ -354,6 +354,25 @@ fn panes_lie_as_they_were_left() {
     assert!((view.width() - 0.3 * 1280.0).abs() < 8.0, "{view}");
 }
 
+/// A tab that is brought back to the front stays there.
+#[test]
+fn panes_that_are_put_back_as_they_were_are_kept_so() {
+    let first = "row(0.500 view* 0.500 tabs(parts* history))".replace("view*", "tabs(view*)");
+    let mut kept = bench(Language::English, 1280.0);
+    kept.panes = WorkshopPanes::new(&first, 1280.0);
+    let mut harness = harness(kept, vec2(1280.0, 720.0));
+    harness.run();
+    let begun = harness.state().panes.layout();
+    assert_eq!(harness.state().panes.changed_layout(), None);
+    for tab in ["History", "Parts"] {
+        harness.get_by_label(tab).click();
+        harness.run();
+        let told = harness.state().panes.changed_layout();
+        assert_eq!(told, Some(harness.state().panes.layout()), "{tab}");
+    }
+    assert_eq!(harness.state().panes.changed_layout(), Some(begun));
+}
+
 #[test]
 fn it_fits_every_language_and_size_and_leaves_the_view_most_of_the_room() {
     for language in Language::ALL {

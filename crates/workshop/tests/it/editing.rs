@@ -80,12 +80,12 @@ fn copies_of_a_pair_lead_to_each_other_and_a_copy_of_one_to_itself() {
     it.select(names(&["here", "there", "house"]));
     let clip = Clip::parse(&it.copy().text()).unwrap();
     let mut other = Document::new(Room::new("Other"));
-    other
-        .edit(&Edit::Paste {
-            clip,
-            by: DVec3::ZERO,
-        })
-        .unwrap();
+    for (is_part, id) in [(true, "add"), (false, "paste")] {
+        other.undo(1).ok();
+        let (clip, by) = (clip.clone(), DVec3::ZERO);
+        other.edit(&Edit::Paste { clip, by, is_part }).unwrap();
+        assert_eq!(other.history().steps()[0].said.id, id);
+    }
     assert_eq!(
         (to(other.room(), "here"), to(other.room(), "there")),
         ("there".to_owned(), "here".to_owned())

@@ -122,6 +122,7 @@ fn edits(room: &Room) -> Vec<(&'static str, Edit)> {
                     &blocks[950..].iter().take(100).cloned().collect::<Vec<_>>(),
                 ),
                 by,
+                is_part: false,
             },
         ),
         ("gravity", Edit::Room(vec![Field::new("gravity", "0,-1,0")])),

@@ -169,6 +169,7 @@ fn edit(kind: &str, room: &Room, random: &mut Rng) -> Option<Edit> {
         "paste" => Edit::Paste {
             clip: Clip::of(room, &several(room, random)),
             by,
+            is_part: false,
         },
         "room" => {
             let fields = [

@@ -143,6 +143,7 @@ fn paste(objects: &[Arc<Object>]) -> Edit {
     Edit::Paste {
         clip: Clip::of(&room, &names),
         by: DVec3::ZERO,
+        is_part: true,
     }
 }
 

@@ -195,6 +195,7 @@ impl Workshop {
             WorkshopWish::Paste if !scene.document().clipboard().is_empty() => Edit::Paste {
                 clip: scene.document().clipboard().clone(),
                 by: aside,
+                is_part: false,
             },
             WorkshopWish::Duplicate => Edit::Duplicate {
                 names: all()?,
