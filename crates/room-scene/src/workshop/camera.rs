@@ -242,14 +242,13 @@ impl RoomScene {
         let (eye_m, who) = (EYE_M, Traveller::Body);
         let eye = camera.place(&self.space);
         let above = self.solids.first(eye.point, DVec3::Y, 2.0 * FARTHEST_M);
-        let feet = match above.filter(|hit| hit.normal.y > 0.0) {
-            // Who looks up out of a solid sees its surface from within.
-            Some(hit) => eye.point + DVec3::Y * hit.time,
-            None => {
-                let down = trace(&self.space, &eye, DVec3::NEG_Y, eye_m, &self.solids, &who);
-                let free = || go(&self.space, &eye, DVec3::NEG_Y, eye_m).0;
-                down.hit().map_or_else(free, |_| down.place).point
-            }
+        // Who looks up out of a solid sees its surface from within.
+        let feet = if let Some(hit) = above.filter(|hit| hit.normal.y > 0.0) {
+            eye.point + DVec3::Y * hit.time
+        } else {
+            let down = trace(&self.space, &eye, DVec3::NEG_Y, eye_m, &self.solids, &who);
+            let free = || go(&self.space, &eye, DVec3::NEG_Y, eye_m).0;
+            down.hit().map_or_else(free, |_| down.place).point
         };
         self.stand_at(feet);
         self.aim(camera.aim_deg.x, camera.aim_deg.y);
