@@ -74,7 +74,7 @@ room-smaller-up = In der Höhe bist du hier { $times }-mal kleiner als draußen
 room-larger-up = In der Höhe bist du hier { $times }-mal größer als draußen
 room-smaller-began = Du bist { $times }-mal kleiner als am Anfang
 room-larger-began = Du bist { $times }-mal größer als am Anfang
-room-keys = { $look }: die genaue Ansicht oder die ältere · { $camera }: von hinten · { $gun }: schießen · { $lamp }: Lampe hinstellen oder aufheben · { $lift }: Loses heben oder absetzen · { $ball }: Ball werfen · { $anew }: von vorn · { $again }: dies noch einmal · { $edges }: Kanten der Kästen
+room-keys = { $look }: die genaue Ansicht oder die der Dissertation · { $camera }: von hinten · { $gun }: schießen · { $lamp }: Lampe hinstellen oder aufheben · { $lift }: Loses heben oder absetzen · { $ball }: Ball werfen · { $anew }: von vorn · { $again }: dies noch einmal · { $edges }: Kanten der Kästen
 room-keys-own = { $build }: hier bauen
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = Links nach der Regel der Arbeit, dem ersten Versuch mit solchen Räumen, rechts genau
@@ -85,7 +85,7 @@ room-half-exact = genau
 room-differs = In der Mitte: { $exact }, und nach der Arbeit { $thesis }.
 room-differs-bent = In der Mitte: { $exact }, und nach der Arbeit { $thesis }, wo das Licht um { $bent }° gebogen ankommt.
 room-sky = der Himmel
-room-file = Dieser Raum gehört dir. Was in ihm steht, steht in { $file }.
+room-own = Dieser Raum gehört dir.
 display-brush-shape = { $shape } { $radius } m
 display-heap = { $sign }{ $volume } m³ { $kind }
 ground-found = Wie vorgefunden

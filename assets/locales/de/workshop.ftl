@@ -1,11 +1,13 @@
 ### Die Werkstatt, in der Räume gebaut werden.
 
 # Räume zum Bauen.
-workshop-rooms-none = Du hast noch keine eigenen Räume. Lege einen neuen an, oder kopiere einen des Spiels.
+workshop-rooms-none = Du hast noch keine eigenen Räume. Lege einen neuen an, oder kopiere einen des Spiels auf seiner Seite (die drei Punkte).
+workshop-rooms-shipped = Räume des Spiels
 workshop-rooms-load = Bauen
 workshop-rooms-load-named = In „{ $name }“ bauen
 workshop-not-own = Dieser Raum gehört zum Spiel. Kopiere ihn, und baue in der Kopie.
 workshop-not-kept = Der Raum konnte nicht gespeichert werden: { $reason }
+workshop-not-saved-yet = Deine Änderungen sind aufbewahrt, aber die Datei des Raums bleibt, wie sie war, bis dies behoben ist: { $reason }
 workshop-kept = Der Raum wird gespeichert. Er speichert sich auch selbst: jeden Schritt innerhalb von zwei Sekunden.
 
 # Die Felder des Fensters.
@@ -19,6 +21,7 @@ workshop-search = Suchen
 workshop-none-found = Nichts heißt so.
 workshop-rename = Neuer Name
 workshop-hide = „{ $name }“ verbergen
+workshop-fold = „{ $name }“ einklappen
 workshop-lock = „{ $name }“ sperren
 workshop-reset = { $name } zurücksetzen
 workshop-parts-hint = Ein Klick setzt ein Bauteil auf das, was du ansiehst.
@@ -40,7 +43,7 @@ workshop-several = { $count ->
     [one] { $count } Ding
    *[other] { $count } Dinge
 }
-workshop-status-nothing = Klicke etwas an, oder fliege: rechte Taste halten und W A S D.
+workshop-status-nothing = Klicke etwas an, oder fliege: rechte Taste halten, dazu W A S D, E, Q.
 workshop-status-chosen = Ziehe es oder einen Griff · Pfeiltasten: ein Schritt · F: ansehen · Alt: ohne Raster
 workshop-status-flies = W A S D, E und Q fliegen, Pfeiltasten drehen. V oder Esc beendet es.
 workshop-status-late = Wird neu gezeichnet …
@@ -48,6 +51,7 @@ workshop-outside-inside = außen { $outside } m, innen { $inside } m
 
 # Was getan wird.
 workshop-do-play = Spielen
+workshop-do-leave = Zum Menü
 workshop-do-undo = Zurück
 workshop-do-redo = Vor
 workshop-do-move = Schieben
@@ -70,9 +74,10 @@ workshop-do-top = Von oben
 workshop-do-front = Von vorn
 workshop-do-side = Von der Seite
 workshop-do-flies = Mit Tasten fliegen
-workshop-do-raster = Mit Raster beginnen
+workshop-do-raster = Erst ein schnelles Bild
 workshop-grid = { $metres } m
 workshop-menu-edit = Bearbeiten
+workshop-menu-room = Raum
 workshop-menu-view = Ansicht
 workshop-key-ctrl = Strg
 workshop-key-shift = Umschalt
@@ -141,7 +146,7 @@ workshop-field-scale = Maßstab
 workshop-field-text = Text
 workshop-field-colour = Farbe
 workshop-field-power = Helligkeit
-workshop-field-checker = Karos
+workshop-field-checker = Kariert
 workshop-field-checker-colour = Zweite Farbe
 workshop-field-checker-size = Seite eines Karos
 workshop-field-texture-file = Bild
@@ -166,7 +171,7 @@ workshop-field-spawn-at = Start
 workshop-field-spawn-look = Blick am Start (Gier, Nick)
 workshop-field-gravity = Schwerkraft
 workshop-field-sky = Himmel
-workshop-field-light = Licht von überall
+workshop-field-light = Umgebungslicht
 workshop-field-has-sun = Sonne
 workshop-field-sun = Wo sie steht
 workshop-field-sun-colour = Farbe der Sonne
@@ -179,11 +184,11 @@ workshop-choice-finish-mirror = Spiegel
 workshop-choice-finish-glass = Glas
 workshop-choice-lengths-felt = Eine Achse
 workshop-choice-lengths-stretch = Alle Achsen
-workshop-choice-axis-x = x: nach vorn
-workshop-choice-axis-y = y: nach oben
-workshop-choice-axis-z = z: nach rechts
-workshop-choice-sides-walls = Wände (exakt)
-workshop-choice-sides-soft = Offen (ohne Wände)
+workshop-choice-axis-x = x (rot)
+workshop-choice-axis-y = y (grün)
+workshop-choice-axis-z = z (blau)
+workshop-choice-sides-walls = Wände
+workshop-choice-sides-soft = Offen
 workshop-choice-sides-snell = Brechend
 workshop-choice-sides-legacy = Regel der Abschlussarbeit
 workshop-choice-sides-1 = Eine Seite
@@ -336,7 +341,7 @@ workshop-lesson-choose = Klicke in der Liste der Dinge auf „{ $name }“: das 
 workshop-lesson-stretch = Ziehe den Regler „Dehnung aller Achsen“ nach rechts: das Haus wird innen größer und bleibt außen, wie es ist.
 workshop-lesson-enter = Drücke Spielen (F5) und geh durch die Tür hinein.
 workshop-lesson-walk = Geh durch die Tür in das Haus. F5 führt zurück in die Werkstatt.
-workshop-lesson-done = Du hast ein Haus gebaut, das innen größer ist. Zurück in der Werkstatt (F5) zeigt die Hilfe, was noch möglich ist.
+workshop-lesson-done = Du hast ein Haus gebaut, das innen größer ist. Zurück in der Werkstatt (F5) hat die Hilfe eine zweite Lektion, über Tunnel und Portale, und zeigt, was noch möglich ist.
 workshop-lesson-skip = Schritt auslassen
 workshop-lesson-end = Lektion beenden
 
@@ -370,7 +375,7 @@ workshop-told-ill-placed = Es ist geschlossen: es oder „{ $name }“ steht, wo
 
 # Files from the disk.
 workshop-do-from-file = Modell oder Bild aus einer Datei
-workshop-do-keep = Sofort speichern
+workshop-do-keep = Jetzt speichern
 workshop-chooser-title = Ein Modell oder ein Bild
 workshop-chooser-about = Ein Modell (glb, gltf, fbx, obj) steht dann vor dir; ein Bild (png, jpg) liegt auf dem, was gewählt ist.
 workshop-chooser-path = Pfad
@@ -398,7 +403,7 @@ workshop-part-portal = Portal
 workshop-about-portal = Es führt zu sich selbst, bis eine Linie von ihm zu einem anderen gezogen wird.
 workshop-lesson-tunnel = Klicke unter den Bauteilen auf „Tunnel“: dann steht er vor dir.
 workshop-lesson-longer = Ziehe, während „{ $name }“ gewählt ist, den Regler „Dehnung“ nach rechts: innen wird er länger, außen bleibt er, wie er ist.
-workshop-lesson-portal = Klicke unter den Bauteilen auf „Portal“: eines, das zu sich selbst führt.
+workshop-lesson-portal = Klicke unter den Bauteilen auf „Portal“: es ist das erste von zweien.
 workshop-lesson-portal-again = Klicke noch einmal auf „Portal“: das zweite steht neben dem ersten.
 workshop-lesson-link = Ziehe vom Knopf über „{ $name }“ in die Mitte von „{ $other }“: dann führen sie zueinander.
 workshop-lesson-pass = Drücke Spielen (F5) und geh durch den Tunnel, dann in das eine Portal hinein und aus dem anderen heraus.

@@ -81,7 +81,7 @@ room-smaller-up = In height you are { $times } times smaller here than outside
 room-larger-up = In height you are { $times } times larger here than outside
 room-smaller-began = You are { $times } times smaller than at the start
 room-larger-began = You are { $times } times larger than at the start
-room-keys = { $look }: the exact view or the older one · { $camera }: from behind · { $gun }: shoot · { $lamp }: put a lamp down or take it up · { $lift }: lift what is loose or set it down · { $ball }: throw a ball · { $anew }: begin anew · { $again }: this again · { $edges }: edges of the boxes
+room-keys = { $look }: the exact view or that of the thesis · { $camera }: from behind · { $gun }: shoot · { $lamp }: put a lamp down or take it up · { $lift }: lift what is loose or set it down · { $ball }: throw a ball · { $anew }: begin anew · { $again }: this again · { $edges }: edges of the boxes
 room-keys-own = { $build }: build here
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = Left by the rule of the thesis, the first try at such rooms; right exactly
@@ -92,7 +92,7 @@ room-half-exact = exact
 room-differs = In the middle: { $exact }, and by the thesis { $thesis }.
 room-differs-bent = In the middle: { $exact }, and by the thesis { $thesis }, where light arrives bent by { $bent }°.
 room-sky = the sky
-room-file = This room is yours. What stands in it is written in { $file }.
+room-own = This room is yours.
 display-brush-shape = { $shape } { $radius } m
 display-heap = { $sign }{ $volume } m³ { $kind }
 ground-found = As found

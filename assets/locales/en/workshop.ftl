@@ -1,11 +1,13 @@
 ### The workshop, in which rooms are built.
 
 # Rooms to build in.
-workshop-rooms-none = You have no rooms of your own yet. Make a new one, or duplicate one of the game.
+workshop-rooms-none = You have no rooms of your own yet. Make a new one, or duplicate one of the game on its page (the three dots).
+workshop-rooms-shipped = Rooms of the game
 workshop-rooms-load = Build
 workshop-rooms-load-named = Build in “{ $name }”
 workshop-not-own = This room comes with the game. Duplicate it, and build in the copy.
 workshop-not-kept = The room could not be kept: { $reason }
+workshop-not-saved-yet = Your edits are kept, but the file of the room is as it was before until this is mended: { $reason }
 workshop-kept = The room is being saved. It saves itself, too: each step within two seconds.
 
 # Panes.
@@ -19,6 +21,7 @@ workshop-search = Search
 workshop-none-found = Nothing is called so.
 workshop-rename = New name
 workshop-hide = Hide “{ $name }”
+workshop-fold = Fold “{ $name }”
 workshop-lock = Lock “{ $name }”
 workshop-reset = Reset { $name }
 workshop-parts-hint = A click puts a part on what you look at.
@@ -40,7 +43,7 @@ workshop-several = { $count ->
     [one] { $count } object
    *[other] { $count } objects
 }
-workshop-status-nothing = Click something, or fly: hold the right button and W A S D.
+workshop-status-nothing = Click something, or fly: hold the right button, and W A S D, E, Q.
 workshop-status-chosen = Drag it or a handle · arrow keys: one step · F: look at it · Alt: no steps
 workshop-status-flies = W A S D, E and Q fly, arrow keys turn. V or Esc ends it.
 workshop-status-late = Drawing anew …
@@ -48,6 +51,7 @@ workshop-outside-inside = { $outside } m outside, { $inside } m inside
 
 # What is done.
 workshop-do-play = Play
+workshop-do-leave = Leave to the menu
 workshop-do-undo = Undo
 workshop-do-redo = Redo
 workshop-do-move = Move
@@ -70,9 +74,10 @@ workshop-do-top = From above
 workshop-do-front = From the front
 workshop-do-side = From the side
 workshop-do-flies = Fly by keys
-workshop-do-raster = Begin with a raster
+workshop-do-raster = Fast picture first
 workshop-grid = { $metres } m
 workshop-menu-edit = Edit
+workshop-menu-room = Room
 workshop-menu-view = View
 workshop-key-ctrl = Ctrl
 workshop-key-shift = Shift
@@ -141,7 +146,7 @@ workshop-field-scale = Scale
 workshop-field-text = Text
 workshop-field-colour = Colour
 workshop-field-power = Brightness
-workshop-field-checker = Squares
+workshop-field-checker = Chequered
 workshop-field-checker-colour = Second colour
 workshop-field-checker-size = Side of a square
 workshop-field-texture-file = Picture
@@ -166,7 +171,7 @@ workshop-field-spawn-at = Start
 workshop-field-spawn-look = Look at the start (yaw, pitch)
 workshop-field-gravity = Gravity
 workshop-field-sky = Sky
-workshop-field-light = Light from everywhere
+workshop-field-light = Ambient light
 workshop-field-has-sun = Sun
 workshop-field-sun = Where it stands
 workshop-field-sun-colour = Colour of the sun
@@ -179,11 +184,11 @@ workshop-choice-finish-mirror = Mirror
 workshop-choice-finish-glass = Glass
 workshop-choice-lengths-felt = One axis
 workshop-choice-lengths-stretch = All axes
-workshop-choice-axis-x = x: to its front
-workshop-choice-axis-y = y: up
-workshop-choice-axis-z = z: to its right
-workshop-choice-sides-walls = Walls (exact)
-workshop-choice-sides-soft = Open (no walls)
+workshop-choice-axis-x = x (red)
+workshop-choice-axis-y = y (green)
+workshop-choice-axis-z = z (blue)
+workshop-choice-sides-walls = Walls
+workshop-choice-sides-soft = Open
 workshop-choice-sides-snell = Refracting
 workshop-choice-sides-legacy = The thesis's rule
 workshop-choice-sides-1 = One side
@@ -336,7 +341,7 @@ workshop-lesson-choose = Click “{ $name }” in the list of objects: that is t
 workshop-lesson-stretch = Pull the slider “Stretch of all axes” to the right: the house gets larger inside and stays as it is outside.
 workshop-lesson-enter = Press Play (F5) and walk in through the door.
 workshop-lesson-walk = Walk in through the door of the house. F5 leads back to the workshop.
-workshop-lesson-done = You have built a house that is larger inside. Back in the workshop (F5), Help shows what else is possible.
+workshop-lesson-done = You have built a house that is larger inside. Back in the workshop (F5), Help has a second lesson, of tunnels and portals, and shows what else is possible.
 workshop-lesson-skip = Skip this step
 workshop-lesson-end = End the lesson
 
@@ -370,7 +375,7 @@ workshop-told-ill-placed = It is closed: it or “{ $name }” stands where none
 
 # Files from the disk.
 workshop-do-from-file = Model or picture from a file
-workshop-do-keep = Save at once
+workshop-do-keep = Save now
 workshop-chooser-title = A model or a picture
 workshop-chooser-about = A model (glb, gltf, fbx, obj) stands before you then; a picture (png, jpg) lies on what is selected.
 workshop-chooser-path = Path
@@ -398,7 +403,7 @@ workshop-part-portal = Portal
 workshop-about-portal = It leads to itself until a line is dragged from it to another.
 workshop-lesson-tunnel = Click “Tunnel” among the parts: it stands before you then.
 workshop-lesson-longer = With “{ $name }” selected pull the slider “Stretch” to the right: it gets longer inside and stays as it is outside.
-workshop-lesson-portal = Click “Portal” among the parts: one that leads to itself.
+workshop-lesson-portal = Click “Portal” among the parts: it is the first of two.
 workshop-lesson-portal-again = Click “Portal” once more: the second stands beside the first.
 workshop-lesson-link = Drag from the knob above “{ $name }” to the middle of “{ $other }”: they lead to each other then.
 workshop-lesson-pass = Press Play (F5) and walk through the tunnel, then into one portal and out of the other.

@@ -74,7 +74,7 @@ room-smaller-up = En altura eres aquí { $times } veces más pequeño que fuera
 room-larger-up = En altura eres aquí { $times } veces más grande que fuera
 room-smaller-began = Eres { $times } veces más pequeño que al principio
 room-larger-began = Eres { $times } veces más grande que al principio
-room-keys = { $look }: la vista exacta o la antigua · { $camera }: desde atrás · { $gun }: disparar · { $lamp }: poner o recoger una lámpara · { $lift }: levantar o dejar lo suelto · { $ball }: lanzar una pelota · { $anew }: empezar de nuevo · { $again }: esto otra vez · { $edges }: aristas de las cajas
+room-keys = { $look }: la vista exacta o la de la tesis · { $camera }: desde atrás · { $gun }: disparar · { $lamp }: poner o recoger una lámpara · { $lift }: levantar o dejar lo suelto · { $ball }: lanzar una pelota · { $anew }: empezar de nuevo · { $again }: esto otra vez · { $edges }: aristas de las cajas
 room-keys-own = { $build }: construir aquí
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = A la izquierda según la tesis, el primer intento de tales salas; a la derecha exacto
@@ -85,7 +85,7 @@ room-half-exact = exacto
 room-differs = En el centro: { $exact }, y según la tesis { $thesis }.
 room-differs-bent = En el centro: { $exact }, y según la tesis { $thesis }, adonde la luz llega doblada { $bent }°.
 room-sky = el cielo
-room-file = Esta sala es tuya. Lo que hay en ella está escrito en { $file }.
+room-own = Esta sala es tuya.
 display-brush-shape = { $shape } { $radius } m
 display-heap = { $sign }{ $volume } m³ { $kind }
 ground-found = Como estaba

@@ -1,11 +1,13 @@
 ### El taller, en el que se construyen salas.
 
 # Salas para construir.
-workshop-rooms-none = Aún no tienes salas propias. Crea una nueva o duplica una del juego.
+workshop-rooms-none = Aún no tienes salas propias. Crea una nueva o duplica una del juego en su página (los tres puntos).
+workshop-rooms-shipped = Salas del juego
 workshop-rooms-load = Construir
 workshop-rooms-load-named = Construir en «{ $name }»
 workshop-not-own = Esta sala viene con el juego. Duplícala y construye en la copia.
 workshop-not-kept = No se pudo guardar la sala: { $reason }
+workshop-not-saved-yet = Tus cambios están guardados, pero el archivo de la sala queda como estaba hasta que se arregle esto: { $reason }
 workshop-kept = La sala se está guardando. También se guarda sola: cada paso en menos de dos segundos.
 
 # Paneles.
@@ -19,6 +21,7 @@ workshop-search = Buscar
 workshop-none-found = Nada se llama así.
 workshop-rename = Nombre nuevo
 workshop-hide = Ocultar «{ $name }»
+workshop-fold = Plegar «{ $name }»
 workshop-lock = Bloquear «{ $name }»
 workshop-reset = Restablecer { $name }
 workshop-parts-hint = Un clic pone una pieza sobre lo que miras.
@@ -40,7 +43,7 @@ workshop-several = { $count ->
     [one] { $count } objeto
    *[other] { $count } objetos
 }
-workshop-status-nothing = Haz clic en algo, o vuela: mantén el botón derecho y W A S D.
+workshop-status-nothing = Haz clic en algo, o vuela: mantén el botón derecho y W A S D, E, Q.
 workshop-status-chosen = Arrástralo o un tirador · flechas: un paso · F: mirarlo · Alt: sin rejilla
 workshop-status-flies = W A S D, E y Q vuelan, las flechas giran. V o Esc termina.
 workshop-status-late = Dibujando de nuevo…
@@ -48,6 +51,7 @@ workshop-outside-inside = { $outside } m por fuera, { $inside } m por dentro
 
 # Lo que se hace.
 workshop-do-play = Jugar
+workshop-do-leave = Salir al menú
 workshop-do-undo = Deshacer
 workshop-do-redo = Rehacer
 workshop-do-move = Mover
@@ -70,9 +74,10 @@ workshop-do-top = Desde arriba
 workshop-do-front = De frente
 workshop-do-side = De lado
 workshop-do-flies = Volar con teclas
-workshop-do-raster = Empezar por ráster
+workshop-do-raster = Primero una imagen rápida
 workshop-grid = { $metres } m
 workshop-menu-edit = Editar
+workshop-menu-room = Sala
 workshop-menu-view = Vista
 workshop-key-ctrl = Ctrl
 workshop-key-shift = Mayús
@@ -141,7 +146,7 @@ workshop-field-scale = Escala
 workshop-field-text = Texto
 workshop-field-colour = Color
 workshop-field-power = Brillo
-workshop-field-checker = Cuadros
+workshop-field-checker = A cuadros
 workshop-field-checker-colour = Segundo color
 workshop-field-checker-size = Lado del cuadro
 workshop-field-texture-file = Imagen
@@ -179,11 +184,11 @@ workshop-choice-finish-mirror = Espejo
 workshop-choice-finish-glass = Vidrio
 workshop-choice-lengths-felt = Un eje
 workshop-choice-lengths-stretch = Todos los ejes
-workshop-choice-axis-x = x: hacia delante
-workshop-choice-axis-y = y: hacia arriba
-workshop-choice-axis-z = z: a la derecha
-workshop-choice-sides-walls = Paredes (exacto)
-workshop-choice-sides-soft = Abiertos (sin paredes)
+workshop-choice-axis-x = x (rojo)
+workshop-choice-axis-y = y (verde)
+workshop-choice-axis-z = z (azul)
+workshop-choice-sides-walls = Paredes
+workshop-choice-sides-soft = Abiertos
 workshop-choice-sides-snell = Refractante
 workshop-choice-sides-legacy = Regla de la tesis
 workshop-choice-sides-1 = Un lado
@@ -336,7 +341,7 @@ workshop-lesson-choose = Haz clic en «{ $name }» en la lista de objetos: es el
 workshop-lesson-stretch = Lleva «Estiramiento de todos los ejes» a la derecha: la casa crece por dentro y por fuera queda igual.
 workshop-lesson-enter = Pulsa Jugar (F5) y entra por la puerta.
 workshop-lesson-walk = Entra en la casa por la puerta. F5 lleva de vuelta al taller.
-workshop-lesson-done = Has construido una casa mayor por dentro. De vuelta en el taller (F5), la ayuda muestra qué más es posible.
+workshop-lesson-done = Has construido una casa mayor por dentro. De vuelta en el taller (F5), la ayuda tiene una segunda lección, de túneles y portales, y muestra qué más es posible.
 workshop-lesson-skip = Omitir este paso
 workshop-lesson-end = Terminar la lección
 
@@ -398,7 +403,7 @@ workshop-part-portal = Portal
 workshop-about-portal = Lleva a sí mismo hasta que se arrastra una línea de él a otro.
 workshop-lesson-tunnel = Haz clic en «Túnel» entre las piezas: quedará delante de ti.
 workshop-lesson-longer = Con «{ $name }» seleccionado lleva «Estiramiento» a la derecha: se alarga por dentro y por fuera queda igual.
-workshop-lesson-portal = Haz clic en «Portal» entre las piezas: uno que lleva a sí mismo.
+workshop-lesson-portal = Haz clic en «Portal» entre las piezas: es el primero de dos.
 workshop-lesson-portal-again = Haz clic otra vez en «Portal»: el segundo queda junto al primero.
 workshop-lesson-link = Arrastra desde el botón sobre «{ $name }» hasta el centro de «{ $other }»: llevarán el uno al otro.
 workshop-lesson-pass = Pulsa Jugar (F5), recorre el túnel y entra por un portal para salir por el otro.

@@ -80,7 +80,7 @@ room-smaller-up = Na wysokość jesteś tu { $times } razy mniejszy niż na zewn
 room-larger-up = Na wysokość jesteś tu { $times } razy większy niż na zewnątrz
 room-smaller-began = Jesteś { $times } razy mniejszy niż na początku
 room-larger-began = Jesteś { $times } razy większy niż na początku
-room-keys = { $look }: widok dokładny lub dawniejszy · { $camera }: z tyłu · { $gun }: strzelaj · { $lamp }: postaw lub podnieś lampę · { $lift }: podnieś coś luźnego lub odłóż · { $ball }: rzuć piłkę · { $anew }: zacznij od nowa · { $again }: to samo jeszcze raz · { $edges }: krawędzie pudeł
+room-keys = { $look }: widok dokładny lub według rozprawy · { $camera }: z tyłu · { $gun }: strzelaj · { $lamp }: postaw lub podnieś lampę · { $lift }: podnieś coś luźnego lub odłóż · { $ball }: rzuć piłkę · { $anew }: zacznij od nowa · { $again }: to samo jeszcze raz · { $edges }: krawędzie pudeł
 room-keys-own = { $build }: buduj tutaj
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = Po lewej według pracy, pierwszej próby takich pokoi, po prawej dokładnie
@@ -91,7 +91,7 @@ room-half-exact = dokładnie
 room-differs = Pośrodku: { $exact }, a według pracy { $thesis }.
 room-differs-bent = Pośrodku: { $exact }, a według pracy { $thesis }, dokąd światło dociera zgięte o { $bent }°.
 room-sky = niebo
-room-file = Ten pokój jest twój. To, co w nim stoi, jest zapisane w { $file }.
+room-own = Ten pokój jest twój.
 display-brush-shape = { $shape } { $radius } m
 display-heap = { $sign }{ $volume } m³ { $kind }
 ground-found = Jak było

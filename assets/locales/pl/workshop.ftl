@@ -1,11 +1,13 @@
 ### Warsztat, w którym buduje się pokoje.
 
 # Pokoje do budowania.
-workshop-rooms-none = Nie masz jeszcze własnych pokoi. Utwórz nowy albo zduplikuj jeden z gry.
+workshop-rooms-none = Nie masz jeszcze własnych pokoi. Utwórz nowy albo zduplikuj jeden z gry na jego stronie (trzy kropki).
+workshop-rooms-shipped = Pokoje z gry
 workshop-rooms-load = Buduj
 workshop-rooms-load-named = Buduj w „{ $name }”
 workshop-not-own = Ten pokój należy do gry. Zduplikuj go i buduj w kopii.
 workshop-not-kept = Nie udało się zapisać pokoju: { $reason }
+workshop-not-saved-yet = Twoje zmiany są zachowane, ale plik pokoju pozostaje taki, jaki był, dopóki to nie zostanie naprawione: { $reason }
 workshop-kept = Pokój jest zapisywany. Zapisuje się też sam: każdy krok w ciągu dwóch sekund.
 
 # Panele.
@@ -19,6 +21,7 @@ workshop-search = Szukaj
 workshop-none-found = Nic się tak nie nazywa.
 workshop-rename = Nowa nazwa
 workshop-hide = Ukryj „{ $name }”
+workshop-fold = Zwiń „{ $name }”
 workshop-lock = Zablokuj „{ $name }”
 workshop-reset = Przywróć: { $name }
 workshop-parts-hint = Kliknięcie stawia część na tym, na co patrzysz.
@@ -42,7 +45,7 @@ workshop-several = { $count ->
     [many] { $count } obiektów
    *[other] { $count } obiektu
 }
-workshop-status-nothing = Kliknij coś albo leć: przytrzymaj prawy przycisk i W A S D.
+workshop-status-nothing = Kliknij coś albo leć: przytrzymaj prawy przycisk i W A S D, E, Q.
 workshop-status-chosen = Przeciągnij go lub uchwyt · strzałki: jeden krok · F: spójrz · Alt: bez siatki
 workshop-status-flies = W A S D, E i Q lecą, strzałki obracają. V lub Esc kończy.
 workshop-status-late = Rysowanie od nowa…
@@ -50,6 +53,7 @@ workshop-outside-inside = { $outside } m na zewnątrz, { $inside } m w środku
 
 # Co się robi.
 workshop-do-play = Graj
+workshop-do-leave = Wyjdź do menu
 workshop-do-undo = Cofnij
 workshop-do-redo = Ponów
 workshop-do-move = Przesuń
@@ -72,9 +76,10 @@ workshop-do-top = Z góry
 workshop-do-front = Z przodu
 workshop-do-side = Z boku
 workshop-do-flies = Leć klawiszami
-workshop-do-raster = Zacznij rastrem
+workshop-do-raster = Najpierw szybki obraz
 workshop-grid = { $metres } m
 workshop-menu-edit = Edycja
+workshop-menu-room = Pokój
 workshop-menu-view = Widok
 workshop-key-ctrl = Ctrl
 workshop-key-shift = Shift
@@ -143,7 +148,7 @@ workshop-field-scale = Skala
 workshop-field-text = Tekst
 workshop-field-colour = Kolor
 workshop-field-power = Jasność
-workshop-field-checker = Kratka
+workshop-field-checker = W kratkę
 workshop-field-checker-colour = Drugi kolor
 workshop-field-checker-size = Bok kratki
 workshop-field-texture-file = Obraz
@@ -168,7 +173,7 @@ workshop-field-spawn-at = Start
 workshop-field-spawn-look = Wzrok na starcie (obrót, pochylenie)
 workshop-field-gravity = Grawitacja
 workshop-field-sky = Niebo
-workshop-field-light = Światło zewsząd
+workshop-field-light = Światło otoczenia
 workshop-field-has-sun = Słońce
 workshop-field-sun = Gdzie stoi
 workshop-field-sun-colour = Kolor słońca
@@ -181,11 +186,11 @@ workshop-choice-finish-mirror = Lustro
 workshop-choice-finish-glass = Szkło
 workshop-choice-lengths-felt = Jedna oś
 workshop-choice-lengths-stretch = Wszystkie osie
-workshop-choice-axis-x = x: do przodu
-workshop-choice-axis-y = y: w górę
-workshop-choice-axis-z = z: w prawo
-workshop-choice-sides-walls = Ściany (dokładne)
-workshop-choice-sides-soft = Otwarte (bez ścian)
+workshop-choice-axis-x = x (czerwona)
+workshop-choice-axis-y = y (zielona)
+workshop-choice-axis-z = z (niebieska)
+workshop-choice-sides-walls = Ściany
+workshop-choice-sides-soft = Otwarte
 workshop-choice-sides-snell = Załamujące
 workshop-choice-sides-legacy = Reguła z pracy
 workshop-choice-sides-1 = Jedna strona
@@ -376,7 +381,7 @@ workshop-lesson-choose = Kliknij „{ $name }” na liście obiektów: to przest
 workshop-lesson-stretch = Przesuń suwak „Rozciągnięcie wszystkich osi” w prawo: dom rośnie w środku, a na zewnątrz jest taki sam.
 workshop-lesson-enter = Naciśnij Graj (F5) i wejdź drzwiami.
 workshop-lesson-walk = Wejdź do domu drzwiami. F5 prowadzi z powrotem do warsztatu.
-workshop-lesson-done = Zbudowałeś dom większy w środku. W warsztacie (F5) pomoc pokaże, co jeszcze jest możliwe.
+workshop-lesson-done = Zbudowałeś dom większy w środku. W warsztacie (F5) pomoc ma drugą lekcję, o tunelach i portalach, i pokazuje, co jeszcze jest możliwe.
 workshop-lesson-skip = Pomiń ten krok
 workshop-lesson-end = Zakończ lekcję
 
@@ -410,7 +415,7 @@ workshop-told-ill-placed = Jest zamknięty: on lub „{ $name }” stoi tam, gdz
 
 # Files from the disk.
 workshop-do-from-file = Model lub obraz z pliku
-workshop-do-keep = Zapisz od razu
+workshop-do-keep = Zapisz teraz
 workshop-chooser-title = Model lub obraz
 workshop-chooser-about = Model (glb, gltf, fbx, obj) stanie przed tobą; obraz (png, jpg) położy się na tym, co zaznaczone.
 workshop-chooser-path = Ścieżka
@@ -438,7 +443,7 @@ workshop-part-portal = Portal
 workshop-about-portal = Prowadzi do siebie, dopóki nie przeciągniesz linii od niego do innego.
 workshop-lesson-tunnel = Kliknij w częściach „Tunel”: stanie przed tobą.
 workshop-lesson-longer = Gdy zaznaczone jest „{ $name }”, przesuń suwak „Rozciągnięcie” w prawo: w środku będzie dłużej, a na zewnątrz tak samo.
-workshop-lesson-portal = Kliknij w częściach „Portal”: taki, który prowadzi do siebie.
+workshop-lesson-portal = Kliknij w częściach „Portal”: to pierwszy z dwóch.
 workshop-lesson-portal-again = Kliknij „Portal” jeszcze raz: drugi stanie obok pierwszego.
 workshop-lesson-link = Przeciągnij z gałki nad „{ $name }” na środek „{ $other }”: będą prowadzić do siebie nawzajem.
 workshop-lesson-pass = Naciśnij Graj (F5), przejdź tunelem, a potem wejdź w jeden portal i wyjdź drugim.

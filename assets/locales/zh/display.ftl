@@ -74,7 +74,7 @@ room-smaller-up = 在高度上，你在这里比在外面小 { $times } 倍
 room-larger-up = 在高度上，你在这里比在外面大 { $times } 倍
 room-smaller-began = 你比开始时小 { $times } 倍
 room-larger-began = 你比开始时大 { $times } 倍
-room-keys = { $look }：精确的画面或旧的画面 · { $camera }：从背后看 · { $gun }：射击 · { $lamp }：放下或拾起灯 · { $lift }：举起或放下松动的东西 · { $ball }：扔球 · { $anew }：重新开始 · { $again }：再看一次 · { $edges }：盒子的边线
+room-keys = { $look }：精确的画面或论文的画面 · { $camera }：从背后看 · { $gun }：射击 · { $lamp }：放下或拾起灯 · { $lift }：举起或放下松动的东西 · { $ball }：扔球 · { $anew }：重新开始 · { $again }：再看一次 · { $edges }：盒子的边线
 room-keys-own = { $build }：在这里建造
 # The ways to look at a room, and what differs in the middle of the picture.
 room-look-split = 左边按论文的规则（这类房间的最初尝试），右边是精确的
@@ -85,7 +85,7 @@ room-half-exact = 精确
 room-differs = 画面中央：{ $exact }；按论文：{ $thesis }。
 room-differs-bent = 画面中央：{ $exact }；按论文：{ $thesis }，光线到达那里时弯曲了 { $bent }°。
 room-sky = 天空
-room-file = 这个房间是你的。里面有什么，写在 { $file } 里。
+room-own = 这个房间是你的。
 display-brush-shape = { $shape } { $radius } 米
 display-heap = { $sign }{ $volume } 立方米 { $kind }
 ground-found = 原有的

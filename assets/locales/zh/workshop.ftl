@@ -1,11 +1,13 @@
 ### 工坊：在其中建造房间。
 
 # 可以建造的房间。
-workshop-rooms-none = 你还没有自己的房间。新建一个，或复制一个游戏自带的房间。
+workshop-rooms-none = 你还没有自己的房间。新建一个，或在游戏自带房间的页面（三个点）上复制一个。
+workshop-rooms-shipped = 游戏自带的房间
 workshop-rooms-load = 建造
 workshop-rooms-load-named = 在“{ $name }”中建造
 workshop-not-own = 这个房间是游戏自带的。请复制它，然后在副本中建造。
 workshop-not-kept = 房间无法保存：{ $reason }
+workshop-not-saved-yet = 你的修改都已保留，但在解决这个问题之前，房间的文件保持原样：{ $reason }
 workshop-kept = 房间正在保存。它也会自动保存：每一步都在两秒之内。
 
 # 面板。
@@ -19,6 +21,7 @@ workshop-search = 搜索
 workshop-none-found = 没有这样的名称。
 workshop-rename = 新名称
 workshop-hide = 隐藏“{ $name }”
+workshop-fold = 折叠“{ $name }”
 workshop-lock = 锁定“{ $name }”
 workshop-reset = 重置{ $name }
 workshop-parts-hint = 点击即可把部件放在你所看之处。
@@ -37,7 +40,7 @@ workshop-beginning = 开始
 workshop-room-itself = 房间本身
 workshop-one = { $name }（{ $kind }）
 workshop-several = { $count } 个物体
-workshop-status-nothing = 点击物体；或按住右键并用 W A S D 飞行。
+workshop-status-nothing = 点击物体；或按住右键并用 W A S D、E、Q 飞行。
 workshop-status-chosen = 拖动物体或手柄 · 方向键：一步 · F：对准 · Alt：不吸附
 workshop-status-flies = W A S D、E 和 Q 飞行，方向键转动。V 或 Esc 结束。
 workshop-status-late = 正在重新绘制…
@@ -45,6 +48,7 @@ workshop-outside-inside = 外 { $outside } 米，内 { $inside } 米
 
 # 操作。
 workshop-do-play = 游玩
+workshop-do-leave = 返回菜单
 workshop-do-undo = 撤销
 workshop-do-redo = 重做
 workshop-do-move = 移动
@@ -67,9 +71,10 @@ workshop-do-top = 俯视
 workshop-do-front = 正视
 workshop-do-side = 侧视
 workshop-do-flies = 按键飞行
-workshop-do-raster = 先光栅化
+workshop-do-raster = 先用快速画面
 workshop-grid = { $metres } 米
 workshop-menu-edit = 编辑
+workshop-menu-room = 房间
 workshop-menu-view = 视图
 workshop-key-ctrl = Ctrl
 workshop-key-shift = Shift
@@ -138,7 +143,7 @@ workshop-field-scale = 比例
 workshop-field-text = 文字
 workshop-field-colour = 颜色
 workshop-field-power = 亮度
-workshop-field-checker = 方格
+workshop-field-checker = 棋盘格
 workshop-field-checker-colour = 第二种颜色
 workshop-field-checker-size = 方格边长
 workshop-field-texture-file = 图片
@@ -176,11 +181,11 @@ workshop-choice-finish-mirror = 镜面
 workshop-choice-finish-glass = 玻璃
 workshop-choice-lengths-felt = 一条轴
 workshop-choice-lengths-stretch = 所有轴
-workshop-choice-axis-x = x：前方
-workshop-choice-axis-y = y：上方
-workshop-choice-axis-z = z：右方
-workshop-choice-sides-walls = 墙壁（精确）
-workshop-choice-sides-soft = 敞开（没有墙）
+workshop-choice-axis-x = x（红）
+workshop-choice-axis-y = y（绿）
+workshop-choice-axis-z = z（蓝）
+workshop-choice-sides-walls = 墙壁
+workshop-choice-sides-soft = 敞开
 workshop-choice-sides-snell = 折射
 workshop-choice-sides-legacy = 论文的规则
 workshop-choice-sides-1 = 单面
@@ -278,7 +283,7 @@ workshop-lesson-choose = 在物体列表中点击“{ $name }”：那是房子�
 workshop-lesson-stretch = 把“所有轴的拉伸”向右拖：房子内部变大，外面不变。
 workshop-lesson-enter = 按“游玩”（F5），从门走进去。
 workshop-lesson-walk = 从门走进房子。按 F5 回到工坊。
-workshop-lesson-done = 你建成了内部更大的房子。回到工坊（F5），帮助里有更多能做的。
+workshop-lesson-done = 你建成了内部更大的房子。回到工坊（F5），帮助里有第二课（隧道和传送门），还有更多能做的。
 workshop-lesson-skip = 跳过这一步
 workshop-lesson-end = 结束课程
 
@@ -340,7 +345,7 @@ workshop-part-portal = 传送门
 workshop-about-portal = 在把线拖到另一个传送门之前，它通向自己。
 workshop-lesson-tunnel = 在部件中点击“隧道”：它就会出现在你面前。
 workshop-lesson-longer = 选中“{ $name }”后，把“拉伸”向右拖：内部变长，外面不变。
-workshop-lesson-portal = 在部件中点击“传送门”：它通向自己。
+workshop-lesson-portal = 在部件中点击“传送门”：这是两个中的第一个。
 workshop-lesson-portal-again = 再点击一次“传送门”：第二个会在第一个旁边。
 workshop-lesson-link = 从“{ $name }”上方的圆点拖到“{ $other }”的中间：它们就通向对方。
 workshop-lesson-pass = 按“游玩”（F5），走过隧道，再从一个传送门进去，从另一个出来。

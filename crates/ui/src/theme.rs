@@ -105,7 +105,8 @@ fn scroll_bars() -> ScrollStyle {
 fn visuals(visuals: &mut egui::Visuals) {
     visuals.dark_mode = true;
     visuals.weak_text_color = Some(WEAK);
-    visuals.window_fill = PANEL;
+    // Menus and pages lie over words.
+    visuals.window_fill = PANEL.to_opaque();
     visuals.panel_fill = PANEL;
     visuals.extreme_bg_color = Color32::from_rgba_unmultiplied_const(0, 0, 0, 130);
     visuals.error_fg_color = BAD;

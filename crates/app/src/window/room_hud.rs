@@ -1,7 +1,5 @@
 //! Fills the model of the heads-up display from an open room.
 
-use std::path::{Path, PathBuf};
-
 use antipode_language::{Texts, Value};
 use antipode_rays::View;
 use antipode_room_scene::{Pick, RoomScene, Sizes};
@@ -26,12 +24,10 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
     let scene = visit.scene();
     let is_new = visit.is_new();
     let told = |text: &String| Some(text.clone()).filter(|text| is_new && !text.is_empty());
-    let sentence = match visit.file() {
-        // Who has made a room is told where it is changed.
-        Some(file) if words.sentence.is_empty() => {
-            texts.say_with("room-file", &[("file", name_of(&file).into())])
-        }
-        _ => words.sentence.clone(),
+    let sentence = if words.sentence.is_empty() && visit.file().is_some() {
+        texts.say("room-own")
+    } else {
+        words.sentence.clone()
     };
     let mut state = if visit.room.look == View::Plain {
         Vec::new()
@@ -60,13 +56,6 @@ pub fn model(texts: &Texts, profiles: &Profiles, visit: &Visit, fps: f32) -> Hud
         }),
         ..HudModel::default()
     }
-}
-
-/// A room's file by its name and that of its folder, which is what tells rooms apart.
-fn name_of(file: &Path) -> String {
-    let folder = file.parent().and_then(Path::file_name);
-    let parts = [folder, file.file_name()].into_iter().flatten();
-    parts.collect::<PathBuf>().display().to_string()
 }
 
 /// What the keys do that are for rooms in another way than for worlds.
@@ -196,13 +185,6 @@ mod tests {
         assert_eq!(told(4.04, 4.0), "4.0 m");
         let bent = told(395.0, 79.0);
         assert!(bent.contains("395") && bent.contains("79"), "{bent}");
-    }
-
-    #[test]
-    fn of_where_a_room_is_kept_its_folder_is_told_and_not_the_way_there() {
-        let file = Path::new("/home/somebody/rooms/my-room/room.ron");
-        let told = name_of(file).replace('\\', "/");
-        assert_eq!(told, "my-room/room.ron");
     }
 
     #[test]

@@ -119,7 +119,7 @@ impl FreeCamera {
         let (pivot, turn) = go(space, &self.place(space), self.axes().0, self.pivot_m);
         self.aim_deg = aim(turn * self.axes().0);
         self.look(right_rad, up_rad);
-        self.stand_off(space, &pivot);
+        self.stand_off(space, &pivot, self.pivot_m);
     }
 
     /// Nearer by a factor to what it turns about, or farther off.
@@ -129,23 +129,27 @@ impl FreeCamera {
         self.pivot_m = pivot_m;
     }
 
-    /// Looks at what is about a point of the scene and reaches so far from it, metres.
+    /// Looks from outside at what is about a point of the scene and reaches so far from it, metres.
     pub fn focus(&mut self, space: &Space, point: DVec3, reach_m: f64, fov_y_rad: f64) {
         self.pivot_m = (1.3 * reach_m / (0.5 * fov_y_rad).sin()).clamp(0.2, 2000.0);
-        self.stand_off(space, &Place::at(space, point));
+        // All of it is within that ball, so its own stretched space and its own portal do not count: who goes back from the middle of
+        // a long tunnel would not come out of it.
+        let out_m = reach_m.min(self.pivot_m);
+        let outside = Place::at(space, point - self.axes().0 * out_m);
+        self.stand_off(space, &outside, self.pivot_m - out_m);
     }
 
     /// Looks from that side at what it turns about.
     pub fn face(&mut self, space: &Space, facing: Facing) {
         let (pivot, _) = go(space, &self.place(space), self.axes().0, self.pivot_m);
         self.aim_deg = facing.aim_deg();
-        self.stand_off(space, &pivot);
+        self.stand_off(space, &pivot, self.pivot_m);
     }
 
     /// Goes back from a place, against where it looks.
-    fn stand_off(&mut self, space: &Space, pivot: &Place) {
+    fn stand_off(&mut self, space: &Space, from: &Place, length_m: f64) {
         let front = self.axes().0;
-        let (place, turn) = go(space, pivot, -front, self.pivot_m);
+        let (place, turn) = go(space, from, -front, length_m);
         self.point = place.point;
         // Who looks straight down looks to no side, so nothing but a turn by portals gives them another.
         if turn != DQuat::IDENTITY {

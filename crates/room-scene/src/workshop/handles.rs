@@ -12,6 +12,8 @@ use super::through::Through;
 const REACH: f64 = 0.26;
 /// Points of a straight handle, and of a ring.
 const POINTS: (usize, usize) = (9, 49);
+/// Where arrows that move begin, as a share of the reach: at the middle what is held is taken by itself, however small it is.
+const ARROW_FROM: f64 = 0.25;
 /// Where the squares that move across an axis begin and end, as shares of the reach.
 const SQUARE: (f64, f64) = (0.28, 0.48);
 
@@ -95,7 +97,7 @@ impl Handles {
         for axis in 0..3 {
             match tool {
                 Tool::Move => {
-                    handles.add_line(through, Handle::Along(axis), axis, (0.1, 1.0));
+                    handles.add_line(through, Handle::Along(axis), axis, (ARROW_FROM, 1.0));
                     handles.add_square(through, axis);
                 }
                 Tool::Turn => handles.add_ring(through, axis),
@@ -170,20 +172,10 @@ impl Handles {
     /// The handle that is nearest to a place of the picture, within so many of its half heights.
     pub fn under(&self, view: &Viewpoint, at: DVec2, within: f64) -> Option<Handle> {
         let near = self.lines.iter().filter_map(|line| {
-            let away = distance(view, at, &line.points);
+            let away = view.distance_to_line(at, &line.points);
             (away < within).then_some((away, line.handle))
         });
         let found = near.min_by(|a, b| a.0.total_cmp(&b.0));
         found.map(|(_, handle)| handle)
     }
-}
-
-/// How far a place of the picture is from a line, in half heights.
-fn distance(view: &Viewpoint, at: DVec2, points: &[DVec2]) -> f64 {
-    let pieces = points.windows(2).map(|piece| {
-        let (a, way) = (view.spread(at - piece[0]), view.spread(piece[1] - piece[0]));
-        let share = (a.dot(way) / way.length_squared().max(1e-18)).clamp(0.0, 1.0);
-        (a - way * share).length()
-    });
-    pieces.fold(f64::INFINITY, f64::min)
 }

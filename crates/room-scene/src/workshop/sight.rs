@@ -54,6 +54,16 @@ impl Viewpoint {
     pub(super) fn spread(&self, way: DVec2) -> DVec2 {
         DVec2::new(way.x * self.aspect, way.y)
     }
+
+    /// How far a place of the picture is from a line of straight pieces, in half heights.
+    pub fn distance_to_line(&self, at: DVec2, points: &[DVec2]) -> f64 {
+        let pieces = points.windows(2).map(|piece| {
+            let (a, way) = (self.spread(at - piece[0]), self.spread(piece[1] - piece[0]));
+            let share = (a.dot(way) / way.length_squared().max(1e-18)).clamp(0.0, 1.0);
+            (a - way * share).length()
+        });
+        pieces.fold(f64::INFINITY, f64::min)
+    }
 }
 
 /// What is seen at a place of a picture.

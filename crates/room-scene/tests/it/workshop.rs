@@ -137,7 +137,8 @@ fn pull(
             continue;
         };
         let along = handles.held.axes.col(axis);
-        let wanted = handles.reach_m * (1.0 - 0.55);
+        // Arrows begin at a quarter of the reach.
+        let wanted = handles.reach_m * (1.0 - 0.625);
         assert!(
             (way - along * wanted).length() < 0.02 * handles.reach_m,
             "{id}: {:?} {way} {wanted}",

@@ -44,6 +44,7 @@ fn buttons(
     wishes: &mut Vec<WorkshopWish>,
     examples: &mut bool,
 ) {
+    room_menu(ui, model, wishes);
     let (texts, bar) = (model.texts, model.bar);
     let mut push = |clicked: bool, wish: WorkshopWish| {
         if clicked {
@@ -126,6 +127,22 @@ fn menus(
     });
 }
 
+/// What is done with the room as a whole.
+fn room_menu(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
+    ui.menu_button(model.texts.say("workshop-menu-room"), |ui| {
+        for (id, wish) in [
+            ("keep", WorkshopWish::Keep),
+            ("from-file", WorkshopWish::ChooseFile),
+            ("leave", WorkshopWish::Leave),
+        ] {
+            if line(ui, model, id, (false, true)).clicked() {
+                wishes.push(wish);
+                ui.close();
+            }
+        }
+    });
+}
+
 fn edit_menu(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
     let bar = model.bar;
     let chosen = bar.has_chosen;
@@ -139,7 +156,6 @@ fn edit_menu(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWi
         ("ungroup", chosen, WorkshopWish::Ungroup),
         ("delete", chosen, WorkshopWish::Delete),
         ("choose-all", true, WorkshopWish::ChooseAll(true)),
-        ("from-file", true, WorkshopWish::ChooseFile),
     ] {
         if line(ui, model, id, (false, enabled)).clicked() {
             wishes.push(wish);

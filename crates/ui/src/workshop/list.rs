@@ -1,5 +1,7 @@
 //! The list of what stands in the room: searched, chosen, hidden, locked, renamed, and dragged into groups.
 
+use std::collections::HashSet;
+
 use egui::{Color32, Key, Response, RichText, ScrollArea, Sense, Ui, vec2};
 
 use super::keys::held_with_button;
@@ -24,6 +26,43 @@ pub(super) struct ListState {
     begins: bool,
     /// What is to come into view.
     pub shows: Option<String>,
+    /// Groups of which only the name is listed.
+    folded: HashSet<String>,
+}
+
+impl ListState {
+    /// Unfolds every group that something is in.
+    fn unfold_around(&mut self, objects: &[ObjectRow], name: &str) {
+        let Some(place) = objects.iter().position(|it| it.name == name) else {
+            return;
+        };
+        let mut depth = objects[place].depth;
+        for row in objects[..place].iter().rev() {
+            if row.depth < depth {
+                depth = row.depth;
+                self.folded.remove(&row.name);
+            }
+        }
+    }
+
+    /// What is listed: all that is searched for, or all but what folded groups carry.
+    fn listed<'m>(&self, objects: &'m [ObjectRow]) -> Vec<&'m ObjectRow> {
+        let wanted = self.search.trim().to_lowercase();
+        let mut folded_at = usize::MAX;
+        let is_listed = |row: &&ObjectRow| {
+            if !wanted.is_empty() {
+                let words = format!("{} {}", row.name, row.kind).to_lowercase();
+                return words.contains(&wanted);
+            }
+            if row.depth > folded_at {
+                return false;
+            }
+            let is_folded = row.is_group && self.folded.contains(&row.name);
+            folded_at = if is_folded { row.depth } else { usize::MAX };
+            true
+        };
+        objects.iter().filter(is_listed).collect()
+    }
 }
 
 /// Draws it.
@@ -36,15 +75,10 @@ pub(super) fn show(
     let texts = model.texts;
     let hint = texts.say("workshop-search");
     entry(ui, &mut state.search, &hint, &hint);
-    let wanted = state.search.trim().to_lowercase();
-    let rows: Vec<&ObjectRow> = model
-        .objects
-        .iter()
-        .filter(|it| {
-            let words = || format!("{} {}", it.name, it.kind).to_lowercase();
-            wanted.is_empty() || words().contains(&wanted)
-        })
-        .collect();
+    if let Some(name) = state.shows.clone() {
+        state.unfold_around(model.objects, &name);
+    }
+    let rows = state.listed(model.objects);
     if rows.is_empty() {
         ui.label(RichText::new(texts.say("workshop-none-found")).color(WEAK));
     }
@@ -109,6 +143,9 @@ fn row(
             return;
         }
         marks(ui, model, row, wishes);
+        if row.is_group {
+            fold(ui, model, row, &mut state.folded);
+        }
         let response = name(ui, row);
         let target = LessonTarget::Object(row.name.clone());
         lesson::point_out(ui, model, &target, response.rect);
@@ -185,6 +222,31 @@ fn marks(ui: &mut Ui, model: &WorkshopModel<'_>, row: &ObjectRow, wishes: &mut V
     );
     if lock.clicked() {
         wishes.push(WorkshopWish::Lock(row.name.clone(), !row.locked));
+    }
+}
+
+/// The triangle that folds a group.
+fn fold(ui: &mut Ui, model: &WorkshopModel<'_>, row: &ObjectRow, folded: &mut HashSet<String>) {
+    let values = [("name", row.name.as_str().into())];
+    let label = model.texts.say_with("workshop-fold", &values);
+    let is_folded = folded.contains(&row.name);
+    let triangle = mark(ui, &label, is_folded, |painter, rect, colour, on| {
+        let at = rect.center();
+        // To the right where it is folded, down where it is not.
+        let (along, across) = if on {
+            (vec2(4.0, 0.0), vec2(0.0, 5.0))
+        } else {
+            (vec2(0.0, 4.0), vec2(5.0, 0.0))
+        };
+        let corners = vec![at + along, at - along + across, at - along - across];
+        painter.add(egui::Shape::convex_polygon(
+            corners,
+            colour,
+            egui::Stroke::NONE,
+        ));
+    });
+    if triangle.clicked() && !folded.remove(&row.name) {
+        folded.insert(row.name.clone());
     }
 }
 

@@ -434,6 +434,8 @@ pub enum WorkshopWish {
     Play,
     /// What was built is saved at once.
     Keep,
+    /// It is saved, and the menu comes up.
+    Leave,
     /// A model or a picture is to be chosen from the disk.
     ChooseFile,
     /// Something while a file is chosen.

@@ -55,7 +55,7 @@ pub(super) fn show<'a>(
     let model = pass.model;
     let regions = pass.regions;
     let rows = kind.rows(model);
-    let mut chosen = None;
+    let (mut chosen, mut to_shipped) = (None, false);
     let body = |ui: &mut Ui, stops: &mut Stops| {
         if let Some(work) = &kind.files(model).work {
             ui.label(egui::RichText::new(work).font(small()).color(ACCENT));
@@ -75,6 +75,12 @@ pub(super) fn show<'a>(
             if new.clicked() {
                 chosen = Some(Choice::New);
             }
+        }
+        if kind == Kind::Own {
+            let label = model.texts.say("workshop-rooms-shipped");
+            let shipped = steady(ui, "shipped", |ui| column_button(ui, &label, false));
+            stops.add(&shipped);
+            to_shipped = shipped.clicked();
         }
     };
     let title = model.texts.say(match (kind, purpose) {
@@ -97,6 +103,9 @@ pub(super) fn show<'a>(
         if back.clicked() {
             pass.go = Some(Screen::Main);
         }
+    }
+    if to_shipped {
+        pass.go = Some(Screen::Rooms);
     }
     if import.is_some_and(|import| import.clicked()) {
         chosen = Some(Choice::Import);

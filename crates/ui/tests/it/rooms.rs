@@ -45,6 +45,16 @@ fn rooms_are_reached_from_the_main_menu_and_entered() {
 }
 
 #[test]
+fn the_workshop_leads_to_the_rooms_of_the_game_that_one_can_copy() {
+    let mut game = with_rooms();
+    game.shell.open(Screen::Workshop);
+    let mut harness = window(game);
+    click(&mut harness, "Rooms of the game");
+    assert_eq!(harness.state().shell.screen(), &Screen::Rooms);
+    assert!(says(&harness, "longer than the house"));
+}
+
+#[test]
 fn a_room_of_the_game_can_be_entered_and_copied_only() {
     let mut harness = window(with_rooms());
     click(&mut harness, "Manage “Room 1”");

@@ -4,8 +4,8 @@ use antipode_language::{Language, Texts};
 use antipode_ui::apply_theme;
 use antipode_ui::workshop::{
     Amount, BarModel, ChooserModel, ExampleRow, FieldKind, FieldRow, FieldValue, HistoryRow,
-    LessonModel, MessageRow, ObjectRow, PartRow, ToolChoice, Unit, ViewEvent, WorkshopModel,
-    WorkshopPanes, WorkshopWish,
+    LessonModel, LessonTarget, MessageRow, ObjectRow, PartRow, ToolChoice, Unit, ViewEvent,
+    WorkshopModel, WorkshopPanes, WorkshopWish,
 };
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2, vec2};
 use egui_kittest::Harness;
@@ -193,6 +193,52 @@ fn things_are_chosen_hidden_locked_and_found_in_the_list() {
     harness.run();
     assert!(harness.query_by_label("wall box").is_none());
     harness.get_by_label("house group");
+}
+
+#[test]
+fn a_group_is_folded_and_unfolds_for_what_the_lesson_points_to_in_it() {
+    let mut harness = wide();
+    let is_listed =
+        |harness: &Harness<'_, Bench>| harness.query_by_label_contains("wall").is_some();
+    // The step of the history and what is chosen name it, too.
+    let named = |harness: &Harness<'_, Bench>| harness.query_all_by_label_contains("wall").count();
+    let before = named(&harness);
+    harness.get_by_label("Fold “house”").click();
+    harness.run();
+    assert!(named(&harness) < before && is_listed(&harness));
+    // Search looks into it.
+    harness.get_by_label("Search").click();
+    harness.run();
+    harness.event(Event::Text("wall".to_owned()));
+    harness.run();
+    assert_eq!(named(&harness), before);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.key_press(Key::Backspace);
+    harness.run();
+    assert!(named(&harness) < before);
+    harness.state_mut().lesson = Some(LessonModel {
+        number: 3,
+        of: 5,
+        text: "Choose it.".to_owned(),
+        target: LessonTarget::Object("wall".to_owned()),
+    });
+    harness.run();
+    assert_eq!(named(&harness), before);
+}
+
+#[test]
+fn the_room_is_saved_and_left_by_its_menu() {
+    let mut harness = wide();
+    for (line, wish) in [
+        ("Save now", WorkshopWish::Keep),
+        ("Leave to the menu", WorkshopWish::Leave),
+    ] {
+        harness.get_by_label("Room").click();
+        harness.run();
+        harness.get_by_label_contains(line).click();
+        harness.run();
+        assert_eq!(asked(&mut harness), [wish]);
+    }
 }
 
 #[test]

@@ -285,7 +285,7 @@ fn what_is_wrong_is_said_and_leads_there() {
         &mut game,
         [
             WorkshopWish::Choose {
-                name: "door".to_owned(),
+                name: "portal".to_owned(),
                 adds: false,
             },
             door,
@@ -303,7 +303,7 @@ fn what_is_wrong_is_said_and_leads_there() {
     }
     ask(&mut game, [WorkshopWish::ShowMessage(0)]);
     assert!(
-        chosen(&game).contains(&"door".to_owned()),
+        chosen(&game).contains(&"portal".to_owned()),
         "{:?}",
         chosen(&game)
     );

@@ -39,6 +39,110 @@ fn what_is_dragged_on_surfaces_goes_on_from_where_it_stands_and_stays_on_the_gro
     }
     let aside = place(&game, "box");
     assert!(aside.x > before.x + 0.3, "{aside}");
+    // It stands on the grid, as Snap says; with Alt it does not.
+    let off = |at: glam::DVec3| [at.x, at.z].map(|it| (it - (it * 4.0).round() / 4.0).abs());
+    assert!(off(aside).iter().all(|it| *it < 1e-9), "{aside}");
+    ask(
+        &mut game,
+        [WorkshopWish::View(ViewEvent::Pull {
+            at: [held[0] + 0.32, held[1]],
+            free: true,
+        })],
+    );
+    let free = place(&game, "box");
+    assert!(off(free).iter().any(|it| *it > 0.01), "{free}");
+}
+
+#[test]
+fn what_may_stand_in_no_file_is_told_in_words_and_that_nothing_is_lost() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("tunnel"), put("portal")]);
+    let into = place(&game, "tunnel") - place(&game, "portal frame") + glam::DVec3::Z * 2.0;
+    let set = |axis: usize, game: &Game| WorkshopWish::Set {
+        key: "at".to_owned(),
+        value: antipode_ui::workshop::FieldValue::Number(
+            axis,
+            place(game, "portal frame")[axis] + into[axis],
+        ),
+        done: true,
+    };
+    let moves = [set(0, &game), set(2, &game)];
+    ask(&mut game, moves);
+    let mut now = Instant::now();
+    let began = now;
+    while !words(&mut game).contains("Your edits are kept") {
+        assert!(
+            began.elapsed() < Duration::from_mins(2),
+            "{}",
+            words(&mut game)
+        );
+        now += Duration::from_millis(20);
+        game.tick(now);
+    }
+    let said = words(&mut game);
+    assert!(said.contains("lies over a side of “tunnel”"), "{said}");
+    assert!(
+        !said.contains("at of") && !said.contains("aberration"),
+        "{said}"
+    );
+}
+
+#[test]
+fn the_start_and_lamps_are_named_where_the_pointer_is_on_them() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let back = WorkshopWish::View(ViewEvent::Fly([-1.0, 0.0, 0.0], 1.0, false));
+    let aside = WorkshopWish::Nudge([8, 0, 0]);
+    let none = WorkshopWish::ChooseAll(false);
+    ask(&mut game, [put("light"), aside, back, none]);
+    let over = |game: &mut Game, at: glam::DVec2| {
+        ask(game, [WorkshopWish::View(ViewEvent::Hover(at.to_array()))]);
+        let visit = game.play.phase.visit().unwrap();
+        let workshop = visit.workshop.as_ref().unwrap();
+        let lines = workshop.lines(visit.scene(), &game.menus.texts);
+        lines
+            .into_iter()
+            .filter_map(|it| it.label)
+            .collect::<Vec<_>>()
+    };
+    let at = |game: &Game, name: &str| {
+        let visit = game.play.phase.visit().unwrap();
+        let workshop = visit.workshop.as_ref().unwrap();
+        match name {
+            "" => workshop.seen_start(visit.scene()),
+            name => workshop.seen_in_view(visit.scene(), name),
+        }
+        .unwrap()
+    };
+    let (lamp, start) = (at(&game, "light"), at(&game, ""));
+    assert_eq!(over(&mut game, lamp), ["light"]);
+    assert_eq!(over(&mut game, start), ["Start"]);
+    assert!(over(&mut game, glam::DVec2::new(0.7, 0.7)).is_empty());
+}
+
+#[test]
+fn of_a_portal_that_is_out_of_sight_no_knob_hangs_at_the_border() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("portal")]);
+    assert!(words(&mut game).contains("Leads to “portal”: drag"));
+    ask(
+        &mut game,
+        [WorkshopWish::View(ViewEvent::Look([250.0, 0.0]))],
+    );
+    assert!(!words(&mut game).contains("Leads to “portal”: drag"));
+}
+
+#[test]
+fn the_menu_of_the_room_leads_to_the_menu() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(&mut game, [put("box"), WorkshopWish::Leave]);
+    assert!(game.play.phase.is_paused());
+    game.follow(Intent::Resume);
+    assert!(game.play.phase.is_built());
+    assert_eq!(chosen(&game), ["box"]);
 }
 
 #[test]

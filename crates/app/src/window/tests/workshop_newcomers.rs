@@ -107,6 +107,16 @@ fn the_second_lesson_leads_to_a_tunnel_and_two_portals_and_through_one() {
     // Nor does more time lead on.
     said(&mut game);
     assert!(said(&mut game).contains("step 5 of 6"));
+    // The line is dragged from one to the other, so both are seen.
+    let visit = game.play.phase.visit().unwrap();
+    for name in ["portal", "portal 2"] {
+        let at = visit
+            .workshop
+            .as_ref()
+            .unwrap()
+            .seen_in_view(visit.scene(), name);
+        assert!(at.unwrap().abs().max_element() < 0.95, "{name}: {at:?}");
+    }
     let room = scene(&game).room();
     let to_itself = room
         .portals()
@@ -143,11 +153,28 @@ fn both_of_a_pair_of_portals_are_seen_when_it_is_put_in() {
     ask(&mut game, [put("house"), near, put("portals")]);
     let visit = game.play.phase.visit_mut().unwrap();
     let workshop = visit.workshop.take().unwrap();
-    for name in ["door", "door 2"] {
+    for name in ["portal", "portal 2"] {
         let at = workshop.seen_in_view(&visit.room.scene, name).unwrap();
         assert!(at.abs().max_element() < 0.9, "{name}: {at}");
     }
     visit.workshop = Some(workshop);
+}
+
+#[test]
+fn a_tunnel_is_looked_at_from_outside() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(
+        &mut game,
+        [put("house"), put("tunnel"), WorkshopWish::Focus],
+    );
+    let eye = game.room_view(1.5).unwrap().moment.eye;
+    assert!(eye.place.stack.is_empty(), "one looks from within a space");
+    let made = scene(&game).room().find("tunnel").unwrap().1;
+    let way = made.at - eye.place.point;
+    assert!(way.length() > 4.0, "{way}");
+    let ahead = eye.front.dot(way.normalize());
+    assert!(ahead > 0.99, "{ahead}");
 }
 
 #[test]
@@ -247,7 +274,7 @@ fn a_line_dragged_from_a_portal_to_another_makes_them_partners_and_says_what_tha
     ask(
         &mut game,
         [
-            choose("small door"),
+            choose("small portal"),
             WorkshopWish::Face(antipode_ui::workshop::ViewSide::Front),
         ],
     );
@@ -259,7 +286,7 @@ fn a_line_dragged_from_a_portal_to_another_makes_them_partners_and_says_what_tha
     let steps = made(&game);
     let visit = game.play.phase.visit_mut().unwrap();
     let workshop = visit.workshop.take().unwrap();
-    let (from, to) = workshop.link_places(&visit.room.scene, "door").unwrap();
+    let (from, to) = workshop.link_places(&visit.room.scene, "portal").unwrap();
     visit.workshop = Some(workshop);
     let (from, to) = (from.to_array(), to.to_array());
     ask(
@@ -274,7 +301,7 @@ fn a_line_dragged_from_a_portal_to_another_makes_them_partners_and_says_what_tha
     );
     let said = words(&mut game);
     assert!(
-        said.contains("It is closed: “door” has another shape"),
+        said.contains("It is closed: “portal” has another shape"),
         "{said}"
     );
     ask(
@@ -291,10 +318,10 @@ fn a_line_dragged_from_a_portal_to_another_makes_them_partners_and_says_what_tha
         _ => panic!("no portal"),
     };
     assert_eq!(
-        (to_of("small door"), to_of("door")),
-        ("door".to_owned(), "small door".to_owned())
+        (to_of("small portal"), to_of("portal")),
+        ("portal".to_owned(), "small portal".to_owned())
     );
-    assert_eq!(to_of("door 2"), "door 2");
+    assert_eq!(to_of("portal 2"), "portal 2");
 }
 
 #[test]

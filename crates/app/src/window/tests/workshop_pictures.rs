@@ -161,7 +161,7 @@ fn pictures_of_all_panes_are_written_where_somebody_asks_for_them() {
                 value: FieldValue::Number(0, 3.0),
                 done: true,
             };
-            ask(&mut game, [put("portals"), choose("door"), wide]);
+            ask(&mut game, [put("portals"), choose("portal"), wide]);
             let began = Instant::now();
             while game.play.phase.visit().unwrap().messages() == 0 {
                 assert!(began.elapsed() < Duration::from_mins(1));

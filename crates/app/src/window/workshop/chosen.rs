@@ -156,14 +156,10 @@ pub fn half(what: &What) -> DVec3 {
     }
 }
 
-/// The middle of what is chosen, metres.
-pub fn middle(scene: &RoomScene) -> Option<DVec3> {
-    let all = indices(scene).into_iter();
-    let (sum, count) = all.fold((DVec3::ZERO, 0.0), |(sum, count), index| {
-        let (middle, _) = extent(scene, index);
-        (sum + middle, count + 1.0)
-    });
-    (count > 0.0).then(|| sum / count)
+/// The middle of some things, metres.
+pub fn middle(scene: &RoomScene, all: &[usize]) -> Option<DVec3> {
+    let sum: DVec3 = all.iter().map(|index| extent(scene, *index).0).sum();
+    (!all.is_empty()).then(|| sum / all.len() as f64)
 }
 
 /// The middle of a thing, or of what a group carries, and how far it reaches from there, metres.
@@ -218,10 +214,10 @@ pub fn ends(scene: &RoomScene, index: usize) -> [DVec3; 4] {
     .map(|corner| pose.transform_point3(corner))
 }
 
-/// How far what is chosen reaches from its middle, metres.
-pub fn reach_m(scene: &RoomScene, origin: DVec3) -> f64 {
-    let reach = indices(scene).into_iter().map(|index| {
-        let (middle, reach_m) = extent(scene, index);
+/// How far some things reach from a point, metres.
+pub fn reach_m(scene: &RoomScene, all: &[usize], origin: DVec3) -> f64 {
+    let reach = all.iter().map(|index| {
+        let (middle, reach_m) = extent(scene, *index);
         reach_m + middle.distance(origin)
     });
     reach.fold(0.5, f64::max)

@@ -1,12 +1,15 @@
 //! A drag of what is chosen, from when it is taken hold of.
 
 use antipode_room_scene::RoomScene;
-use antipode_room_scene::workshop::{Change, Drag, Held, Sight, Through, Viewpoint};
+use antipode_room_scene::workshop::{Change, Drag, Held, Sight, Snap, Through, Viewpoint};
 use antipode_rooms::What;
 use glam::{DAffine3, DVec2, DVec3};
 
 /// So near to a surface something lies on it, metres.
 const TOUCHES_M: f64 = 0.02;
+
+/// An axis along which a surface's normal has less than this lies in that surface.
+const IN_SURFACE: f64 = 1e-6;
 
 /// A drag that goes on.
 #[derive(Clone, Debug)]
@@ -52,13 +55,24 @@ impl Dragging {
         scene.through(view, self.drag.chain.clone())
     }
 
-    /// Moves what is held onto what is seen beside the pointer, itself left out.
-    pub fn on_surface(&self, scene: &RoomScene, view: &Viewpoint, at: DVec2) -> Option<Change> {
+    /// Moves what is held onto what is seen beside the pointer, itself left out; on the grid along the axes of the room that lie in
+    /// that surface.
+    pub fn on_surface(
+        &self,
+        scene: &RoomScene,
+        view: &Viewpoint,
+        at: DVec2,
+        snap: &Snap,
+    ) -> Option<Change> {
         let seen = scene.seen_beside(view, at + self.aside, &self.held)?;
         let out = seen.normal.abs().dot(self.half);
-        Some(Change::Move(
-            seen.place.point + seen.normal * out - self.origin,
-        ))
+        let mut to = seen.place.point + seen.normal * out;
+        for axis in 0..3 {
+            if seen.normal[axis].abs() < IN_SURFACE {
+                to[axis] = snap.length(to[axis]);
+            }
+        }
+        Some(Change::Move(to - self.origin))
     }
 }
 

@@ -67,6 +67,12 @@ impl Findings {
         notes.chain(self.found.iter().map(row)).collect()
     }
 
+    /// The first of those for which something does not work as it stands, in words.
+    pub fn gravest(&self, texts: &Texts) -> Option<String> {
+        let grave = self.found.iter().find(|it| it.is_grave)?;
+        Some(said(texts, "finding", &grave.said))
+    }
+
     /// How many there are.
     #[cfg(test)]
     pub fn count(&self) -> usize {

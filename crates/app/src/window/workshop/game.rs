@@ -9,6 +9,7 @@ use antipode_ui::ToastKind;
 use antipode_ui::workshop::{BarModel, LessonChoice, WorkshopModel, WorkshopPanes, WorkshopWish};
 use glam::DVec3;
 
+use super::keeping::NotKept;
 use super::wishes::{Bench, Outcome};
 use super::{Lesson, Workshop, findings, lines};
 use crate::bindings::Action;
@@ -86,12 +87,18 @@ impl Game {
             return;
         }
         if scene.document().selection().is_empty() {
-            visit.keep_at_last();
-            self.pause();
+            self.leave_for_menu();
         } else {
             scene.document_mut().select([]);
             workshop.told.forget();
         }
+    }
+
+    fn leave_for_menu(&mut self) {
+        if let Some(visit) = self.play.phase.visit_mut() {
+            visit.keep_at_last();
+        }
+        self.pause();
     }
 
     /// Lets time pass: what has changed is kept.
@@ -106,16 +113,24 @@ impl Game {
         };
         let scene = &mut visit.room.scene;
         workshop.findings.pass(scene);
-        if let Some(lesson) = &mut visit.lesson {
-            lesson.pass(scene);
+        if let Some(lesson) = &mut visit.lesson
+            && lesson.pass(scene)
+        {
+            workshop.bring_into_view(scene, &lesson.seen_together(scene.room()));
         }
         if let Some(why) = workshop.older.pass(scene) {
             self.menus.shell.toast(why, ToastKind::State);
         }
         if let Some(why) = workshop.keeping.pass(scene, passed.as_secs_f64()) {
-            let values = [("reason", why.into())];
-            self.menus
-                .toast(ToastKind::Problem, "workshop-not-kept", &values);
+            let (words, reason) = match why {
+                NotKept::Unsound(why) => {
+                    let found = workshop.findings.gravest(&self.menus.texts);
+                    ("workshop-not-saved-yet", found.unwrap_or(why))
+                }
+                NotKept::Failed(why) => ("workshop-not-kept", why),
+            };
+            let values = [("reason", reason.into())];
+            self.menus.toast(ToastKind::Problem, words, &values);
         }
     }
 
@@ -210,7 +225,7 @@ impl Game {
             slug: &slug,
             reading: &mut visit.reading,
         };
-        let (mut plays, mut keeps) = (false, false);
+        let (mut plays, mut keeps, mut leaves) = (false, false, false);
         let mut refused = None;
         let mut of_lesson = Vec::new();
         for wish in wishes {
@@ -222,6 +237,7 @@ impl Game {
             match workshop.follow(&mut bench, wish) {
                 Some(Outcome::Play) => plays = true,
                 Some(Outcome::Keep) => keeps = true,
+                Some(Outcome::Leave) => leaves = true,
                 Some(Outcome::Refused(why)) => refused = Some(why),
                 None => {}
             }
@@ -241,6 +257,8 @@ impl Game {
         }
         if plays {
             self.toggle_workshop();
+        } else if leaves {
+            self.leave_for_menu();
         }
     }
 }

@@ -103,6 +103,7 @@ impl Workshop {
     }
 
     fn hover_at(&mut self, scene: &RoomScene, at: DVec2) {
+        self.pointer = Some(at);
         let within = self.half_heights(GRIP_POINTS);
         let handles = self.handles(scene);
         self.hover =
@@ -160,7 +161,7 @@ impl Workshop {
         let dragging = self.dragging.as_mut()?;
         let on_surface = on_surfaces && dragging.drag.handle == Handle::Body;
         let change = if on_surface {
-            dragging.on_surface(scene, &view, at)?
+            dragging.on_surface(scene, &view, at, &snap)?
         } else {
             let through = dragging.through(scene, &view);
             dragging.drag.change(&through, at, &snap)?

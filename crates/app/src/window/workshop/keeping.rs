@@ -2,6 +2,7 @@
 //! becomes its file, too. Nothing here waits for the disk.
 
 use antipode_room_scene::RoomScene;
+use antipode_rooms::RoomError;
 use antipode_workshop::Trouble;
 
 /// So long after the last change it becomes the file, seconds.
@@ -16,7 +17,16 @@ pub struct Keeping {
     seen: u64,
     rests_s: f64,
     /// What was told last.
-    told: Option<String>,
+    told: Option<NotKept>,
+}
+
+/// Why a room is not kept as it should be.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NotKept {
+    /// Something in it lies as it may in no file. What that is stands among the messages, too.
+    Unsound(String),
+    /// The disk refuses.
+    Failed(String),
 }
 
 impl Keeping {
@@ -31,7 +41,7 @@ impl Keeping {
     }
 
     /// Lets time pass. Returns why the room is not kept as it should be, once for each reason.
-    pub fn pass(&mut self, scene: &mut RoomScene, passed_s: f64) -> Option<String> {
+    pub fn pass(&mut self, scene: &mut RoomScene, passed_s: f64) -> Option<NotKept> {
         let document = scene.document_mut();
         document.poll();
         let revision = document.revision();
@@ -44,8 +54,9 @@ impl Keeping {
             self.save(scene);
         }
         let why = scene.document().trouble().map(|trouble| match trouble {
-            Trouble::NotSaved(why) => why.to_string(),
-            Trouble::NotWritten(why) => why.to_string(),
+            Trouble::NotSaved(why @ RoomError::Unsound(_)) => NotKept::Unsound(why.to_string()),
+            Trouble::NotSaved(why) => NotKept::Failed(why.to_string()),
+            Trouble::NotWritten(why) => NotKept::Failed(why.to_string()),
         });
         if why == self.told {
             return None;

@@ -1,9 +1,10 @@
-//! Parts and examples of several things that belong together: a house, a pair of doorways. Each is the file of a room in
+//! Parts and examples of several things that belong together: a house, a pair of portals. Each is the file of a room in
 //! `assets/workshop`, whose groups stand on the ground with their fronts to +z.
 
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use antipode_rooms::aberration::{Aberration, Lengths, Sides};
 use antipode_rooms::bounds::MOST_LIGHTS;
 use antipode_rooms::{Object, Room, What, poses, rotation, space_in_parts};
 use antipode_workshop::{Clip, Edit, make};
@@ -14,7 +15,7 @@ use super::chosen::half;
 /// What is nearer to a kit's lower end is what it stands on, metres.
 const UNDER_M: f64 = 0.06;
 /// Where else a kit is tried, metres to the right of where it was meant and behind that.
-const ELSEWHERE_M: [(f64, f64); 9] = [
+const ELSEWHERE_M: [(f64, f64); 13] = [
     (0.0, 0.0),
     (4.0, 0.0),
     (-4.0, 0.0),
@@ -22,11 +23,15 @@ const ELSEWHERE_M: [(f64, f64); 9] = [
     (8.0, 0.0),
     (-8.0, 0.0),
     (0.0, 8.0),
+    (12.0, 0.0),
+    (-12.0, 0.0),
     (16.0, 0.0),
     (-16.0, 0.0),
+    (24.0, 0.0),
+    (-24.0, 0.0),
 ];
-/// So far before a portal nothing else is put: one could not go in, nor see through it.
-const BEFORE_PORTAL_M: f64 = 2.5;
+/// So far before a portal, a gate and the ends of a tunnel nothing else is put: one could not go in, nor see through it.
+const BEFORE_DOOR_M: f64 = 2.5;
 /// How far from the first group of a kit the second is tried, in shares of how far it stands in the file.
 const APART: [f64; 6] = [1.0, -1.0, 0.7, -0.7, 1.6, -1.6];
 
@@ -90,7 +95,7 @@ fn place(room: &Room, kit: &[Arc<Object>], lift_m: f64, site: &Site<'_>) -> Opti
     let depth = reach(kit);
     let out = DVec3::new(site.normal.x, 0.0, site.normal.z) * depth;
     let mut before = poses_of(room);
-    before.extend(before_portals(&room.objects));
+    before.extend(before_doors(&room.objects));
     let closed = space_in_parts(room).closed.len();
     let lay = |(right, behind): (f64, f64), apart: f64| {
         let is_meant = (right, behind) == (0.0, 0.0);
@@ -207,28 +212,44 @@ fn poses_of(room: &Room) -> Vec<Bounds> {
     solid.map(|(it, pose)| bounds(it, &pose)).collect()
 }
 
-/// What is before portals, as boxes.
-fn before_portals(objects: &[Arc<Object>]) -> Vec<Bounds> {
+/// What is before portals, and before and behind gates and walled tunnels, as boxes.
+fn before_doors(objects: &[Arc<Object>]) -> Vec<Bounds> {
     let mut room = Room::new("kit");
     room.objects = objects.to_vec();
     let all = room.objects.iter().zip(poses(&room));
-    let portals = all.filter(|(it, _)| matches!(it.what, What::Portal(_)));
-    let before = portals.map(|(it, pose)| {
+    let before = all.flat_map(|(it, pose)| {
         let (low, high, _) = bounds(it, &pose);
-        let way = pose.matrix3.x_axis * BEFORE_PORTAL_M;
-        (
-            low + way.min(DVec3::ZERO),
-            high + way.max(DVec3::ZERO),
-            false,
-        )
+        let ways = ways_out(&it.what).into_iter();
+        ways.map(move |way| {
+            let way = pose.matrix3 * way * BEFORE_DOOR_M;
+            let (low, high) = (low + way.min(DVec3::ZERO), high + way.max(DVec3::ZERO));
+            (low, high, false)
+        })
     });
     before.collect()
+}
+
+/// Which ways one goes into a thing and out of it, by its own axes.
+fn ways_out(what: &What) -> Vec<DVec3> {
+    match what {
+        What::Portal(_) => vec![DVec3::X],
+        What::Arch { .. } => vec![DVec3::X, DVec3::NEG_X],
+        What::Aberration(Aberration {
+            lengths: Lengths::Felt { axis, .. },
+            sides: Sides::Walls,
+            ..
+        }) => {
+            let way = DVec3::AXES[axis.index()];
+            vec![way, -way]
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// Whether something that stands in the room is where a kit would stand. Space that holds all of the kit is not in its way.
 fn is_in_the_way(room: &[Bounds], kit: &[Arc<Object>]) -> bool {
     let mut own = boxes_of(kit);
-    own.extend(before_portals(kit));
+    own.extend(before_doors(kit));
     let lowest = own.iter().fold(DVec3::INFINITY, |it, own| it.min(own.0));
     let highest = own
         .iter()
@@ -270,7 +291,7 @@ mod tests {
 
     use antipode_room_scene::tuning::SHAPE;
     use antipode_rooms::Assets;
-    use antipode_rooms::aberration::{Aberration, Axis, Lengths, Sides, Ways};
+    use antipode_rooms::aberration::{Axis, Ways};
     use antipode_workshop::{Document, find_in};
     use glam::DVec2;
 
@@ -346,10 +367,40 @@ mod tests {
             let edit = put_in(room, "portal", point, DVec3::NEG_Z).unwrap();
             document.edit(&edit).unwrap();
         }
-        let (first, front) = stands(document.room(), "door");
-        let (second, _) = stands(document.room(), "door 2");
+        let (first, front) = stands(document.room(), "portal");
+        let (second, _) = stands(document.room(), "portal 2");
         let way = second - first;
         assert!((way - front * way.dot(front)).length() > 1.5, "{way}");
+    }
+
+    #[test]
+    fn nothing_is_put_before_the_door_of_a_house_nor_the_ends_of_a_tunnel() {
+        for id in ["portals", "portal", "tunnel-longer", "house"] {
+            let mut document = Document::new(Room::new("a"));
+            let put = |document: &mut Document, id, point| {
+                let edit = put_in(document.room(), id, point, DVec3::NEG_Z).unwrap();
+                document.edit(&edit).unwrap();
+            };
+            put(&mut document, "house", DVec3::ZERO);
+            put(&mut document, "tunnel-longer", DVec3::X * 12.0);
+            let before = document.room().clone();
+            // One looks at the ground two metres before the door, and before the tunnel. Both begin at z = 0.
+            for x in [0.0, 12.0] {
+                put(&mut document, id, DVec3::new(x, 0.0, 2.0));
+            }
+            let made = Room {
+                objects: document.room().objects[before.objects.len()..].to_vec(),
+                ..Room::new("a")
+            };
+            let stands = poses_of(&made);
+            for (x, what) in [(0.0, "door"), (12.0, "end of the tunnel")] {
+                let (from, to) = (DVec3::new(x - 0.4, 0.1, 0.1), DVec3::new(x + 0.4, 2.0, 2.4));
+                let mut before = stands
+                    .iter()
+                    .filter(|(low, high, _)| low.cmplt(to).all() && high.cmpgt(from).all());
+                assert_eq!(before.next(), None, "{id} before the {what}");
+            }
+        }
     }
 
     #[test]
@@ -418,8 +469,8 @@ mod tests {
         let edit = put_in(&room, "portals", DVec3::NEG_Z * 4.0, DVec3::NEG_Z).unwrap();
         let made = make(&room, &edit).unwrap();
         assert!(space_in_parts(&made).closed.is_empty());
-        let (first, _) = stands(&made, "door");
-        let (second, _) = stands(&made, "door 2");
+        let (first, _) = stands(&made, "portal");
+        let (second, _) = stands(&made, "portal 2");
         assert!(first.distance(second) > 3.0);
         for door in [first, second] {
             let flat = DVec2::new(door.x, door.z);

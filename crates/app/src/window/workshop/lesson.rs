@@ -130,11 +130,12 @@ impl Lesson {
     }
 
     /// Goes on to the next deed, if this one is done; back to where something was put in that is there no more. While something is
-    /// dragged nothing is done.
-    pub fn pass(&mut self, scene: &RoomScene) {
+    /// dragged nothing is done. Returns whether it has come to another deed.
+    pub fn pass(&mut self, scene: &RoomScene) -> bool {
         if scene.document().is_dragging() {
-            return;
+            return false;
         }
+        let before = self.step;
         let room = scene.room();
         let gone = self
             .about
@@ -165,6 +166,17 @@ impl Lesson {
         if is_done {
             self.skip(room);
         }
+        self.step != before
+    }
+
+    /// What one has to see at once for the deed, by its places among all objects.
+    pub fn seen_together(&self, room: &Room) -> Vec<usize> {
+        let about = match self.current().1 {
+            Deed::Link => &self.about[self.about.len().saturating_sub(2)..],
+            _ => &[],
+        };
+        let found = about.iter().filter_map(|(_, name)| room.find(name));
+        found.map(|(index, _)| index).collect()
     }
 
     /// Whether the two portals that it is about lead to each other.

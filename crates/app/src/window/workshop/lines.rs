@@ -11,7 +11,7 @@ use egui::Color32;
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::kits::bounds_of_group;
-use super::{Workshop, chosen};
+use super::{GRIP_POINTS, Workshop, chosen};
 
 /// Colours of the axes: x, y and z.
 const AXES: [Color32; 3] = [
@@ -36,7 +36,7 @@ const PIECES: usize = 8;
 /// All of them.
 pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewLine> {
     let mut all = Vec::new();
-    marks(workshop, scene, &mut all);
+    marks(workshop, scene, texts, &mut all);
     if scene.leaves_out_walls() {
         left_out(workshop, scene, &mut all);
     }
@@ -62,8 +62,9 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
     all
 }
 
-/// Where portals are, which have no frame of their own, lamps, and where one begins: what no picture shows.
-fn marks(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
+/// Where portals are, which have no frame of their own, lamps, and where one begins: what no picture shows. What the pointer is on
+/// is named.
+fn marks(workshop: &Workshop, scene: &RoomScene, texts: &Texts, all: &mut Vec<ViewLine>) {
     let room = scene.room();
     let view = workshop.viewpoint(scene);
     let is_unseen = |what: &What| matches!(what, What::Portal(_) | What::Light { .. });
@@ -86,12 +87,30 @@ fn marks(workshop: &Workshop, scene: &RoomScene, all: &mut Vec<ViewLine>) {
         let points = corners
             .into_iter()
             .map(|(y, z)| pose.transform_point3(DVec3::new(0.0, y, z)));
-        mark(scene, &view, pose.translation, points, all);
+        let lines = mark(scene, &view, pose.translation, points);
+        all.extend(lines.map(|it| named(workshop, &view, it, &object.name)));
     }
     let feet = room.spawn.at;
     let ahead = direction(DVec2::new(room.spawn.look.x, 0.0)) * 0.5;
     let points = [feet + DVec3::Y * EYE_M, feet, feet + ahead];
-    mark(scene, &view, feet + DVec3::Y, points.into_iter(), all);
+    let start = mark(scene, &view, feet + DVec3::Y, points.into_iter());
+    let name = texts.say("workshop-field-spawn-at");
+    all.extend(start.map(|it| named(workshop, &view, it, &name)));
+}
+
+/// A mark with its name, if the pointer is on it.
+fn named(workshop: &Workshop, view: &Viewpoint, mut mark: ViewLine, name: &str) -> ViewLine {
+    let near = workshop.half_heights(GRIP_POINTS);
+    let corners: Vec<_> = mark
+        .points
+        .iter()
+        .map(|[x, y]| DVec2::new(f64::from(*x), f64::from(*y)))
+        .collect();
+    let is_near = |at: &DVec2| view.distance_to_line(*at, &corners) < near;
+    if workshop.dragging.is_none() && workshop.pointer.as_ref().is_some_and(is_near) {
+        mark.label = Some(name.to_owned());
+    }
+    mark
 }
 
 /// The edges of aberrations whose walls are left out.
@@ -113,24 +132,19 @@ fn mark(
     view: &Viewpoint,
     middle: DVec3,
     points: impl Iterator<Item = DVec3>,
-    all: &mut Vec<ViewLine>,
-) {
-    let Some((through, at)) = scene.way_to(view, middle, &[]) else {
-        return;
-    };
+) -> Option<ViewLine> {
+    let (through, at) = scene.way_to(view, middle, &[])?;
     let seen: Vec<_> = points
         .filter_map(|point| through.seen_at(point, at))
         .map(|at| flat(&at))
         .collect();
-    if seen.len() > 1 {
-        all.push(ViewLine {
-            points: seen,
-            colour: MARK,
-            width: 1.0,
-            label: None,
-            knob: false,
-        });
-    }
+    (seen.len() > 1).then(|| ViewLine {
+        points: seen,
+        colour: MARK,
+        width: 1.0,
+        label: None,
+        knob: false,
+    })
 }
 
 fn flat(at: &DVec2) -> [f32; 2] {
@@ -144,7 +158,7 @@ fn add_handles(
     texts: &Texts,
     all: &mut Vec<ViewLine>,
 ) {
-    let active = workshop.active_handle();
+    let (active, from) = (workshop.active_handle(), all.len());
     for line in &handles.lines {
         let axis = match line.handle {
             Handle::Along(axis)
@@ -175,7 +189,7 @@ fn add_handles(
     }
     // Once is enough.
     let mut told = false;
-    for line in all {
+    for line in &mut all[from..] {
         if line.label.is_some() && std::mem::replace(&mut told, true) {
             line.label = None;
         }

@@ -2,7 +2,7 @@
 
 use antipode_language::{Texts, Value};
 use antipode_room_scene::RoomScene;
-use antipode_rooms::portal::Portal;
+use antipode_rooms::portal::{Opening, Portal};
 use antipode_rooms::{Room, What, space_in_parts};
 use antipode_ui::workshop::ViewLine;
 use antipode_workshop::{Edit, Field, make};
@@ -36,6 +36,19 @@ impl Workshop {
         let (through, at) = self.through(scene, pose.translation, &[index])?;
         let top = DVec3::Y * chosen::half(&object.what).y;
         let top = through.seen_at(pose.transform_point3(top), at)?;
+        // Of a portal that is out of sight nothing hangs at the border.
+        let corners = |it: &Opening| {
+            let at = it.polygon().into_iter();
+            let corner = |it: DVec2| pose.transform_point3(DVec3::new(0.0, it.y, -it.x));
+            at.map(|it| through.seen_at(corner(it), top))
+                .collect::<Option<Vec<_>>>()
+        };
+        if let What::Portal(it) = &object.what
+            && let Some(corners) = corners(&it.opening)
+            && is_out_of_sight(&corners)
+        {
+            return None;
+        }
         let knob = top + DVec2::Y * self.half_heights(ABOVE_POINTS);
         // It stays in reach of a portal that is near.
         Some((name, knob.clamp(DVec2::splat(-0.9), DVec2::splat(0.9))))
@@ -58,6 +71,19 @@ impl Workshop {
         let middle = scene.poses()[index].translation;
         let (_, at) = scene.way_to(&self.viewpoint(scene), middle, &[])?;
         Some(at)
+    }
+
+    /// Where the mark of the start is seen, for tests.
+    #[cfg(test)]
+    pub fn seen_start(&self, scene: &RoomScene) -> Option<DVec2> {
+        let middle = scene.room().spawn.at + DVec3::Y;
+        Some(scene.way_to(&self.viewpoint(scene), middle, &[])?.1)
+    }
+
+    /// The lines over the view, for tests.
+    #[cfg(test)]
+    pub fn lines(&self, scene: &RoomScene, texts: &Texts) -> Vec<ViewLine> {
+        super::lines::lines(self, scene, texts)
     }
 
     /// Takes hold of the knob, if it is there.
@@ -169,6 +195,15 @@ fn is_within(corners: &[DVec2], at: DVec2) -> bool {
     turns.iter().all(|it| *it >= 0.0) || turns.iter().all(|it| *it <= 0.0)
 }
 
+/// Whether all of a shape is beside the view.
+fn is_out_of_sight(corners: &[DVec2]) -> bool {
+    let low = corners.iter().fold(DVec2::INFINITY, |it, at| it.min(*at));
+    let high = corners
+        .iter()
+        .fold(DVec2::NEG_INFINITY, |it, at| it.max(*at));
+    low.cmpgt(DVec2::ONE).any() || high.cmplt(DVec2::NEG_ONE).any()
+}
+
 fn portal<'r>(room: &'r Room, name: &str) -> Option<&'r Portal> {
     match &room.find(name)?.1.what {
         What::Portal(it) => Some(it),
@@ -220,12 +255,12 @@ mod tests {
             }
             room.objects.extend(objects);
         }
-        let made = make(&room, &link(&room, "door", "large door")).unwrap();
+        let made = make(&room, &link(&room, "portal", "large portal")).unwrap();
         let to = |name: &str| portal(&made, name).unwrap().to.clone();
-        assert_eq!(to("door"), "large door");
-        assert_eq!(to("large door"), "door");
-        assert_eq!(to("door 2"), "door 2");
-        assert_eq!(to("small door"), "small door");
+        assert_eq!(to("portal"), "large portal");
+        assert_eq!(to("large portal"), "portal");
+        assert_eq!(to("portal 2"), "portal 2");
+        assert_eq!(to("small portal"), "small portal");
     }
 
     #[test]

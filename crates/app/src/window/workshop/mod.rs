@@ -63,6 +63,8 @@ pub struct Workshop {
     /// Where what is chosen is seen, and through what; as it was chosen or has been found since.
     seen: Option<Seen>,
     hover: Option<Handle>,
+    /// Where the pointer was last without a button held.
+    pointer: Option<DVec2>,
     dragging: Option<Dragging>,
     meant: Option<Meant>,
     /// Two corners of a frame that is being drawn about what is to be chosen.
@@ -115,6 +117,7 @@ impl Workshop {
             },
             seen: None,
             hover: None,
+            pointer: None,
             dragging: None,
             meant: None,
             frame: None,

@@ -15,8 +15,6 @@ use crate::window::reading::{Asked, Reading};
 
 /// How far about the place of a finding one looks, metres.
 const FINDING_M: f64 = 2.0;
-/// How far before what one looks at the point lies from which one goes back, metres.
-const OFF_PLANE_M: f64 = 0.01;
 /// How many copies an array makes.
 const ARRAY: u32 = 4;
 
@@ -27,6 +25,8 @@ pub enum Outcome {
     Play,
     /// What was built is kept at once.
     Keep,
+    /// The menu comes up.
+    Leave,
     /// Something could not be done, for that reason.
     Refused(String),
 }
@@ -82,11 +82,11 @@ impl Bench<'_> {
 impl Workshop {
     /// Does what is asked for. Returns what is left for the game to do.
     pub fn follow(&mut self, bench: &mut Bench<'_>, wish: WorkshopWish) -> Option<Outcome> {
-        if wish == WorkshopWish::Play {
-            return Some(Outcome::Play);
-        }
-        if wish == WorkshopWish::Keep {
-            return Some(Outcome::Keep);
+        match wish {
+            WorkshopWish::Play => return Some(Outcome::Play),
+            WorkshopWish::Keep => return Some(Outcome::Keep),
+            WorkshopWish::Leave => return Some(Outcome::Leave),
+            _ => {}
         }
         let is_choice = matches!(
             wish,
@@ -162,9 +162,7 @@ impl Workshop {
     fn choose_made(&mut self, scene: &mut RoomScene) {
         scene.document_mut().select_made();
         self.forget_chain();
-        if !self.sees_chosen(scene) {
-            self.focus(scene);
-        }
+        self.bring_into_view(scene, &chosen::indices(scene));
     }
 
     /// The edit that is asked for, if it is one.
@@ -213,7 +211,7 @@ impl Workshop {
             }
             WorkshopWish::Group => Edit::Group {
                 name: free_name(room, "group"),
-                at: chosen::middle(scene)?,
+                at: chosen::middle(scene, &chosen::indices(scene))?,
                 members: all()?,
             },
             WorkshopWish::Ungroup => Edit::Ungroup(all()?),
@@ -284,7 +282,7 @@ impl Workshop {
                 self.camera.parallel = Some(scene.radius_m());
                 self.forget_chain();
             }
-            WorkshopWish::Focus => self.focus(scene),
+            WorkshopWish::Focus => self.look_at(scene, &chosen::indices(scene)),
             _ => {}
         }
     }
@@ -301,29 +299,32 @@ impl Workshop {
             .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
     }
 
-    /// Whether the whole of all that is chosen is well in the view, as far as boxes about them tell.
-    fn sees_chosen(&self, scene: &RoomScene) -> bool {
-        let chosen = chosen::indices(scene);
+    /// Looks at things, if they are not in view already.
+    pub fn bring_into_view(&mut self, scene: &RoomScene, all: &[usize]) {
+        if !self.sees(scene, all) {
+            self.look_at(scene, all);
+        }
+    }
+
+    /// Whether the whole of some things is well in the view, as far as boxes about them tell.
+    fn sees(&self, scene: &RoomScene, all: &[usize]) -> bool {
         let is_within = |at: DVec2| at.abs().max_element() < 0.9;
         let view = self.viewpoint(scene);
-        chosen.into_iter().all(|index| {
-            let own = chosen::own_spaces(scene.room(), index);
-            chosen::ends(scene, index).into_iter().all(|point| {
+        all.iter().all(|index| {
+            let own = chosen::own_spaces(scene.room(), *index);
+            chosen::ends(scene, *index).into_iter().all(|point| {
                 let seen = scene.way_to(&view, point, &own);
                 seen.is_some_and(|(_, at)| is_within(at))
             })
         })
     }
 
-    /// Looks at what is chosen.
-    pub fn focus(&mut self, scene: &RoomScene) {
-        let Some(middle) = chosen::middle(scene) else {
+    fn look_at(&mut self, scene: &RoomScene, all: &[usize]) {
+        let Some(middle) = chosen::middle(scene, all) else {
             return;
         };
         self.forget_chain();
-        // Who goes back from the plane of a portal could go through it.
-        let middle = middle - self.camera.axes().0 * OFF_PLANE_M;
-        let reach_m = chosen::reach_m(scene, middle);
+        let reach_m = chosen::reach_m(scene, all, middle);
         let fov_y_rad = self.fov_y_rad(scene);
         self.camera.focus(scene.space(), middle, reach_m, fov_y_rad);
     }
