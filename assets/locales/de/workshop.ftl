@@ -385,7 +385,6 @@ workshop-chooser-close = Abbrechen
 workshop-chooser-reading = Der Ordner wird gelesen.
 workshop-chooser-empty = Hier ist kein Ordner, kein Modell und kein Bild.
 workshop-chooser-folder = Ordner
-workshop-chooser-size = { $kilobytes } kB
 workshop-chooser-unread = { $path } kann nicht gelesen werden ({ $reason }). Gib einen anderen Pfad ein, oder geh vom Ordner unten weiter.
 workshop-chooser-unfit = { $path } ist kein Modell (glb, gltf, fbx, obj) und kein Bild (png, jpg). Speichere es als eines davon, oder wähle eine andere Datei.
 workshop-chooser-many = Gezeigt werden die ersten { $shown } von { $count }; gib den Pfad eines anderen ein.

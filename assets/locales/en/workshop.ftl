@@ -385,7 +385,6 @@ workshop-chooser-close = Cancel
 workshop-chooser-reading = The folder is being read.
 workshop-chooser-empty = There is no folder, model or picture here.
 workshop-chooser-folder = folder
-workshop-chooser-size = { $kilobytes } kB
 workshop-chooser-unread = { $path } cannot be read ({ $reason }). Type another path, or go on from the folder below.
 workshop-chooser-unfit = { $path } is no model (glb, gltf, fbx, obj) and no picture (png, jpg). Save it as one of these, or choose another file.
 workshop-chooser-many = The first { $shown } of { $count } are shown; type the path of another.

@@ -385,7 +385,6 @@ workshop-chooser-close = Cancelar
 workshop-chooser-reading = Se está leyendo la carpeta.
 workshop-chooser-empty = Aquí no hay carpetas, modelos ni imágenes.
 workshop-chooser-folder = carpeta
-workshop-chooser-size = { $kilobytes } kB
 workshop-chooser-unread = { $path } no se puede leer ({ $reason }). Escribe otra ruta o sigue desde la carpeta de abajo.
 workshop-chooser-unfit = { $path } no es un modelo (glb, gltf, fbx, obj) ni una imagen (png, jpg). Guárdalo como uno de estos o elige otro archivo.
 workshop-chooser-many = Se muestran los primeros { $shown } de { $count }; escribe la ruta de otro.

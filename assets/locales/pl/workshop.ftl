@@ -425,7 +425,6 @@ workshop-chooser-close = Anuluj
 workshop-chooser-reading = Folder jest czytany.
 workshop-chooser-empty = Nie ma tu folderu, modelu ani obrazu.
 workshop-chooser-folder = folder
-workshop-chooser-size = { $kilobytes } kB
 workshop-chooser-unread = { $path } nie da się odczytać ({ $reason }). Wpisz inną ścieżkę albo idź dalej od folderu poniżej.
 workshop-chooser-unfit = { $path } nie jest modelem (glb, gltf, fbx, obj) ani obrazem (png, jpg). Zapisz go jako jeden z nich albo wybierz inny plik.
 workshop-chooser-many = Widać pierwsze { $shown } z { $count }; wpisz ścieżkę innego.

@@ -327,7 +327,6 @@ workshop-chooser-close = 取消
 workshop-chooser-reading = 正在读取文件夹。
 workshop-chooser-empty = 这里没有文件夹、模型或图片。
 workshop-chooser-folder = 文件夹
-workshop-chooser-size = { $kilobytes } kB
 workshop-chooser-unread = 无法读取 { $path }（{ $reason }）。请输入另一条路径，或从下面的文件夹继续。
 workshop-chooser-unfit = { $path } 不是模型（glb、gltf、fbx、obj），也不是图片（png、jpg）。请存为其中一种，或选择另一个文件。
 workshop-chooser-many = 显示 { $count } 个中的前 { $shown } 个；其他的请输入路径。

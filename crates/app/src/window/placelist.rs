@@ -21,6 +21,7 @@ use self::folder::FolderProblem;
 use self::news::News;
 use self::pictures::Pictures;
 pub use self::shelf::{Kept, ROOM_PICTURE, RoomShelf, Shelf, room_of};
+pub use self::words::size;
 use self::work::{Details, FoundFiles, Job, Locations, Outcome};
 use super::background::{Progress, Task};
 use crate::session::Worlds;
@@ -282,7 +283,7 @@ impl<S: Shelf> PlaceList<S> {
             name: file.path.file_name().map_or_else(String::new, |name| {
                 legible(&name.to_string_lossy()).into_owned()
             }),
-            size: words::size(texts, file.size_bytes),
+            size: size(texts, file.size_bytes),
         });
         WorldFiles {
             dir: match &self.found.folder {

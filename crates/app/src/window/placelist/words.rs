@@ -143,6 +143,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn small_files_are_told_in_kilobytes_and_large_ones_in_megabytes() {
+        let texts = Texts::default();
+        let told = [1, 1_500, 99_000, 100_000, 2_340_000].map(|bytes| size(&texts, bytes));
+        assert_eq!(told, ["1 kB", "2 kB", "99 kB", "0.1 MB", "2.3 MB"]);
+    }
+
+    #[test]
     fn play_time_reads_like_a_person_says_it() {
         let texts = Texts::default();
         assert_eq!(played(&texts, 12.0), "under a minute");

@@ -119,6 +119,11 @@ fn the_start_and_lamps_are_named_where_the_pointer_is_on_them() {
     assert_eq!(over(&mut game, lamp), ["light"]);
     assert_eq!(over(&mut game, start), ["Start"]);
     assert!(over(&mut game, glam::DVec2::new(0.7, 0.7)).is_empty());
+    ask(&mut game, [WorkshopWish::Hide("light".to_owned(), true)]);
+    assert!(
+        over(&mut game, lamp).is_empty(),
+        "it has no mark while it is hidden"
+    );
 }
 
 #[test]

@@ -12,6 +12,7 @@ use antipode_ui::legible;
 use antipode_ui::workshop::{ChooserEntry, ChooserModel, ChooserWish};
 
 use crate::window::background::{Progress, Task};
+use crate::window::placelist::size;
 
 /// What rooms can take in, by the endings of names.
 const ENDINGS: [&str; 7] = ["glb", "gltf", "fbx", "obj", "png", "jpg", "jpeg"];
@@ -202,11 +203,6 @@ fn problem(texts: &Texts, found: Option<&Found>, count: usize) -> Option<String>
 
 fn said(name: &std::ffi::OsStr) -> String {
     legible(&name.to_string_lossy()).into_owned()
-}
-
-fn size(texts: &Texts, bytes: u64) -> String {
-    let kilobytes = Value::decimals((bytes as f64 / 1e3).max(0.1), usize::from(bytes < 10_000));
-    texts.say_with("workshop-chooser-size", &[("kilobytes", kilobytes)])
 }
 
 fn fits(path: &Path) -> bool {

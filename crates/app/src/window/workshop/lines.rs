@@ -67,9 +67,12 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
 fn marks(workshop: &Workshop, scene: &RoomScene, texts: &Texts, all: &mut Vec<ViewLine>) {
     let room = scene.room();
     let view = workshop.viewpoint(scene);
+    let marked = scene.document().marked();
     let is_unseen = |what: &What| matches!(what, What::Portal(_) | What::Light { .. });
     let objects = room.objects.iter().enumerate();
-    let unseen: Vec<_> = objects.filter(|(_, it)| is_unseen(&it.what)).collect();
+    let unseen: Vec<_> = objects
+        .filter(|(_, it)| is_unseen(&it.what) && !marked.is_hidden(it))
+        .collect();
     for (index, object) in unseen.into_iter().take(MOST_MARKS) {
         let pose = scene.poses()[index];
         let half = chosen::half(&object.what);
