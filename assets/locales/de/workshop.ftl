@@ -1,7 +1,7 @@
 ### Die Werkstatt, in der Räume gebaut werden.
 
 # Räume zum Bauen.
-workshop-rooms-none = Du hast noch keine eigenen Räume. Lege einen neuen an, oder kopiere einen des Spiels auf seiner Seite (die drei Punkte).
+workshop-rooms-none = Du hast noch keine eigenen Räume. Lege einen neuen an, oder kopiere einen des Spiels auf seiner Seite (die drei Punkte). Zum ersten gehört eine Lektion.
 workshop-rooms-shipped = Räume des Spiels
 workshop-rooms-load = Bauen
 workshop-rooms-load-named = In „{ $name }“ bauen
@@ -51,7 +51,7 @@ workshop-outside-inside = außen { $outside } m, innen { $inside } m
 
 # Was getan wird.
 workshop-do-play = Spielen
-workshop-do-leave = Zum Menü
+workshop-do-leave = Den Raum verlassen
 workshop-do-undo = Zurück
 workshop-do-redo = Vor
 workshop-do-move = Schieben
@@ -408,3 +408,8 @@ workshop-lesson-link = Ziehe vom Knopf über „{ $name }“ in die Mitte von �
 workshop-lesson-pass = Drücke Spielen (F5) und geh durch den Tunnel, dann in das eine Portal hinein und aus dem anderen heraus.
 workshop-lesson-walk-doors = Geh durch den Tunnel, dann in ein Portal. F5 führt zurück in die Werkstatt.
 workshop-lesson-done-doors = Du hast einen Tunnel gebaut, der innen länger ist, und zwei Portale, die zueinander führen. Die Hilfe in der Werkstatt (F5) zeigt, was noch möglich ist.
+workshop-link-itself = Führt zu sich selbst: zu einem anderen Portal ziehen
+workshop-link-nowhere = Führt nirgendwohin: zu einem Portal ziehen
+workshop-hover-own-axes = Griffe richten sich nach den Achsen des Dings, nicht nach denen des Raums.
+workshop-hover-snaps = Verschoben wird in Schritten des Gitters, gedreht um 15°. Mit Alt ohne Schritte.
+workshop-hover-on-surfaces = Was gezogen wird, liegt auf der Fläche unter dem Zeiger: Böden, Wände, Dächer.

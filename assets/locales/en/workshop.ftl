@@ -1,7 +1,7 @@
 ### The workshop, in which rooms are built.
 
 # Rooms to build in.
-workshop-rooms-none = You have no rooms of your own yet. Make a new one, or duplicate one of the game on its page (the three dots).
+workshop-rooms-none = You have no rooms of your own yet. Make a new one, or duplicate one of the game on its page (the three dots). The first one comes with a lesson.
 workshop-rooms-shipped = Rooms of the game
 workshop-rooms-load = Build
 workshop-rooms-load-named = Build in “{ $name }”
@@ -51,7 +51,7 @@ workshop-outside-inside = { $outside } m outside, { $inside } m inside
 
 # What is done.
 workshop-do-play = Play
-workshop-do-leave = Leave to the menu
+workshop-do-leave = Leave the room
 workshop-do-undo = Undo
 workshop-do-redo = Redo
 workshop-do-move = Move
@@ -408,3 +408,8 @@ workshop-lesson-link = Drag from the knob above “{ $name }” to the middle of
 workshop-lesson-pass = Press Play (F5) and walk through the tunnel, then into one portal and out of the other.
 workshop-lesson-walk-doors = Walk through the tunnel, then into a portal. F5 leads back to the workshop.
 workshop-lesson-done-doors = You have built a tunnel that is longer inside, and two portals that lead to each other. Help in the workshop (F5) shows what else is possible.
+workshop-link-itself = Leads to itself: drag to another portal
+workshop-link-nowhere = Leads nowhere: drag to a portal
+workshop-hover-own-axes = Handles go by the thing's own axes, not by those of the room.
+workshop-hover-snaps = Moves go by steps of the grid, turns by 15°. Alt lets go of that for a drag.
+workshop-hover-on-surfaces = What is dragged lies on the surface under the pointer: floors, walls, roofs.

@@ -1,7 +1,7 @@
 ### El taller, en el que se construyen salas.
 
 # Salas para construir.
-workshop-rooms-none = Aún no tienes salas propias. Crea una nueva o duplica una del juego en su página (los tres puntos).
+workshop-rooms-none = Aún no tienes salas propias. Crea una nueva o duplica una del juego en su página (los tres puntos). La primera viene con una lección.
 workshop-rooms-shipped = Salas del juego
 workshop-rooms-load = Construir
 workshop-rooms-load-named = Construir en «{ $name }»
@@ -51,7 +51,7 @@ workshop-outside-inside = { $outside } m por fuera, { $inside } m por dentro
 
 # Lo que se hace.
 workshop-do-play = Jugar
-workshop-do-leave = Salir al menú
+workshop-do-leave = Salir de la sala
 workshop-do-undo = Deshacer
 workshop-do-redo = Rehacer
 workshop-do-move = Mover
@@ -408,3 +408,8 @@ workshop-lesson-link = Arrastra desde el botón sobre «{ $name }» hasta el cen
 workshop-lesson-pass = Pulsa Jugar (F5), recorre el túnel y entra por un portal para salir por el otro.
 workshop-lesson-walk-doors = Recorre el túnel y entra en un portal. F5 lleva de vuelta al taller.
 workshop-lesson-done-doors = Has construido un túnel más largo por dentro y dos portales que llevan el uno al otro. En el taller (F5), la ayuda muestra qué más es posible.
+workshop-link-itself = Lleva a sí mismo: arrastra a otro portal
+workshop-link-nowhere = No lleva a ninguna parte: arrastra a un portal
+workshop-hover-own-axes = Los tiradores siguen los ejes del objeto, no los de la sala.
+workshop-hover-snaps = Se mueve por pasos de la cuadrícula y se gira de 15° en 15°. Con Alt, sin pasos.
+workshop-hover-on-surfaces = Lo que se arrastra se posa en la superficie bajo el puntero: suelos, paredes, techos.

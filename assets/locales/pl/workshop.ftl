@@ -1,7 +1,7 @@
 ### Warsztat, w którym buduje się pokoje.
 
 # Pokoje do budowania.
-workshop-rooms-none = Nie masz jeszcze własnych pokoi. Utwórz nowy albo zduplikuj jeden z gry na jego stronie (trzy kropki).
+workshop-rooms-none = Nie masz jeszcze własnych pokoi. Utwórz nowy albo zduplikuj jeden z gry na jego stronie (trzy kropki). Do pierwszego jest lekcja.
 workshop-rooms-shipped = Pokoje z gry
 workshop-rooms-load = Buduj
 workshop-rooms-load-named = Buduj w „{ $name }”
@@ -53,7 +53,7 @@ workshop-outside-inside = { $outside } m na zewnątrz, { $inside } m w środku
 
 # Co się robi.
 workshop-do-play = Graj
-workshop-do-leave = Wyjdź do menu
+workshop-do-leave = Wyjdź z pokoju
 workshop-do-undo = Cofnij
 workshop-do-redo = Ponów
 workshop-do-move = Przesuń
@@ -448,3 +448,8 @@ workshop-lesson-link = Przeciągnij z gałki nad „{ $name }” na środek „{
 workshop-lesson-pass = Naciśnij Graj (F5), przejdź tunelem, a potem wejdź w jeden portal i wyjdź drugim.
 workshop-lesson-walk-doors = Przejdź tunelem, a potem wejdź w portal. F5 prowadzi z powrotem do warsztatu.
 workshop-lesson-done-doors = Zbudowałeś tunel dłuższy w środku i dwa portale, które prowadzą do siebie nawzajem. W warsztacie (F5) pomoc pokaże, co jeszcze jest możliwe.
+workshop-link-itself = Prowadzi do siebie: przeciągnij do innego portalu
+workshop-link-nowhere = Prowadzi donikąd: przeciągnij do portalu
+workshop-hover-own-axes = Uchwyty idą wzdłuż osi przedmiotu, a nie pokoju.
+workshop-hover-snaps = Przesuwanie idzie krokami siatki, obrót co 15°. Z Alt bez kroków.
+workshop-hover-on-surfaces = Co się przeciąga, leży na powierzchni pod wskaźnikiem: podłogach, ścianach, dachach.

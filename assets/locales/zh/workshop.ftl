@@ -1,7 +1,7 @@
 ### 工坊：在其中建造房间。
 
 # 可以建造的房间。
-workshop-rooms-none = 你还没有自己的房间。新建一个，或在游戏自带房间的页面（三个点）上复制一个。
+workshop-rooms-none = 你还没有自己的房间。新建一个，或在游戏自带房间的页面（三个点）上复制一个。第一个房间附带教程。
 workshop-rooms-shipped = 游戏自带的房间
 workshop-rooms-load = 建造
 workshop-rooms-load-named = 在“{ $name }”中建造
@@ -48,7 +48,7 @@ workshop-outside-inside = 外 { $outside } 米，内 { $inside } 米
 
 # 操作。
 workshop-do-play = 游玩
-workshop-do-leave = 返回菜单
+workshop-do-leave = 离开房间
 workshop-do-undo = 撤销
 workshop-do-redo = 重做
 workshop-do-move = 移动
@@ -350,3 +350,8 @@ workshop-lesson-link = 从“{ $name }”上方的圆点拖到“{ $other }”�
 workshop-lesson-pass = 按“游玩”（F5），走过隧道，再从一个传送门进去，从另一个出来。
 workshop-lesson-walk-doors = 走过隧道，再走进传送门。按 F5 回到工坊。
 workshop-lesson-done-doors = 你建成了内部更长的隧道，还有通向对方的两个传送门。回到工坊（F5），帮助里有更多能做的。
+workshop-link-itself = 通向自己：拖到另一个传送门
+workshop-link-nowhere = 哪里也不通：拖到一个传送门
+workshop-hover-own-axes = 手柄按物体自己的轴，而不按房间的轴。
+workshop-hover-snaps = 移动按网格步进，旋转按 15° 步进。按住 Alt 可暂时取消。
+workshop-hover-on-surfaces = 拖动的物体贴在指针下的表面上：地面、墙壁、屋顶。

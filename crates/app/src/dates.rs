@@ -8,6 +8,12 @@ pub fn stamp(unix_s: u64) -> String {
     format!("{} {hours:02}-{minutes:02}-{seconds:02}", date(unix_s))
 }
 
+/// The same to be read, as it could not be in a file's name: 2026-11-27 12:33:28.
+pub fn moment(unix_s: u64) -> String {
+    let (hours, minutes, seconds) = (unix_s / 3600 % 24, unix_s / 60 % 60, unix_s % 60);
+    format!("{} {hours:02}:{minutes:02}:{seconds:02}", date(unix_s))
+}
+
 /// The day of a Unix time as year-month-day, UTC. Empty for a time past the year 9999: a save says it that never was.
 pub fn date(unix_s: u64) -> String {
     let seconds = i64::try_from(unix_s).ok();
@@ -37,5 +43,6 @@ mod tests {
     fn a_stamp_tells_day_and_time() {
         assert_eq!(stamp(951_868_799), "2000-02-29 23-59-59");
         assert_eq!(stamp(0), "1970-01-01 00-00-00");
+        assert_eq!(moment(951_868_799), "2000-02-29 23:59:59");
     }
 }

@@ -1,6 +1,7 @@
 //! The room that is open, and the directory of rooms that it comes from and goes to.
 
 mod kept;
+mod saving;
 
 use antipode_rays::{Options, Outlines, View};
 use antipode_room_scene::{Moment, RoomScene, RoomViewing, Steer};
@@ -9,12 +10,12 @@ use antipode_rooms::{Assets, Loaded, Room, RoomError, RoomSummary, RoomsDir, roo
 use antipode_scene::Actions;
 use antipode_scene::frame::Quality;
 use antipode_settings::Settings;
-use antipode_workshop::{Document, Version, WorkshopError, is_in_use};
+use antipode_workshop::{Document, Version, WorkshopError};
 use glam::DVec3;
 
 use crate::common::Common;
-use kept::in_use;
 pub use kept::{Older, RoomNote, find_older, older_plan};
+pub use saving::Saved;
 
 /// Mirrors and panes in a row that *exact* pictures follow.
 const MOST_BOUNCES: u32 = 4;
@@ -337,72 +338,6 @@ impl OpenRoom {
         let dir = dir.path().join(own.map_or("", |kept| &kept.slug));
         self.scene.edit(words, |room: &Room| assets(&dir, room))
     }
-
-    /// Keeps it as it is now; under another name as another room, which it is then.
-    ///
-    /// # Errors
-    /// When it comes with the game or has no name and is given none, the name is taken, or the disk refuses.
-    pub fn save(&mut self, dir: &RoomsDir, name: Option<&str>) -> Result<(), RoomError> {
-        keep(dir, self, name)
-    }
-}
-
-fn keep(dir: &RoomsDir, open: &mut OpenRoom, name: Option<&str>) -> Result<(), RoomError> {
-    let Some(name) = name else {
-        return match &open.kept {
-            Some(kept) if kept.shipped => Err(RoomError::Shipped(kept.name.clone())),
-            Some(kept) => match open.scene.document().dir() {
-                // By way of the journal, which goes on from there.
-                Some(_) => Ok(open.scene.document_mut().save_now()?),
-                None if is_in_use(&dir.path().join(&kept.slug)) => Err(in_use(Some(kept))),
-                None => dir.save(&kept.slug, open.scene.room()),
-            },
-            None => Err(RoomError::Command(
-                "This room has no name, so it is not kept; say room save name=...".to_owned(),
-            )),
-        };
-    };
-    let mut room = open.scene.room().clone();
-    name.trim().clone_into(&mut room.name);
-    let slug = match &open.kept {
-        // Its files come along.
-        Some(kept) if !kept.shipped => copied(dir, kept, &room)?,
-        _ => dir.make(&room)?,
-    };
-    if open.scene.document().dir().is_some() {
-        // The journal of the first stays with that.
-        let opened = Document::open(&dir.path().join(&slug))?;
-        open.scene.take_document(opened.document);
-    } else {
-        open.scene.rename(name)?;
-    }
-    open.kept = Some(RoomSummary {
-        slug,
-        name: room.name,
-        sentence: room.sentence,
-        objects: room.objects.len(),
-        shipped: false,
-        says: open.kept.take().and_then(|kept| kept.says),
-        problem: None,
-    });
-    Ok(())
-}
-
-/// Makes a copy of a room with its files, under the name that the changed room has.
-fn copied(dir: &RoomsDir, kept: &RoomSummary, room: &Room) -> Result<String, RoomError> {
-    let slug = dir.double(kept)?;
-    let copy = RoomSummary {
-        slug: slug.clone(),
-        ..kept.clone()
-    };
-    let made = dir
-        .rename(&copy, &room.name)
-        .and_then(|()| dir.save(&slug, room));
-    if let Err(error) = made {
-        dir.delete(&copy)?;
-        return Err(error);
-    }
-    Ok(slug)
 }
 
 #[cfg(test)]

@@ -236,9 +236,10 @@ impl RoomScene {
     }
 
     /// Goes on with the document of another folder, whose room names the same files.
-    pub fn take_document(&mut self, document: Document) {
-        self.document = document;
+    pub fn take_document(&mut self, document: Document) -> Document {
+        let before = std::mem::replace(&mut self.document, document);
         self.work_out();
+        before
     }
 
     /// Gives the room another name.

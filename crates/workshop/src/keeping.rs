@@ -86,9 +86,23 @@ impl Document {
         let room = self.room_shared();
         let kept = self.kept.0.as_mut().ok_or(WorkshopError::NotKept)?;
         kept.trouble = None;
-        kept.keeper.save_now(room.clone())?;
+        kept.keeper.saving(room.clone())()?;
         kept.saved = room;
         Ok(())
+    }
+
+    /// The same; what is returned waits for it, on any thread.
+    ///
+    /// # Errors
+    /// [`WorkshopError::NotKept`]; later as [`Self::save_now`].
+    pub fn saving(
+        &mut self,
+    ) -> Result<impl FnOnce() -> Result<(), RoomError> + Send + use<>, WorkshopError> {
+        self.end_drag();
+        let room = self.room_shared();
+        let kept = self.kept.0.as_mut().ok_or(WorkshopError::NotKept)?;
+        kept.trouble = None;
+        Ok(kept.keeper.saving(room))
     }
 
     /// Waits until all edits are on the disk, as far as that can be written.

@@ -118,6 +118,6 @@ pub fn older_plan(
     room: Room,
     version: Version,
 ) -> Result<Plan, WorkshopError> {
-    let when = crate::dates::stamp(version.when_s);
+    let when = crate::dates::moment(version.when_s);
     document.plan_room(room, Said::new("version").with("when", when))
 }

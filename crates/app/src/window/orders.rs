@@ -18,7 +18,7 @@ use super::visit::Visit;
 use crate::bindings::Input;
 use crate::console::{HELP, help};
 use crate::controls::Controls;
-use crate::dates::stamp;
+use crate::dates::moment;
 use crate::failure::Failure;
 use crate::rooms::OpenRoom;
 use crate::script::{
@@ -107,12 +107,8 @@ impl Game {
                 gravity: Some(_), ..
             } => return Err(Failure::Usage(ONLY_SCRIPTS.to_owned())),
             RoomOrder::Save(name) => {
-                let dir = self.play.worlds.rooms();
-                self.visited()?
-                    .save(&dir, name.as_deref())
-                    .map_err(|error| told_of_room(&error))?;
-                self.menus.rooms.refresh();
-                self.reply(Answer, "console-room-saved", &[]);
+                self.visited()?;
+                self.ask_of_room(Asked::Save(name.clone()));
             }
             RoomOrder::New { name, .. } => {
                 self.leave(Next::Open(Request::NewRoom(name.clone())));
@@ -155,13 +151,17 @@ impl Game {
     /// Tells what has come of something that was asked of the open room.
     pub(super) fn answer_of_room(&mut self, done: Result<Done, RoomError>) {
         match done {
+            Ok(Done::Saved) => {
+                self.menus.rooms.refresh();
+                self.reply(Answer, "console-room-saved", &[]);
+            }
             Ok(Done::Changed) => self.reply(Answer, "console-room-changed", &[]),
             Ok(Done::Versions(all)) if all.is_empty() => {
                 self.reply(Answer, "console-no-versions", &[]);
             }
             Ok(Done::Versions(all)) => {
                 for (number, it) in (1..).zip(all) {
-                    self.write(Answer, &format!("{number}: {}", stamp(it.when_s)));
+                    self.write(Answer, &format!("{number}: {}", moment(it.when_s)));
                 }
             }
             Err(why) => {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use antipode_room_scene::RoomScene;
 use antipode_rooms::folder::assets;
-use antipode_rooms::{Assets, Room, RoomError};
+use antipode_rooms::{Assets, Room, RoomError, RoomsDir};
 use antipode_ui::ToastKind;
 use antipode_ui::workshop::WorkshopWish;
 use antipode_workshop::{Edit, Plan, Version, versions};
@@ -15,7 +15,7 @@ use antipode_workshop::{Edit, Plan, Version, versions};
 use super::background::{Progress, Task};
 use super::game::Game;
 use super::visit::Visit;
-use crate::rooms::{Older, find_older};
+use crate::rooms::{Older, Saved, find_older};
 
 /// What is said where the thread that reads has ended without a word.
 const DIED: &str = "Something failed while files of the room were read, so the room is as it was.";
@@ -33,6 +33,8 @@ pub enum Asked {
     Versions,
     /// The older version of that number takes its place.
     Older(usize),
+    /// It is saved; under that name as another room.
+    Save(Option<String>),
 }
 
 /// What was read for it.
@@ -41,6 +43,7 @@ enum Read {
     Files(Result<Assets, RoomError>),
     Versions(Vec<Version>),
     Older(Result<Older, RoomError>),
+    Saved(Result<Saved, RoomError>),
 }
 
 /// What came of it.
@@ -50,6 +53,8 @@ pub enum Done {
     Changed,
     /// These are its older versions, the newest first.
     Versions(Vec<Version>),
+    /// It is saved.
+    Saved,
 }
 
 /// All that is asked for and not done yet.
@@ -119,6 +124,11 @@ impl Visit {
                     Read::Older(find_older(folder.as_deref(), number))
                 });
             }
+            Asked::Save(name) => {
+                let dir = RoomsDir::new(self.dir.clone());
+                let work = self.room.saving(&dir, name.as_deref())?;
+                self.read(asked, move || Read::Saved(work()));
+            }
             Asked::Words(_) | Asked::Edit(_) | Asked::Step(_) => {
                 let plan = plan(&mut self.room.scene, asked)?;
                 if !self.room.scene.lacks_files(&plan) {
@@ -140,6 +150,11 @@ impl Visit {
     fn take_read(&mut self, asked: &Asked, read: Read) -> Result<Done, RoomError> {
         match read {
             Read::Versions(all) => Ok(Done::Versions(all)),
+            Read::Saved(saved) => {
+                let before = self.room.take_saved(saved?)?;
+                Task::start("leave", move || drop(before));
+                Ok(Done::Saved)
+            }
             Read::Older(older) => self.room.take_older(older?).map(|()| Done::Changed),
             Read::Files(files) => {
                 let files = files?;
@@ -182,7 +197,9 @@ fn plan(scene: &mut RoomScene, asked: &Asked) -> Result<Plan, RoomError> {
         Asked::Edit(edit) => document.plan(edit)?,
         Asked::Step(WorkshopWish::GoTo(step)) => document.plan_jump(*step),
         Asked::Step(WorkshopWish::Redo) => document.plan_redo(1)?,
-        Asked::Step(_) | Asked::Versions | Asked::Older(_) => document.plan_undo(1)?,
+        Asked::Step(_) | Asked::Versions | Asked::Older(_) | Asked::Save(_) => {
+            document.plan_undo(1)?
+        }
     })
 }
 
@@ -207,7 +224,9 @@ impl Game {
                 workshop.look_anew();
             }
             match asked {
-                Asked::Words(_) | Asked::Versions | Asked::Older(_) => self.answer_of_room(done),
+                Asked::Words(_) | Asked::Versions | Asked::Older(_) | Asked::Save(_) => {
+                    self.answer_of_room(done);
+                }
                 Asked::Edit(_) | Asked::Step(_) => {
                     if let Err(why) = done {
                         self.menus.shell.toast(why.to_string(), ToastKind::State);

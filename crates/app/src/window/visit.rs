@@ -9,6 +9,7 @@ use antipode_rooms::files::ROOM_FILE;
 use antipode_scene::frame::Quality;
 use antipode_scene::{Shutter, SoundEvent};
 use antipode_terrain::Cover;
+use antipode_ui::workshop::WorkshopPanes;
 use glam::DVec2;
 
 use super::devices::Devices;
@@ -48,6 +49,8 @@ pub struct Visit {
     pub(super) dir: PathBuf,
     /// What it is built with, while it is.
     pub(super) workshop: Option<Box<Workshop>>,
+    /// Its panes while it is not: folds and scrolled lists are as they were left.
+    pub(super) panes: Option<WorkshopPanes>,
     /// The lesson of that, if it is taken.
     pub(super) lesson: Option<Lesson>,
     /// What is asked of it and waits for the disk.
@@ -63,6 +66,7 @@ impl Visit {
             room,
             dir,
             workshop: None,
+            panes: None,
             lesson: None,
             reading: Reading::default(),
             number,

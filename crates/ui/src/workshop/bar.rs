@@ -221,8 +221,15 @@ fn entry(
     let response = ui.add_enabled(enabled, egui::Button::new(label).selected(chosen));
     focus_ring(ui, &response);
     lesson::point_out(ui, model, &LessonTarget::Do(id), response.rect);
-    match shortcut_label(model.texts, id) {
-        Some(key) => response.on_hover_text(key),
-        None => response,
+    let about = matches!(id, "own-axes" | "snaps" | "on-surfaces")
+        .then(|| model.texts.say(&format!("workshop-hover-{id}")));
+    let told: Vec<_> = about
+        .into_iter()
+        .chain(shortcut_label(model.texts, id))
+        .collect();
+    if told.is_empty() {
+        response
+    } else {
+        response.on_hover_text(told.join("\n"))
     }
 }

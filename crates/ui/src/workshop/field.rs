@@ -41,8 +41,7 @@ pub(super) fn show(ui: &mut Ui, texts: &Texts, row: &FieldRow, wishes: &mut Vec<
         FieldKind::Stretch(value) => stretch(ui, texts, row, *value, &mut set),
         FieldKind::Colour(colour) => {
             let mut rgb = colour.unwrap_or([128; 3]);
-            let response = ui.color_edit_button_srgb(&mut rgb);
-            focus_ring(ui, &response);
+            let response = super::colour::button(ui, &row.label, &mut rgb);
             if response.changed() {
                 set(FieldValue::Colour(rgb), false);
             }
@@ -234,11 +233,12 @@ fn line(ui: &mut Ui, row: &FieldRow, text: Option<&str>, set: &mut impl FnMut(Fi
     let response = entry(ui, &mut typed, &row.label, "");
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, typed));
-    } else if let Some(kept) = kept {
+    } else if kept.is_some() || response.changed() {
         ui.data_mut(|data| data.remove::<String>(id));
         let is_given_up = ui.input(|input| input.key_pressed(egui::Key::Escape));
-        if !is_given_up && kept != text.unwrap_or(DIFFER) {
-            set(FieldValue::Text(kept), true);
+        // Letters and the key that ends them may come in one slow pass.
+        if !is_given_up && typed != text.unwrap_or(DIFFER) {
+            set(FieldValue::Text(typed), true);
         }
     }
 }

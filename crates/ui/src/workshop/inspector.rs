@@ -35,7 +35,12 @@ fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<
         return;
     }
     ui.horizontal(|ui| {
-        let label = ui.label(RichText::new(&row.label).color(WEAK).small());
+        let axes = match &row.kind {
+            FieldKind::Numbers(all, _) if all.len() == 3 => " (x, y, z)",
+            _ => "",
+        };
+        let words = format!("{}{axes}", row.label);
+        let label = ui.label(RichText::new(words).color(WEAK).small());
         if !row.about.is_empty() {
             label.on_hover_text(&row.about);
         }

@@ -75,7 +75,7 @@ pub(super) fn point_out(ui: &Ui, model: &WorkshopModel<'_>, it: &LessonTarget, r
 fn ring(ui: &Ui, rect: Rect) {
     let stroke = Stroke::new(RING, ACCENT);
     // Panes cut off what lies above their first and below their last line.
-    let rect = rect.expand2(vec2(RING, 0.0));
+    let rect = rect.expand2(vec2(2.0 * RING, 1.0));
     ui.painter()
         .rect_stroke(rect, ROUNDING, stroke, StrokeKind::Inside);
 }

@@ -1,6 +1,7 @@
 //! The list of what stands in the room: searched, chosen, hidden, locked, renamed, and dragged into groups.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use egui::{Color32, Key, Response, RichText, ScrollArea, Sense, Ui, vec2};
 
@@ -28,6 +29,9 @@ pub(super) struct ListState {
     pub shows: Option<String>,
     /// Groups of which only the name is listed.
     folded: HashSet<String>,
+    /// What was chosen last, and the rows that were in view.
+    chosen: Option<String>,
+    in_view: Range<usize>,
 }
 
 impl ListState {
@@ -83,15 +87,24 @@ pub(super) fn show(
         ui.label(RichText::new(texts.say("workshop-none-found")).color(WEAK));
     }
     begin_to_rename(ui, model, state);
+    let chosen = model.objects.iter().rfind(|it| it.selected);
+    let chosen = chosen.map(|it| it.name.clone());
+    let is_new = chosen.is_some() && chosen != state.chosen;
+    state.chosen.clone_from(&chosen);
+    let of = |name: &str| rows.iter().position(|row| row.name == name);
+    // What is chosen in the view comes into view here.
+    let chosen = chosen.as_deref().filter(|_| is_new).and_then(of);
+    let chosen = chosen.filter(|place| !state.in_view.contains(place));
     let mut area = ScrollArea::vertical();
-    let is_wanted = |row: &&&ObjectRow| state.shows.as_deref() == Some(row.name.as_str());
-    if let Some(place) = rows.iter().position(|row| is_wanted(&row)) {
-        state.shows = None;
+    let wanted = state.shows.as_deref().and_then(of);
+    if let Some(place) = wanted.or(chosen) {
+        state.shows = state.shows.take().filter(|_| wanted.is_none());
         let above = (place as f32 - 2.0).max(0.0) * (ROW + ui.spacing().item_spacing.y);
         area = area.vertical_scroll_offset(above);
     }
     area.auto_shrink(false)
         .show_rows(ui, ROW, rows.len(), |ui, range| {
+            state.in_view = range.start + 1..range.end.saturating_sub(1);
             for row in &rows[range] {
                 ui.push_id(&row.name, |ui| self::row(ui, model, row, state, wishes));
             }

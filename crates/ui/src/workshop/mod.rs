@@ -5,6 +5,7 @@
 
 mod bar;
 mod chooser;
+mod colour;
 mod examples;
 mod field;
 mod inspector;

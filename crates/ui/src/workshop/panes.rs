@@ -135,6 +135,8 @@ impl WorkshopPanes {
         examples::show(&ui, model, &mut self.examples, &mut wishes);
         chooser::show(&ui, model, &mut self.chooser, &mut wishes);
         wishes.append(&mut asked);
+        // What was typed is of what was chosen until now, whatever a click chooses in the same pass.
+        wishes.sort_by_key(|it| !matches!(it, WorkshopWish::Set { .. }));
         let now = self.layout();
         self.is_changed |= *self.first.get_or_insert_with(|| now.clone()) != now;
         wishes

@@ -189,10 +189,15 @@ fn nudges(ui: &Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
 
 fn paint(ui: &Ui, rect: Rect, model: &WorkshopModel<'_>, is_focused: bool) {
     let painter = ui.painter_at(rect);
-    for line in model.lines {
-        paint_line(&painter, rect, line);
-    }
-    if !model.status.is_empty() {
+    let mut room = rect.shrink(GRID);
+    let lines = |room: Rect| {
+        for line in model.lines {
+            paint_line(&painter, (rect, room), line);
+        }
+    };
+    if model.status.is_empty() {
+        lines(room);
+    } else {
         let words = painter.layout(
             model.status.to_owned(),
             small(),
@@ -201,6 +206,8 @@ fn paint(ui: &Ui, rect: Rect, model: &WorkshopModel<'_>, is_focused: bool) {
         );
         let at = rect.left_bottom() + vec2(GRID, -GRID - words.size().y);
         let plate = Rect::from_min_size(at, words.size()).expand(4.0);
+        room.max.y = plate.min.y - GRID;
+        lines(room);
         painter.rect_filled(plate, 4, PLATE);
         painter.galley(at, words, TEXT);
     }
@@ -210,7 +217,8 @@ fn paint(ui: &Ui, rect: Rect, model: &WorkshopModel<'_>, is_focused: bool) {
     }
 }
 
-fn paint_line(painter: &egui::Painter, rect: Rect, line: &ViewLine) {
+/// Draws a line of the view, whose label stays in a part of that.
+fn paint_line(painter: &egui::Painter, (rect, room): (Rect, Rect), line: &ViewLine) {
     let half = rect.size() * 0.5;
     let on_screen = |at: &[f32; 2]| {
         let centre = rect.center();
@@ -228,7 +236,6 @@ fn paint_line(painter: &egui::Painter, rect: Rect, line: &ViewLine) {
     }
     if let Some(label) = &line.label {
         let words = painter.layout_no_wrap(label.clone(), small(), TEXT);
-        let room = rect.shrink(GRID);
         let beside = |side: Align2, x: f32| side.anchor_size(*end + vec2(x, 0.0), words.size());
         let mut at = beside(Align2::LEFT_CENTER, LABEL_OFF);
         if at.max.x > room.max.x {

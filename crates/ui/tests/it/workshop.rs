@@ -231,7 +231,7 @@ fn the_room_is_saved_and_left_by_its_menu() {
     let mut harness = wide();
     for (line, wish) in [
         ("Save now", WorkshopWish::Keep),
-        ("Leave to the menu", WorkshopWish::Leave),
+        ("Leave the room", WorkshopWish::Leave),
     ] {
         harness.get_by_label("Room").click();
         harness.run();
@@ -360,6 +360,87 @@ fn a_number_is_typed_with_its_unit_and_a_drag_of_it_tells_when_it_ends() {
     assert!(ends.len() > 1, "{told:?}");
     assert_eq!(ends.iter().filter(|it| **it).count(), 1, "{told:?}");
     assert_eq!(ends.last(), Some(&true), "{told:?}");
+}
+
+#[test]
+fn a_text_is_kept_whole_when_enter_comes_with_its_last_letters_and_when_one_clicks_away() {
+    let mut harness = wide();
+    let text = FieldKind::Text(Some("old".to_owned()));
+    harness.state_mut().fields = vec![field("text", "Text", text)];
+    harness.run();
+    let typed = |harness: &mut Harness<'_, Bench>, text: &str| {
+        // Its name stands above it.
+        harness.get_all_by_label("Text").last().unwrap().click();
+        harness.run();
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.event(Event::Text(text.to_owned()));
+    };
+    let set = |text: &str| WorkshopWish::Set {
+        key: "text".to_owned(),
+        value: FieldValue::Text(text.to_owned()),
+        done: true,
+    };
+    typed(&mut harness, "mind the step");
+    harness.run();
+    // In one pass, as a slow window has them.
+    let enter = Event::Key {
+        key: Key::Enter,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    let late = Event::Text(", please".to_owned());
+    harness.input_mut().events.extend([late, enter]);
+    harness.step();
+    harness.run();
+    assert_eq!(asked(&mut harness), [set("mind the step, please")]);
+    // Of what was chosen until then, so before another is.
+    typed(&mut harness, "board");
+    harness.run();
+    harness.get_by_label("floor box").click();
+    harness.run();
+    let choose = WorkshopWish::Choose {
+        name: "floor".to_owned(),
+        adds: false,
+    };
+    assert_eq!(asked(&mut harness), [set("board"), choose]);
+}
+
+#[test]
+fn a_colour_is_chosen_from_those_that_are_shown() {
+    let mut harness = wide();
+    let colour = FieldKind::Colour(Some([0x12, 0x34, 0x56]));
+    harness.state_mut().fields = vec![field("colour", "Colour", colour)];
+    harness.run();
+    harness.get_by_label("Colour: #123456").click();
+    harness.run();
+    harness.get_by_label("#ffffff").click();
+    harness.run();
+    let white = WorkshopWish::Set {
+        key: "colour".to_owned(),
+        value: FieldValue::Colour([255; 3]),
+        done: false,
+    };
+    assert!(asked(&mut harness).contains(&white));
+}
+
+#[test]
+fn what_is_chosen_in_the_view_comes_into_view_in_the_list() {
+    let mut harness = wide();
+    let name = |it: usize| format!("thing {it}");
+    harness.state_mut().objects = (0..90).map(|it| object(&name(it), 0, false)).collect();
+    harness.run();
+    let is_listed = |harness: &Harness<'_, Bench>, it: usize| {
+        harness
+            .query_by_label_contains(&format!("thing {it} "))
+            .is_some()
+            || harness.query_by_label_contains(&name(it)).is_some()
+    };
+    assert!(!is_listed(&harness, 77));
+    harness.state_mut().objects[77].selected = true;
+    harness.run();
+    assert!(is_listed(&harness, 77));
 }
 
 #[test]

@@ -106,14 +106,14 @@ impl Keeper {
         let _ = wait.recv();
     }
 
-    /// Makes the room the file, and waits for that.
-    pub fn save_now(&self, room: Arc<Room>) -> Result<(), RoomError> {
+    /// Has the room made the file. What is returned waits for that, on any thread.
+    pub fn saving(&self, room: Arc<Room>) -> impl FnOnce() -> Result<(), RoomError> + Send + use<> {
         let (answer, wait) = bounded(1);
         self.hand(Note::Save {
             room,
             answer: Some(answer),
         });
-        wait.recv().unwrap_or(Ok(()))
+        move || wait.recv().unwrap_or(Ok(()))
     }
 }
 

@@ -434,6 +434,16 @@ fn a_room_of_ones_own_is_changed_and_kept_from_the_console_and_one_of_the_game_i
         "the name is taken"
     );
     order(&mut game, "room save").unwrap();
+    // As another room, which it is then; nothing of that holds a frame up.
+    order(&mut game, "room save name=\"Second hut\"").unwrap();
+    tick_until(&mut game, |game| {
+        game.play
+            .phase
+            .visit()
+            .is_some_and(|visit| visit.slug() != slug && visit.scene().room().name == "Second hut")
+    });
+    order(&mut game, "remove wall").unwrap();
+    assert!(!has_wall(&game));
     game.leave(super::super::phase::Next::Menu);
     assert!(matches!(game.menus.shell.screen(), Screen::Rooms));
     enter(&mut game, &slug);

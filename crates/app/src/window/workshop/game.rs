@@ -5,8 +5,8 @@ use std::time::Duration;
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::tuning::EYE_M;
 use antipode_rooms::RoomsDir;
-use antipode_ui::ToastKind;
 use antipode_ui::workshop::{BarModel, LessonChoice, WorkshopModel, WorkshopPanes, WorkshopWish};
+use antipode_ui::{Intent, ToastKind};
 use glam::DVec3;
 
 use super::keeping::NotKept;
@@ -87,18 +87,12 @@ impl Game {
             return;
         }
         if scene.document().selection().is_empty() {
-            self.leave_for_menu();
+            visit.keep_at_last();
+            self.pause();
         } else {
             scene.document_mut().select([]);
             workshop.told.forget();
         }
-    }
-
-    fn leave_for_menu(&mut self) {
-        if let Some(visit) = self.play.phase.visit_mut() {
-            visit.keep_at_last();
-        }
-        self.pause();
     }
 
     /// Lets time pass: what has changed is kept.
@@ -122,12 +116,15 @@ impl Game {
             self.menus.shell.toast(why, ToastKind::State);
         }
         if let Some(why) = workshop.keeping.pass(scene, passed.as_secs_f64()) {
-            let (words, reason) = match why {
-                NotKept::Unsound(why) => {
-                    let found = workshop.findings.gravest(&self.menus.texts);
-                    ("workshop-not-saved-yet", found.unwrap_or(why))
+            let found = workshop.findings.gravest(&self.menus.texts);
+            let (words, reason) = match (why, found) {
+                (NotKept::Failed(why), _) => ("workshop-not-kept", why),
+                (NotKept::Unsound(_), Some(found)) => ("workshop-not-saved-yet", found),
+                (NotKept::Unsound(_), None) if !workshop.findings.rest() => {
+                    workshop.keeping.tell_again();
+                    return;
                 }
-                NotKept::Failed(why) => ("workshop-not-kept", why),
+                (NotKept::Unsound(why), None) => ("workshop-not-saved-yet", why),
             };
             let values = [("reason", reason.into())];
             self.menus.toast(ToastKind::Problem, words, &values);
@@ -258,7 +255,10 @@ impl Game {
         if plays {
             self.toggle_workshop();
         } else if leaves {
-            self.leave_for_menu();
+            if let Some(visit) = self.play.phase.visit_mut() {
+                visit.keep_at_last();
+            }
+            self.follow(Intent::SaveAndQuitToMenu);
         }
     }
 }

@@ -65,6 +65,11 @@ impl Keeping {
         why
     }
 
+    /// What was told last is told again: it could not be said yet.
+    pub fn tell_again(&mut self) {
+        self.told = None;
+    }
+
     /// Whether nothing has changed for so long that there is nothing more to keep.
     pub fn rests(&self) -> bool {
         self.rests_s > 2.0 * QUIET_S && self.asked == self.seen

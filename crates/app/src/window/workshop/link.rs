@@ -168,6 +168,12 @@ impl Workshop {
 /// To which portal one leads, in words.
 fn partner_words(texts: &Texts, room: &Room, name: &str) -> String {
     let to = portal(room, name).map_or("", |it| it.to.as_str());
+    if to == name {
+        return texts.say("workshop-link-itself");
+    }
+    if portal(room, to).is_none() {
+        return texts.say("workshop-link-nowhere");
+    }
     let values: [(&str, Value<'_>); 1] = [("name", to.into())];
     texts.say_with("workshop-link-partner", &values)
 }

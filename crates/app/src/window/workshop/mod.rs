@@ -211,7 +211,9 @@ impl Visit {
     pub fn build(&mut self) {
         self.room.look = View::Exact;
         let notes = std::mem::take(&mut self.room.notes);
-        self.workshop = Some(Box::new(Workshop::new(self.scene(), notes)));
+        let mut workshop = Workshop::new(self.scene(), notes);
+        workshop.panes = self.panes.take();
+        self.workshop = Some(Box::new(workshop));
         self.room.scene.leave_out_hidden(true);
     }
 
@@ -221,6 +223,7 @@ impl Visit {
             return;
         };
         self.room.notes = workshop.findings.unread();
+        self.panes = workshop.panes.take();
         self.room.scene.document_mut().end_drag();
         self.room.scene.leave_out_hidden(false);
         self.room.scene.leave_out_walls(false);

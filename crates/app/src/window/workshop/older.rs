@@ -8,7 +8,7 @@ use antipode_rooms::{Assets, Room};
 use antipode_ui::workshop::OlderRow;
 use antipode_workshop::{Version, WorkshopError, read_version, versions};
 
-use crate::dates::stamp;
+use crate::dates::moment;
 use crate::rooms::older_plan;
 use crate::window::background::{Progress, Task};
 
@@ -39,7 +39,7 @@ impl OlderList {
             let all = versions(&folder).into_iter();
             let row = |it: Version| OlderRow {
                 when_s: it.when_s,
-                text: stamp(it.when_s),
+                text: moment(it.when_s),
             };
             all.map(row).collect()
         }));

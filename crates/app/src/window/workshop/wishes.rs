@@ -204,7 +204,8 @@ impl Workshop {
                 Edit::Array(Array {
                     names: all()?,
                     count: ARRAY,
-                    step: DVec3::X * (2.0 * held.half.x + step),
+                    step: DVec3::X
+                        * chosen::width_m(scene, step).unwrap_or(2.0 * held.half.x + step),
                     turn_deg: 0.0,
                     about: None,
                 })
