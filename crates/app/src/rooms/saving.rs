@@ -18,14 +18,18 @@ pub enum Saved {
     /// In its own file.
     InPlace,
     /// As another room.
-    As {
-        /// Its folder.
-        slug: String,
-        /// As it was then.
-        room: Room,
-        /// Its journal, if the room before had one.
-        document: Option<Document>,
-    },
+    As(Box<Copied>),
+}
+
+/// Another room that was made of one.
+#[derive(Debug)]
+pub struct Copied {
+    /// Its folder.
+    slug: String,
+    /// As it was then.
+    room: Room,
+    /// Its journal, if the room before had one.
+    document: Option<Document>,
 }
 
 impl OpenRoom {
@@ -84,11 +88,11 @@ impl OpenRoom {
             // The journal of the first stays with that.
             let opened = has_journal.then(|| Document::open(&dir.path().join(&slug)));
             let document = opened.transpose()?.map(|it| it.document);
-            Ok(Saved::As {
+            Ok(Saved::As(Box::new(Copied {
                 slug,
                 room,
                 document,
-            })
+            })))
         })
     }
 
@@ -98,21 +102,18 @@ impl OpenRoom {
     /// # Errors
     /// If it cannot be called so.
     pub fn take_saved(&mut self, saved: Saved) -> Result<Option<Document>, RoomError> {
-        let Saved::As {
+        let Saved::As(copied) = saved else {
+            return Ok(None);
+        };
+        let Copied {
             slug,
             room,
             document,
-        } = saved
-        else {
-            return Ok(None);
-        };
-        let before = match document {
-            Some(document) => Some(self.scene.take_document(document)),
-            None => {
-                self.scene.rename(&room.name)?;
-                None
-            }
-        };
+        } = *copied;
+        let before = document.map(|document| self.scene.take_document(document));
+        if before.is_none() {
+            self.scene.rename(&room.name)?;
+        }
         self.kept = Some(RoomSummary {
             slug,
             name: room.name,

@@ -139,20 +139,7 @@ fn row(
     ui.horizontal(|ui| {
         ui.set_height(ROW - 4.0);
         ui.add_space(INDENT * row.depth.min(8) as f32);
-        if let Some((of, name)) = &mut state.renaming
-            && *of == row.name
-        {
-            let label = model.texts.say("workshop-rename");
-            let response = entry(ui, name, &label, "");
-            if std::mem::take(&mut state.begins) {
-                response.request_focus();
-            } else if response.lost_focus() {
-                let takes = ui.input(|input| !input.key_pressed(Key::Escape));
-                if takes && name.trim() != *of && !name.trim().is_empty() {
-                    wishes.push(WorkshopWish::Rename(of.clone(), name.trim().to_owned()));
-                }
-                state.renaming = None;
-            }
+        if rename(ui, model, row, state, wishes) {
             return;
         }
         marks(ui, model, row, wishes);
@@ -189,6 +176,34 @@ fn row(
             }
         }
     });
+}
+
+/// The field for another name, if that is what is typed of this row.
+fn rename(
+    ui: &mut Ui,
+    model: &WorkshopModel<'_>,
+    row: &ObjectRow,
+    state: &mut ListState,
+    wishes: &mut Vec<WorkshopWish>,
+) -> bool {
+    let Some((of, name)) = &mut state.renaming else {
+        return false;
+    };
+    if *of != row.name {
+        return false;
+    }
+    let label = model.texts.say("workshop-rename");
+    let response = entry(ui, name, &label, "");
+    if std::mem::take(&mut state.begins) {
+        response.request_focus();
+    } else if response.lost_focus() {
+        let takes = ui.input(|input| !input.key_pressed(Key::Escape));
+        if takes && name.trim() != *of && !name.trim().is_empty() {
+            wishes.push(WorkshopWish::Rename(of.clone(), name.trim().to_owned()));
+        }
+        state.renaming = None;
+    }
+    true
 }
 
 /// The marks that hide and lock: an eye and a lock, drawn.

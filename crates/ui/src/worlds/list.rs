@@ -1,5 +1,6 @@
 //! The list of worlds or rooms, each as a row.
 
+use antipode_language::Texts;
 use egui::{FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::{Kind, edits, facts, picture};
@@ -68,20 +69,11 @@ pub(super) fn show<'a>(
             let choice = steady(ui, &row.slug, |ui| self::row(ui, pass, stops, row, shown));
             chosen = choice.or(chosen.take());
         }
-        if kind != Kind::World {
-            let label = model.texts.say("rooms-new");
-            let new = steady(ui, "new", |ui| column_button(ui, &label, false));
-            stops.add(&new);
-            if new.clicked() {
-                chosen = Some(Choice::New);
-            }
+        if kind != Kind::World && column(ui, stops, (model.texts, "rooms-new")) {
+            chosen = Some(Choice::New);
         }
-        if kind == Kind::Own {
-            let label = model.texts.say("workshop-rooms-shipped");
-            let shipped = steady(ui, "shipped", |ui| column_button(ui, &label, false));
-            stops.add(&shipped);
-            to_shipped = shipped.clicked();
-        }
+        to_shipped =
+            kind == Kind::Own && column(ui, stops, (model.texts, "workshop-rooms-shipped"));
     };
     let title = model.texts.say(match (kind, purpose) {
         (Kind::Room, _) => "menu-rooms",
@@ -111,6 +103,14 @@ pub(super) fn show<'a>(
         chosen = Some(Choice::Import);
     }
     chosen
+}
+
+/// A button under the list, as wide as that. Returns whether it was clicked.
+fn column(ui: &mut Ui, stops: &mut Stops, (texts, key): (&Texts, &str)) -> bool {
+    let label = texts.say(key);
+    let response = steady(ui, key, |ui| column_button(ui, &label, false));
+    stops.add(&response);
+    response.clicked()
 }
 
 /// One of them: a wide button, and beside it, where they are loaded, one for its page.

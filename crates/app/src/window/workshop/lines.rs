@@ -141,7 +141,7 @@ fn mark(
         .filter_map(|point| through.seen_at(point, at))
         .map(|at| flat(&at))
         .collect();
-    (seen.len() > 1).then(|| ViewLine {
+    (seen.len() > 1).then_some(ViewLine {
         points: seen,
         colour: MARK,
         width: 1.0,
