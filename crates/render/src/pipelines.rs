@@ -41,10 +41,10 @@ pub struct Pipelines {
     pub figures: FigurePipelines,
     /// Sky, behind everything.
     pub sky: RenderPipeline,
+    /// The same with clouds.
+    pub cloudy_sky: RenderPipeline,
     /// The band of faint stars over it.
     pub band: RenderPipeline,
-    /// Clouds, before sun, moon and stars.
-    pub clouds: RenderPipeline,
     /// Sun, moon and stars.
     pub celestial: CelestialPipelines,
     /// The marker where it is seen.
@@ -113,22 +113,21 @@ impl Pipelines {
                 Way { compare, ..GLASS },
             )
         };
+        let dome = |fragment| {
+            let way = Way {
+                blend: None,
+                ..SHINE
+            };
+            maker.make(&sky, ["vertex", fragment], &[], way)
+        };
         let [outlines, outlines_hidden] = maker.outlines();
         let [opening, opening_haze] = maker.openings();
         Self {
             terrain: TerrainPipelines::made_by(maker, &land, &land_buffers),
             figures: FigurePipelines::made_by(maker),
-            sky: maker.make(
-                &sky,
-                ["vertex", "fragment"],
-                &[],
-                Way {
-                    blend: None,
-                    ..SHINE
-                },
-            ),
+            sky: dome("fragment"),
+            cloudy_sky: dome("fragment_clouds"),
             band: maker.make(&sky, ["vertex", "fragment_band"], &[], SHINE),
-            clouds: maker.make(&sky, ["vertex", "fragment_clouds"], &[], VEIL),
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
