@@ -158,6 +158,8 @@ pub(crate) struct Maker<'a> {
     pub(crate) shadows: ShadowQuality,
     preset: Preset,
     by_figures: bool,
+    /// Whether lamps or beams may light what is drawn.
+    lit: bool,
     /// Whether sheets may cut off what is drawn.
     cuts: bool,
 }
@@ -198,6 +200,7 @@ impl<'a> Maker<'a> {
             shadows: ShadowQuality::Off,
             preset: Preset::Card,
             by_figures: true,
+            lit: true,
             cuts: key.is_cut,
         }
     }
@@ -212,6 +215,14 @@ impl<'a> Maker<'a> {
             by_figures: reach == ShadowReach::All,
             ..self.clone()
         }
+    }
+
+    /// One that makes the same for what no lamp or beam lights, where the adapter pays for branches that it does not take.
+    pub(crate) fn unlit(&self) -> Option<Self> {
+        (self.preset == Preset::Software).then(|| Self {
+            lit: false,
+            ..self.clone()
+        })
     }
 
     /// One that makes the same for what no sheet cuts.
@@ -340,7 +351,8 @@ impl<'a> Maker<'a> {
         let by_figures = ("FIGURE_SHADOWS", f64::from(u8::from(self.by_figures)));
         let cuts = ("CUTS", f64::from(u8::from(self.cuts)));
         let by_pixel = f64::from(u8::from(self.preset == Preset::Card));
-        let constants = [shadows, by_figures, cuts, ("BY_PIXEL", by_pixel)];
+        let lit = ("LIT", f64::from(u8::from(self.lit)));
+        let constants = [shadows, by_figures, cuts, ("BY_PIXEL", by_pixel), lit];
         let compilation_options = wgpu::PipelineCompilationOptions {
             constants: &constants,
             ..Default::default()

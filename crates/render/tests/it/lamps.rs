@@ -197,3 +197,26 @@ fn a_lamp_lights_a_wall_alike_at_both_centres_and_over_the_equator() {
         }
     }
 }
+
+/// Under a sky what no lamp lights is drawn by pipelines that know of none.
+#[test]
+fn a_lamp_lights_a_wall_under_a_sky() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    for geometry in [Geometry::Euclidean, Geometry::Hyperbolic] {
+        let eye = Eye {
+            point: ChartPoint::a(DVec3::new(0.0, 3.0, 0.0)),
+            yaw: 0.3,
+            pitch: 0.0,
+            roll: 0.0,
+            dial: 0.0,
+            lift_m: 0.0,
+        };
+        let [middle, aside] = brightening(&mut studio, &space(geometry), eye);
+        assert!(
+            middle > 1.8 && aside > 1.05 && aside < middle,
+            "{geometry:?}: {middle} and {aside}"
+        );
+    }
+}
