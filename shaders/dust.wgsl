@@ -83,7 +83,7 @@ fn vertex_particle(in: ParticleIn) -> ParticleOut {
     let sky = mix(0.10, 1.0, in.looks.w);
     var lit = daylight_on(middle, out.normal, frame_normal, 1.0, sky);
     var dark = daylight_on(middle, out.normal, frame_normal, 0.0, sky);
-    if any(in.lights != vec3<u32>(0u)) {
+    if any_lit(in.lights) {
         let lamps = lights_on(middle, frame_normal, in.lights, 0.0);
         lit += lamps;
         dark += lamps;

@@ -251,7 +251,7 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let unlit = is_unlit(in.view, normal, in.frame_normal);
     let share = key_share(shaded_at(in.place, in.view, normal, in.frame_normal), in.clip.xy, unlit, true);
     var colour = in.albedo.rgb * daylight_on(in.view, normal, in.frame_normal, share, 1.0);
-    if any(in.lights != vec3<u32>(0u)) {
+    if any_lit(in.lights) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
     }
     // A soft bright edge keeps the figure readable against land of its own brightness.

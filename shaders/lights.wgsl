@@ -35,6 +35,14 @@
 // c sqrt(1 - s k^2 c^2/4), and the cosine between the normal and the way to the lamp is <n, l - v> over that sine.
 // Nothing is divided by k but w, so the flat space is the limit.
 
+// Whether any lamp or beam may light what is drawn. In software a loop that ends at once costs a round of it, and so what
+// none lights is drawn by pipelines without them.
+override LIT: bool = true;
+
+fn any_lit(lights: vec3<u32>) -> bool {
+    return LIT && any(lights != vec3<u32>(0u));
+}
+
 // What a vertex of land tells its fragments of the day's light.
 struct LandLight {
     facing: vec3<f32>,

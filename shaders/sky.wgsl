@@ -1,5 +1,6 @@
-// The sky where nothing stands before it: the haze of each direction over the whole picture, then by night the band of
-// faint stars, and last the clouds. Between them celestial.wgsl draws the sun, the moon and the single stars.
+// The sky where nothing stands before it: the haze of each direction over the whole picture, with or without clouds, then by
+// night the band of faint stars. After that celestial.wgsl draws the sun, the moon and the single stars; clouds are before
+// them, and so they shine only as far as the alpha there says.
 
 @group(0) @binding(5) var band: texture_cube<f32>;
 @group(0) @binding(6) var layer: texture_2d<f32>;
@@ -47,33 +48,48 @@ const CLOUD_TEXELS: f32 = 256.0;
 const WIND: vec2<f32> = vec2<f32>(1.0, 1.0);
 const SLOW_WIND: vec2<f32> = vec2<f32>(1.0, 0.0);
 
-fn thickness(at: vec2<f32>, level: f32) -> f32 {
+// How far towards the light is looked for what shades a cloud: three texels. `heavens.rs` puts the fall over so many along
+// both axes into the picture.
+const TOWARD: f32 = 3.0 / CLOUD_TEXELS;
+const GROUPED: f32 = 0.37;
+
+// Thickness of the clouds, and how much that falls on the way towards the light. Both are read half way there: four reads
+// of the picture would be dear in software.
+fn thickness(at: vec2<f32>, toward: vec2<f32>, level: f32) -> vec2<f32> {
     let drift = scene.cloud_drift;
-    let heaps = textureSampleLevel(layer, smooth_sampler, at + drift * WIND, level).r;
-    let groups = textureSampleLevel(layer, smooth_sampler, 0.37 * at + drift * SLOW_WIND + 0.31, level).r;
-    return 0.62 * heaps + 0.38 * groups;
+    let middle = at + toward * (0.5 * TOWARD);
+    let heaps = textureSampleLevel(layer, smooth_sampler, middle + drift * WIND, level);
+    let groups = textureSampleLevel(layer, smooth_sampler, GROUPED * middle + drift * SLOW_WIND + 0.31, level);
+    let both = 0.62 * vec2<f32>(heaps.r, slope(heaps, toward)) + 0.38 * vec2<f32>(groups.r, GROUPED * slope(groups, toward));
+    return vec2<f32>(both.x + 0.5 * both.y, both.y);
 }
 
+fn slope(texel: vec4<f32>, toward: vec2<f32>) -> f32 {
+    return 2.0 * dot(texel.gb - 127.0 / 255.0, toward);
+}
+
+// The sky with clouds. What is left of the light from behind them goes into the alpha, for what is drawn there.
 @fragment
 fn fragment_clouds(in: VertexOut) -> @location(0) vec4<f32> {
     let d = normalize(in.ray);
+    let behind = haze(d);
     let rise = max(d.y, 0.0) + 0.06;
     let at = d.xz / rise * CLOUD_SCALE;
     // A pixel's width in the layer grows with the square of the way there.
     let pixel = scene.pixel_height / scene.space.focal_y;
     let level = clamp(log2(CLOUD_SCALE * CLOUD_TEXELS * pixel / (rise * rise)), 0.0, 6.0);
-    let thick = thickness(at, level);
-    let clear = 0.74 - 0.48 * scene.cloud_cover;
-    let cover = smoothstep(clear, clear + 0.22, thick) * smoothstep(0.015, 0.16, d.y);
-    // Thinner towards the light means that light comes through to this side.
     let toward = normalize(scene.key_direction.xz + vec2<f32>(1.0e-3, 0.0));
-    let shaded = clamp(0.5 + 3.2 * (thick - thickness(at + toward * 0.012, level)), 0.0, 1.0);
+    let thick = thickness(at, toward, level);
+    let clear = 0.74 - 0.48 * scene.cloud_cover;
+    let cover = smoothstep(clear, clear + 0.22, thick.x) * smoothstep(0.015, 0.16, d.y);
+    // Thinner towards the light means that light comes through to this side.
+    let shaded = clamp(0.5 + 3.2 * thick.y, 0.0, 1.0);
     let near_sun = max(dot(d, scene.key_direction), 0.0);
     let near2 = near_sun * near_sun;
     let lining = near2 * near2 * near2 * near2 * (1.0 - cover);
     let lit = scene.key_colour * (0.22 + 0.34 * shaded + 0.5 * lining)
         + scene.ambient_sky * 0.62 + scene.horizon * 0.12;
-    let colour = mix(haze(d), lit, smoothstep(0.0, 0.35, d.y));
     let opacity = cover * 0.94;
-    return vec4<f32>(colour * opacity, opacity);
+    let colour = mix(behind, lit, smoothstep(0.0, 0.35, d.y));
+    return vec4<f32>(mix(behind, colour, opacity), 1.0 - opacity);
 }

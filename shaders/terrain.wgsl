@@ -119,7 +119,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
         out.facing = normal;
         out.dark.x = sky;
     }
-    if any(in.lights != vec3<u32>(0u)) {
+    if any_lit(in.lights) {
         let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
         out.lights = lamplight.near;
         // It joins the veil, without the grain: one more number for every pixel of every picture would cost a tenth.
@@ -254,7 +254,7 @@ fn surface_light(in: VertexOut, share: f32, steps: Steps) -> vec3<f32> {
     let half_way = normalize(scene.key_direction - direction_of(in.view.xyz));
     let shine = pow(max(dot(seen_normal(in.view, tilt.normal, tilt.model_normal), half_way), 0.0), 36.0);
     lit += scene.key_colour * (0.30 * surface.gloss * shine * share);
-    if any(in.lights != vec3<u32>(0u)) {
+    if any_lit(in.lights) {
         lit += surface.albedo * lights_on(in.view, tilt.model_normal, in.lights, 0.0);
     }
     return lit + surface.glow;
@@ -268,7 +268,7 @@ fn land_colour(in: VertexOut, point: Shaded, steps: Steps) -> vec4<f32> {
         return vec4<f32>(surface_light(in, share, steps) * tone + in.veil, 1.0);
     }
     var lit = daylit(LandLight(in.facing, in.dark), in.albedo, share);
-    if any(in.lights != vec3<u32>(0u)) {
+    if any_lit(in.lights) {
         lit += in.albedo * lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }
     return vec4<f32>(lit * (plain_tone(in) * tone) + in.veil, 1.0);

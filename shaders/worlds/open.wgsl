@@ -31,7 +31,7 @@ fn daylight_on(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, shar
 }
 
 fn wants_model_normal(lights: vec3<u32>) -> bool {
-    return any(lights != vec3<u32>(0u));
+    return any_lit(lights);
 }
 
 // The normal, and what is left of the sky: a fixed direction's light is worked out at each point.

@@ -401,7 +401,7 @@ impl ChunkStore {
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
             let Some((old, progress)) = self.blend(chunk) else {
-                let numbered = |reach| TerrainPipelines::number(choice, false, reach);
+                let numbered = |reach| TerrainPipelines::number(choice, false, reach, lights);
                 let seen = |block: &Block| {
                     let [min, max] = [block.min, block.max].map(|p| coord.origin() + p.as_dvec3());
                     let cell = || frustum.cell_seen(space, eye, coord.chart, min, max);
@@ -422,7 +422,7 @@ impl ChunkStore {
                 continue;
             };
             plan.stats.chunks_blending += 1;
-            let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach));
+            let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach), lights);
             let comes = mesh.pieces(seams).map(|piece| (number, piece));
             list.add(chart, instance.blending(progress), comes);
             let seams = self.seams(coord, old.level, &old.mesh);

@@ -19,6 +19,8 @@ use crate::uniforms::{FigureInstance, PLACE_SHIFT};
 pub enum Way {
     /// Before the eye, in its own axes.
     Hand,
+    /// The same where no lamp or beam shines.
+    UnlitHand,
     /// By one matrix.
     Framed,
     /// Vertex by vertex.
@@ -192,7 +194,11 @@ impl FigureDraws {
         coarse: bool,
     ) -> usize {
         let mut triangles = 0;
-        for run in self.runs.iter().filter(|run| run.way != Way::Hand) {
+        for run in self
+            .runs
+            .iter()
+            .filter(|run| !matches!(run.way, Way::Hand | Way::UnlitHand))
+        {
             let ranges = &models.ranges[run.model];
             let indices = if coarse {
                 &ranges.coarse
@@ -231,7 +237,10 @@ impl FigureDraws {
             }
             pass.set_pipeline(match (run.way, run.joints, clear) {
                 (Way::Hand, _, false) => &pipelines.hand,
-                (Way::Hand, _, true) => &pipelines.hand_clear,
+                (Way::UnlitHand, _, false) => {
+                    pipelines.unlit_hand.as_ref().unwrap_or(&pipelines.hand)
+                }
+                (Way::Hand | Way::UnlitHand, _, true) => &pipelines.hand_clear,
                 (Way::Framed, Some(_), _) => &pipelines.bent_framed,
                 (Way::Vertex | Way::Shade, Some(_), _) => &pipelines.bent,
                 (Way::Framed, None, false) => &pipelines.framed,

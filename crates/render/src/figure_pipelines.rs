@@ -24,7 +24,9 @@ pub struct FigurePipelines {
     pub clear_framed: RenderPipeline,
     /// In the player's hand.
     pub hand: RenderPipeline,
-    /// The same of what light goes through.
+    /// The same where no lamp or beam shines, if that has a pipeline of its own.
+    pub unlit_hand: Option<RenderPipeline>,
+    /// In the player's hand, of what light goes through.
     pub hand_clear: RenderPipeline,
     /// Into a shadow map.
     pub caster: RenderPipeline,
@@ -41,8 +43,9 @@ impl FigurePipelines {
             |vertex, fragment, way| maker.make(&module, [vertex, fragment], &buffers[..2], way);
         // It is before the eye, and not in the world that is cut.
         let whole = maker.uncut();
-        let hand =
-            |fragment, way| whole.make(&module, ["vertex_hand", fragment], &buffers[..2], way);
+        let hand = |maker: &Maker<'_>, fragment, way| {
+            maker.make(&module, ["vertex_hand", fragment], &buffers[..2], way)
+        };
         let bent = |vertex| maker.make(&module, [vertex, "fragment"], &buffers, BENT);
         Self {
             plain: plain("vertex", "fragment", SOLID),
@@ -51,8 +54,9 @@ impl FigurePipelines {
             bent_framed: bent("vertex_bent_framed"),
             clear: plain("vertex", "fragment_clear", GLASS),
             clear_framed: plain("vertex_framed", "fragment_clear", GLASS),
-            hand: hand("fragment", SOLID),
-            hand_clear: hand("fragment_clear", GLASS),
+            hand: hand(&whole, "fragment", SOLID),
+            unlit_hand: whole.unlit().map(|unlit| hand(&unlit, "fragment", SOLID)),
+            hand_clear: hand(&whole, "fragment_clear", GLASS),
             caster: maker.figure_caster(&module, "vertex_caster", &buffers[..2]),
             bent_caster: maker.figure_caster(&module, "vertex_caster_bent", &buffers),
         }

@@ -82,7 +82,11 @@ impl Figures {
             .flat_map(|hand| hand::instances(frame, hand));
         seen.extend(in_hand.map(|(model, instance)| Seen {
             model: number(model),
-            way: Way::Hand,
+            way: if instance.lights == [0; 3] {
+                Way::UnlitHand
+            } else {
+                Way::Hand
+            },
             instance,
             joints: None,
             chart: frame.view.eye.point.chart,

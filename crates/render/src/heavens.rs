@@ -115,7 +115,7 @@ fn stars(device: &Device, queue: &Queue, picture: &DynamicImage) -> TextureView 
 }
 
 fn clouds(device: &Device, queue: &Queue, picture: &DynamicImage) -> TextureView {
-    let mut level = picture.to_luma8();
+    let mut level = with_slopes(&picture.to_luma8());
     let side = level.width();
     let mut pixels = level.to_vec();
     let mut levels = 1;
@@ -134,7 +134,7 @@ fn clouds(device: &Device, queue: &Queue, picture: &DynamicImage) -> TextureView
                 depth_or_array_layers: 1,
             },
             mip_level_count: levels,
-            ..described(TextureFormat::R8Unorm)
+            ..described(TextureFormat::Rgba8Unorm)
         },
         TextureDataOrder::LayerMajor,
         &pixels,
@@ -155,15 +155,35 @@ fn described(format: TextureFormat) -> TextureDescriptor<'static> {
     }
 }
 
+/// A picture that repeats, and beside it in green and blue how much it falls over three pixels to the right and downwards,
+/// halved and from the middle: one read of it tells what two would.
+fn with_slopes(picture: &image::GrayImage) -> image::RgbaImage {
+    let (width, height) = picture.dimensions();
+    let at = |x: u32, y: u32| i32::from(picture.get_pixel(x % width, y % height).0[0]);
+    let fall = |before: i32, after: i32| (127 + (before - after) / 4).clamp(0, 255) as u8;
+    image::RgbaImage::from_fn(width, height, |x, y| {
+        let (left, above) = (x + width, y + height);
+        let right = fall(
+            at(left - 2, y) + at(left - 1, y),
+            at(x + 1, y) + at(x + 2, y),
+        );
+        let down = fall(
+            at(x, above - 2) + at(x, above - 1),
+            at(x, y + 1) + at(x, y + 2),
+        );
+        image::Rgba([at(x, y) as u8, right, down, u8::MAX])
+    })
+}
+
 /// Half as large along each side: the mean of each four pixels.
-fn halved(picture: &image::GrayImage) -> image::GrayImage {
-    image::GrayImage::from_fn(picture.width() / 2, picture.height() / 2, |x, y| {
+fn halved(picture: &image::RgbaImage) -> image::RgbaImage {
+    image::RgbaImage::from_fn(picture.width() / 2, picture.height() / 2, |x, y| {
         let four = [(0, 0), (1, 0), (0, 1), (1, 1)];
-        let sum: u16 = four
-            .map(|(i, j)| u16::from(picture.get_pixel(2 * x + i, 2 * y + j).0[0]))
-            .iter()
-            .sum();
-        image::Luma([((sum + 2) / 4) as u8])
+        let pixels = four.map(|(i, j)| picture.get_pixel(2 * x + i, 2 * y + j).0);
+        image::Rgba(std::array::from_fn(|channel| {
+            let sum: u16 = pixels.iter().map(|pixel| u16::from(pixel[channel])).sum();
+            ((sum + 2) / 4) as u8
+        }))
     })
 }
 

@@ -41,10 +41,10 @@ pub struct Pipelines {
     pub figures: FigurePipelines,
     /// Sky, behind everything.
     pub sky: RenderPipeline,
+    /// The same with clouds.
+    pub cloudy_sky: RenderPipeline,
     /// The band of faint stars over it.
     pub band: RenderPipeline,
-    /// Clouds, before sun, moon and stars.
-    pub clouds: RenderPipeline,
     /// Sun, moon and stars.
     pub celestial: CelestialPipelines,
     /// The marker where it is seen.
@@ -113,22 +113,21 @@ impl Pipelines {
                 Way { compare, ..GLASS },
             )
         };
+        let dome = |fragment| {
+            let way = Way {
+                blend: None,
+                ..SHINE
+            };
+            maker.make(&sky, ["vertex", fragment], &[], way)
+        };
         let [outlines, outlines_hidden] = maker.outlines();
         let [opening, opening_haze] = maker.openings();
         Self {
             terrain: TerrainPipelines::made_by(maker, &land, &land_buffers),
             figures: FigurePipelines::made_by(maker),
-            sky: maker.make(
-                &sky,
-                ["vertex", "fragment"],
-                &[],
-                Way {
-                    blend: None,
-                    ..SHINE
-                },
-            ),
+            sky: dome("fragment"),
+            cloudy_sky: dome("fragment_clouds"),
             band: maker.make(&sky, ["vertex", "fragment_band"], &[], SHINE),
-            clouds: maker.make(&sky, ["vertex", "fragment_clouds"], &[], VEIL),
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
@@ -159,6 +158,8 @@ pub(crate) struct Maker<'a> {
     pub(crate) shadows: ShadowQuality,
     preset: Preset,
     by_figures: bool,
+    /// Whether lamps or beams may light what is drawn.
+    lit: bool,
     /// Whether sheets may cut off what is drawn.
     cuts: bool,
 }
@@ -199,6 +200,7 @@ impl<'a> Maker<'a> {
             shadows: ShadowQuality::Off,
             preset: Preset::Card,
             by_figures: true,
+            lit: true,
             cuts: key.is_cut,
         }
     }
@@ -213,6 +215,14 @@ impl<'a> Maker<'a> {
             by_figures: reach == ShadowReach::All,
             ..self.clone()
         }
+    }
+
+    /// One that makes the same for what no lamp or beam lights, where the adapter pays for branches that it does not take.
+    pub(crate) fn unlit(&self) -> Option<Self> {
+        (self.preset == Preset::Software).then(|| Self {
+            lit: false,
+            ..self.clone()
+        })
     }
 
     /// One that makes the same for what no sheet cuts.
@@ -341,7 +351,8 @@ impl<'a> Maker<'a> {
         let by_figures = ("FIGURE_SHADOWS", f64::from(u8::from(self.by_figures)));
         let cuts = ("CUTS", f64::from(u8::from(self.cuts)));
         let by_pixel = f64::from(u8::from(self.preset == Preset::Card));
-        let constants = [shadows, by_figures, cuts, ("BY_PIXEL", by_pixel)];
+        let lit = ("LIT", f64::from(u8::from(self.lit)));
+        let constants = [shadows, by_figures, cuts, ("BY_PIXEL", by_pixel), lit];
         let compilation_options = wgpu::PipelineCompilationOptions {
             constants: &constants,
             ..Default::default()

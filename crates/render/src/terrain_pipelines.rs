@@ -18,17 +18,17 @@ pub enum ShadowReach {
     Nothing,
 }
 
-/// The ways of drawing land: all of them for what any shadow may reach and, where the adapter pays for branches that it
-/// does not take, those that most of a picture is drawn by for the rest. Each takes a software adapter a tenth of a
-/// second and some megabytes, so there are no more.
+/// The ways of drawing land: all of them for what any shadow may reach and any lamp light and, where the adapter pays for
+/// branches that it does not take, those that most of a picture is drawn by for the rest. Each takes a software adapter a
+/// tenth of a second and some megabytes, so there are no more.
 #[derive(Debug)]
 pub struct TerrainPipelines {
     all: Set,
-    land: Few,
-    nothing: Few,
+    /// By reach, lit and unlit.
+    few: [[Few; 2]; REACHES],
 }
 
-/// Some of the ways, with less than all shadows.
+/// Some of the ways, with less than all shadows or without lamps.
 #[derive(Debug, Default)]
 struct Few {
     plain: Option<RenderPipeline>,
@@ -57,8 +57,8 @@ struct Set {
 }
 
 /// Ways of [`Few`], which come first, and the reaches that they come in.
-const FEW: u8 = 2;
-const REACHES: u8 = 3;
+const FEW: usize = 2;
+const REACHES: usize = 3;
 
 impl TerrainPipelines {
     pub(crate) fn made_by(
@@ -66,34 +66,43 @@ impl TerrainPipelines {
         module: &ShaderModule,
         buffers: &[VertexBufferLayout<'_>],
     ) -> Self {
-        let few = |reach, with_rim: bool| {
-            let maker = maker.reached(reach);
+        let is_low = maker.shadows == ShadowQuality::Low;
+        let is_round = maker.map.daylight.is_round;
+        let few = |maker: &Maker<'_>| {
             let terrain = |fragment| maker.make(module, ["vertex", fragment], buffers, SOLID);
             Few {
                 plain: Some(terrain("fragment")),
-                rim: with_rim.then(|| terrain("fragment_rim")),
+                rim: is_round.then(|| terrain("fragment_rim")),
             }
         };
-        let is_low = maker.shadows == ShadowQuality::Low;
-        let is_round = maker.map.daylight.is_round;
+        let reached = |reach| {
+            let is_told_apart = match reach {
+                ShadowReach::All => true,
+                ShadowReach::Land => is_low,
+                ShadowReach::Nothing => is_low && is_round,
+            };
+            if !is_told_apart {
+                return <[Few; 2]>::default();
+            }
+            let maker = maker.reached(reach);
+            let lit = if reach == ShadowReach::All {
+                Few::default()
+            } else {
+                few(&maker)
+            };
+            // The light of a closed world costs so much that lamps matter less.
+            let unlit = maker.unlit().filter(|_| !is_round);
+            [lit, unlit.map_or_else(Few::default, |maker| few(&maker))]
+        };
         Self {
             all: Set::made_by(maker, module, buffers),
-            land: if is_low {
-                few(ShadowReach::Land, is_round)
-            } else {
-                Few::default()
-            },
-            nothing: if is_low && is_round {
-                few(ShadowReach::Nothing, true)
-            } else {
-                Few::default()
-            },
+            few: [ShadowReach::All, ShadowReach::Land, ShadowReach::Nothing].map(reached),
         }
     }
 
-    /// The number of the pipeline of a choice, where `blends` says that only some of the pixels are drawn. What is
-    /// mostly nearer has lower numbers.
-    pub fn number(choice: &ChunkChoice, blends: bool, reach: ShadowReach) -> u8 {
+    /// The number of the pipeline of a choice, where `blends` says that only some of the pixels are drawn and `lights` which
+    /// lamps and beams may light it. What is mostly nearer has lower numbers.
+    pub fn number(choice: &ChunkChoice, blends: bool, reach: ShadowReach, lights: [u32; 3]) -> u8 {
         let deep = choice.depth == DepthMethod::Fragment;
         let way = match (&choice.port, deep, choice.trimmed, blends) {
             (Port::Vertex, false, false, false) => 0,
@@ -105,32 +114,35 @@ impl TerrainPipelines {
             (Port::Vertex, true, _, true) => 6,
             (Port::Frame(_), .., true) => 7,
         };
-        // What comes in several reaches has its numbers side by side, before all others.
-        if way < FEW {
-            REACHES * way + reach as u8
+        // What comes in several reaches, lit and unlit, has its numbers side by side, before all others.
+        let number = if way < FEW {
+            2 * (REACHES * way + reach as usize) + usize::from(lights == [0; 3])
         } else {
-            REACHES * FEW + way - FEW
-        }
+            2 * REACHES * FEW + way - FEW
+        };
+        number as u8
     }
 
-    /// The pipeline of a number; that for all shadows where there is none of its own.
+    /// The pipeline of a number; that for all shadows and lamps where there is none of its own.
     pub fn numbered(&self, number: u8) -> &RenderPipeline {
         let all = &self.all;
-        let (own, whole) = match number {
-            0 => (None, &all.plain),
-            1 => (self.land.plain.as_ref(), &all.plain),
-            2 => (self.nothing.plain.as_ref(), &all.plain),
-            3 => (None, &all.rim),
-            4 => (self.land.rim.as_ref(), &all.rim),
-            5 => (self.nothing.rim.as_ref(), &all.rim),
-            6 => (None, &all.deep),
-            7 => (None, &all.deep_rim),
-            8 => (None, &all.framed),
-            9 => (None, &all.blending),
-            10 => (None, &all.deep_blending),
-            _ => (None, &all.framed_blending),
+        let number = usize::from(number);
+        let (way, reach, dark) = (number / 2 / REACHES, number / 2 % REACHES, number % 2);
+        let own = |of: fn(&Few) -> Option<&RenderPipeline>| {
+            let [lit, unlit] = &self.few[reach];
+            let unlit = of(unlit).filter(|_| dark == 1);
+            unlit.or_else(|| of(lit))
         };
-        own.unwrap_or(whole)
+        match (way, number - number.min(2 * REACHES * FEW)) {
+            (0, _) => own(|few| few.plain.as_ref()).unwrap_or(&all.plain),
+            (1, _) => own(|few| few.rim.as_ref()).unwrap_or(&all.rim),
+            (_, 0) => &all.deep,
+            (_, 1) => &all.deep_rim,
+            (_, 2) => &all.framed,
+            (_, 3) => &all.blending,
+            (_, 4) => &all.deep_blending,
+            _ => &all.framed_blending,
+        }
     }
 }
 

@@ -48,13 +48,22 @@ pub(crate) const GLASS: Way = Way {
     opens: false,
 };
 
-/// Added where nothing nearer stands.
+/// Added where nothing nearer stands, as far as clouds let it through: `sky.wgsl` puts that into the alpha, which is 1
+/// elsewhere.
 pub(super) const SHINE: Way = Way {
     compare: CompareFunction::GreaterEqual,
     writes_depth: false,
     blend: Some(BlendState {
-        color: ADDED,
-        alpha: ADDED,
+        color: BlendComponent {
+            src_factor: BlendFactor::DstAlpha,
+            dst_factor: BlendFactor::One,
+            operation: BlendOperation::Add,
+        },
+        alpha: BlendComponent {
+            src_factor: BlendFactor::Zero,
+            dst_factor: BlendFactor::One,
+            operation: BlendOperation::Add,
+        },
     }),
     culled: false,
     bends: false,
@@ -65,10 +74,4 @@ pub(super) const SHINE: Way = Way {
 pub(crate) const VEIL: Way = Way {
     culled: false,
     ..GLASS
-};
-
-const ADDED: BlendComponent = BlendComponent {
-    src_factor: BlendFactor::One,
-    dst_factor: BlendFactor::One,
-    operation: BlendOperation::Add,
 };

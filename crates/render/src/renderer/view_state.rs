@@ -284,16 +284,20 @@ fn draw_sky(frame: &Frame, scenery: Scenery<'_>, pass: &mut RenderPass<'_>, stat
         });
     };
     if sky.dome {
-        cover(pass, &pipelines.sky);
+        let is_cloudy = sky.clouds > 0.0;
+        cover(
+            pass,
+            if is_cloudy {
+                &pipelines.cloudy_sky
+            } else {
+                &pipelines.sky
+            },
+        );
         if sky.stars > FAINTEST {
             cover(pass, &pipelines.band);
         }
     }
-    let celestial = scenery.celestial.draw(pass, sky, &pipelines.celestial);
-    if sky.dome && sky.clouds > 0.0 {
-        cover(pass, &pipelines.clouds);
-    }
-    stats.add(celestial);
+    stats.add(scenery.celestial.draw(pass, sky, &pipelines.celestial));
 }
 
 /// The pictures that the scene's shaders read.

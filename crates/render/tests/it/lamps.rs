@@ -1,10 +1,10 @@
-//! The light of a lamp on a wall does not depend on where in a closed world they stand.
+//! The light of a lamp: on a wall it does not depend on where in a closed world they stand, and under a sky it is there.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use crate::common::{Studio, frame, noon, space};
+use crate::common::{Studio, difference, frame, noon, plates, space};
 use antipode_frame::{ChunkChange, LampLight, Land, Lights, Sky};
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Eye, Geometry, Strategy};
 use antipode_terrain::{ChunkMesh, Vertex};
@@ -195,5 +195,31 @@ fn a_lamp_lights_a_wall_alike_at_both_centres_and_over_the_equator() {
             let off = there / here - 1.0;
             assert!(off.abs() < 0.01, "{name}: {there} and not {here}");
         }
+    }
+}
+
+/// Under a sky what no lamp lights is drawn by pipelines that know of none.
+#[test]
+fn a_lamp_lights_the_ground_under_a_sky() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let ground = [[4.0, 4.0], [4.0, 24.0], [24.0, 24.0], [24.0, 4.0]]
+        .map(|[x, z]| glam::Vec3::new(x, 2.0, z));
+    let chunk = ChunkCoord::containing(ChartPoint::a(DVec3::ONE));
+    for geometry in [Geometry::Euclidean, Geometry::Hyperbolic] {
+        let eye = ChartPoint::a(DVec3::new(8.0, 5.0, 14.0));
+        let mut frame = frame(&space(geometry), eye, ASPECT);
+        frame.view.eye.pitch = -0.5;
+        frame.change_land([ChunkChange::Put(chunk, plates(&[ground]))]);
+        let bare = studio.picture(&frame);
+        frame.content_mut().lights.lamps = vec![LampLight {
+            point: ChartPoint::a(DVec3::new(13.0, 3.5, 14.0)),
+            colour: [3.0; 3],
+            range_m: 12.0,
+        }];
+        let lit = studio.picture(&frame);
+        let (changed, mean) = difference(&bare, &lit);
+        assert!(mean > 1.0, "{geometry:?}: {changed} and {mean}");
     }
 }

@@ -58,6 +58,34 @@ fn the_band_of_stars_turns_with_the_sun() {
     assert!(difference(&early, &late).1 > 3.0);
 }
 
+#[test]
+fn stars_do_not_shine_through_clouds() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let space = space(Geometry::Hyperbolic);
+    let mut frame = frame(&space, ChartPoint::a(DVec3::ZERO), ASPECT);
+    frame.view.eye.pitch = 0.9;
+    let mut at = |clouds: f32| {
+        frame.content_mut().sky = sky(450.0, &*space, &frame.view.eye);
+        frame.content_mut().sky.clouds = clouds;
+        studio.picture(&frame)
+    };
+    let (clear, cloudy) = (at(0.0), at(1.0));
+    let light = |picture: &RgbaImage, x, y| i32::from(picture.get_pixel(x, y).0[1]);
+    // A star is much lighter than what is beside it, and a cloud is not.
+    let stars = |picture: &RgbaImage| {
+        let places = (1..SIZE.0 - 1).flat_map(|x| (0..SIZE.1).map(move |y| (x, y)));
+        let stands_out = |&(x, y): &(u32, u32)| {
+            let beside = light(picture, x - 1, y).max(light(picture, x + 1, y));
+            light(picture, x, y) > beside + 12
+        };
+        places.filter(stands_out).count()
+    };
+    let (clear, cloudy) = (stars(&clear), stars(&cloudy));
+    assert!(clear > 20 && cloudy * 5 < clear, "{clear} and {cloudy}");
+}
+
 /// A closed world whose ground is one red square below the eye.
 #[test]
 fn the_sun_of_a_closed_world_stands_in_it_and_lights_what_is_near_it() {
