@@ -5,7 +5,7 @@ use egui::{Align, Label, Layout, RichText, ScrollArea, Ui};
 
 use super::field;
 use super::lesson;
-use super::model::{FieldKind, FieldRow, LessonTarget, WorkshopModel, WorkshopWish};
+use super::model::{FieldKind, FieldRow, LessonTarget, Unit, WorkshopModel, WorkshopWish};
 use crate::theme::{ACCENT, TEXT, WEAK};
 use crate::widgets::focus_ring;
 
@@ -36,7 +36,9 @@ fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<
     }
     ui.horizontal(|ui| {
         let axes = match &row.kind {
-            FieldKind::Numbers(all, _) if all.len() == 3 => " (x, y, z)",
+            FieldKind::Numbers(all, unit) if all.len() == 3 && *unit != Unit::Degrees => {
+                " (x, y, z)"
+            }
             _ => "",
         };
         let words = format!("{}{axes}", row.label);
