@@ -17,22 +17,19 @@ const COLUMNS: usize = 8;
 /// Saturation and value of the rows of swatches that have a hue.
 const ROWS: [(f32, f32); 3] = [(0.35, 0.95), (0.7, 0.85), (0.8, 0.5)];
 
-/// The button, and the page that it opens. The response says whether the colour was changed.
-pub(super) fn button(ui: &mut Ui, label: &str, rgb: &mut [u8; 3]) -> Response {
+/// The button, and the page that it opens. Returns whether the colour was changed, and then whether the hand has let go.
+pub(super) fn button(ui: &mut Ui, label: &str, rgb: &mut [u8; 3]) -> Option<bool> {
     let [r, g, b] = *rgb;
     let said = format!("{label}: #{r:02x}{g:02x}{b:02x}");
-    let mut response = swatch(ui, BUTTON, *rgb, &said);
-    let before = *rgb;
+    let response = swatch(ui, BUTTON, *rgb, &said);
     Popup::menu(&response)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
-        .show(|ui| page(ui, rgb));
-    if *rgb != before {
-        response.mark_changed();
-    }
-    response
+        .show(|ui| page(ui, rgb))?
+        .inner
 }
 
-fn page(ui: &mut Ui, rgb: &mut [u8; 3]) {
+fn page(ui: &mut Ui, rgb: &mut [u8; 3]) -> Option<bool> {
+    let mut changed = None;
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
     for row in swatches().chunks(COLUMNS) {
         ui.horizontal(|ui| {
@@ -41,6 +38,7 @@ fn page(ui: &mut Ui, rgb: &mut [u8; 3]) {
                 let said = format!("#{r:02x}{g:02x}{b:02x}");
                 if swatch(ui, SWATCH, *colour, &said).clicked() {
                     *rgb = *colour;
+                    changed = Some(true);
                 }
             }
         });
@@ -48,7 +46,11 @@ fn page(ui: &mut Ui, rgb: &mut [u8; 3]) {
     for (name, part) in ["R", "G", "B"].into_iter().zip(rgb) {
         let response = ui.add(Slider::new(part, 0..=255).text(name));
         focus_ring(ui, &response);
+        if response.changed() || response.drag_stopped() {
+            changed = Some(!response.dragged());
+        }
     }
+    changed
 }
 
 /// From black to white, then each hue light, strong and dark.

@@ -41,9 +41,8 @@ pub(super) fn show(ui: &mut Ui, texts: &Texts, row: &FieldRow, wishes: &mut Vec<
         FieldKind::Stretch(value) => stretch(ui, texts, row, *value, &mut set),
         FieldKind::Colour(colour) => {
             let mut rgb = colour.unwrap_or([128; 3]);
-            let response = super::colour::button(ui, &row.label, &mut rgb);
-            if response.changed() {
-                set(FieldValue::Colour(rgb), false);
+            if let Some(done) = super::colour::button(ui, &row.label, &mut rgb) {
+                set(FieldValue::Colour(rgb), done);
             }
         }
         FieldKind::Text(text) => line(ui, row, text.as_deref(), &mut set),
