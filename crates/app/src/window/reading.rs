@@ -1,5 +1,5 @@
-//! What somebody asks of the open room that waits for the disk: files that an edit names and nobody has read, and older versions. It is
-//! read on a thread, and done when it is there; what is asked for after it waits for its turn.
+//! What somebody asks of the open room that waits for the disk: files that an edit names and nobody has read, older versions, and saving. It is
+//! done on a thread, and taken in when that is through; what is asked for after it waits for its turn.
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
