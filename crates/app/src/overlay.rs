@@ -125,13 +125,14 @@ impl Overlay {
         // Where most is new, it would only be painted twice.
         if is_same && 3 * changed.count() < 2 * covered.count() {
             let sheet = self.last.sheet.take();
-            let tiles = if self.last.is_stale || sheet.is_none() {
-                &covered
+            // Cut into rectangles, what lies in many is sent as often: of all of it, it is sent whole.
+            let (tiles, shown) = if self.last.is_stale || sheet.is_none() {
+                (&covered, shapes.clone())
             } else {
-                &changed
+                (&changed, changed.cut(&shapes))
             };
             let sheet = sheet.unwrap_or_else(|| self.layer.sheet(&gpu.device, size));
-            self.renew(gpu, encoder, &sheet, tiles, &shapes);
+            self.renew(gpu, encoder, &sheet, tiles, shown);
             for target in targets {
                 self.layer
                     .lay(&mut begin(encoder, target), &sheet, &covered);
@@ -159,12 +160,12 @@ impl Overlay {
         encoder: &mut wgpu::CommandEncoder,
         sheet: &Sheet,
         tiles: &Tiles,
-        shapes: &[ClippedShape],
+        shapes: Vec<ClippedShape>,
     ) {
         if tiles.count() == 0 {
             return;
         }
-        let jobs = self.upload(gpu, encoder, tiles, tiles.cut(shapes));
+        let jobs = self.upload(gpu, encoder, tiles, shapes);
         let mut pass = begin(encoder, &sheet.view);
         self.layer.empty(&mut pass, tiles);
         self.render(pass, &jobs, tiles);

@@ -1,9 +1,12 @@
 //! What is told of edits in the list of history.
 
-use antipode_rooms::Room;
+use std::sync::Arc;
+
+use antipode_rooms::{Object, Room};
 use glam::DVec3;
 
 use crate::edit::{Edit, Field, Placed};
+use crate::make::pasted;
 use crate::said::Said;
 
 /// The ids of all that is told of steps. Each is put into `name`, the first object, and `count`, how many there are, but for
@@ -90,10 +93,17 @@ pub(crate) fn told(room: &Room, edit: &Edit) -> Said {
         Edit::Ungroup(names) => Said::of("ungroup", names),
         Edit::Duplicate { names, .. } => Said::of("duplicate", names),
         Edit::Array(array) => Said::of("array", &array.names),
-        Edit::Paste { clip, is_part, .. } => {
+        Edit::Paste { clip, by, is_part } => {
             // What groups carry comes with them.
-            let roots = clip.objects.iter().filter(|it| it.group.is_none());
-            let names: Vec<_> = roots.map(|it| it.name.clone()).collect();
+            let roots = |all: &[Arc<Object>]| -> Vec<String> {
+                let roots = all.iter().filter(|it| it.group.is_none());
+                roots.map(|it| it.name.clone()).collect()
+            };
+            let mut names = roots(&clip.objects);
+            if let [_] = names[..] {
+                // By the name that it gets in the room.
+                names = roots(&pasted(room, clip, *by));
+            }
             Said::of(if *is_part { "add" } else { "paste" }, &names)
         }
         Edit::Room(_) => Said::new("room"),

@@ -3,7 +3,7 @@
 use antipode_deformation::{Place, SceneQuery as _, Space, Traveller, Void, trace};
 use antipode_rays::Eye;
 use antipode_rooms::bounds::FARTHEST_M;
-use antipode_rooms::direction;
+use antipode_rooms::{Room, direction};
 use glam::{DQuat, DVec2, DVec3};
 
 use super::sight::Viewpoint;
@@ -11,6 +11,8 @@ use crate::moment::Moment;
 use crate::scene::RoomScene;
 use crate::tuning::{EYE_M, PITCH_LIMIT_RAD};
 
+/// How far ahead a new camera finds what it turns about, felt metres.
+const PIVOT_M: f64 = 6.0;
 /// How far behind a wall it goes on, metres of the scene.
 const BEHIND_WALL_M: f64 = 1e-3;
 /// Where nobody is seen who does not walk while a room is changed, metres.
@@ -63,7 +65,17 @@ impl FreeCamera {
         Self {
             point: place.point,
             aim_deg: aim(front),
-            pivot_m: 6.0,
+            pivot_m: PIVOT_M,
+            parallel: None,
+        }
+    }
+
+    /// A camera where one begins in a room, looking as one does then.
+    pub fn at_start(room: &Room) -> Self {
+        Self {
+            point: room.spawn.at + DVec3::Y * EYE_M,
+            aim_deg: room.spawn.look,
+            pivot_m: PIVOT_M,
             parallel: None,
         }
     }

@@ -99,10 +99,6 @@ impl Drag {
         let line = |axis: usize| through.on_line(at, self.held.origin, self.held.axes.col(axis));
         match self.handle {
             Handle::Along(axis) | Handle::Size(axis) | Handle::Felt(axis) => line(axis),
-            Handle::Whole => {
-                let v = through.leg(at)?.velocity.normalize();
-                through.on_plane(at, self.held.origin, v)
-            }
             Handle::Across(_) | Handle::About(_) | Handle::Body => {
                 let origin = match self.handle {
                     Handle::Body => self.grabbed,
@@ -152,14 +148,12 @@ impl Drag {
             }
             Handle::Size(axis) => {
                 let along = self.held.axes.col(axis);
-                let times = arm(now).dot(along) / arm(self.grabbed).dot(along);
+                // From the side that stays, so that what was taken hold of is where the pointer is.
+                let reach = |point: DVec3| arm(point).dot(along) + self.held.stays_m[axis];
+                let times = reach(now) / reach(self.grabbed);
                 let mut factors = DVec3::ONE;
                 factors[axis] = self.sized(axis, times, snap);
                 Change::Scale(factors)
-            }
-            Handle::Whole => {
-                let times = arm(now).length() / arm(self.grabbed).length();
-                Change::Scale(DVec3::splat(times.max(SMALLEST)))
             }
             Handle::Felt(axis) => {
                 let along = self.held.axes.col(axis);

@@ -40,8 +40,6 @@ pub enum Handle {
     About(usize),
     /// Makes larger along an axis.
     Size(usize),
-    /// Makes larger as a whole.
-    Whole,
     /// Makes an aberration feel longer along an axis.
     Felt(usize),
     /// The thing itself, which is moved along the ground.
@@ -66,6 +64,8 @@ pub struct Held {
     pub axes: DMat3,
     /// Half sizes of what is held along them, metres.
     pub half: DVec3,
+    /// How far against each axis the side lies that stays where it is while what is held grows along that, metres.
+    pub stays_m: DVec3,
     /// The axis along which a held aberration may feel longer.
     pub felt: Option<usize>,
 }

@@ -32,6 +32,7 @@ fn held(origin: DVec3) -> Held {
         origin,
         axes: DMat3::IDENTITY,
         half: DVec3::ONE,
+        stays_m: DVec3::ONE,
         felt: None,
     }
 }
@@ -128,6 +129,17 @@ fn pull(
             None => true,
         };
         assert!(is_rest, "{id}: {:?} {nothing:?}", line.handle);
+        if let (Handle::Size(axis), 9) = (line.handle, line.points.len())
+            && let Some(Change::Scale(times)) = drag.change(through, line.points[8], &FREE)
+        {
+            // From 0.55 to 1 of the reach, with a side that stays a metre behind the middle.
+            let reach = |share: f64| share * handles.reach_m + 1.0;
+            let wanted = reach(1.0) / reach(0.55);
+            assert!(
+                (times[axis] - wanted).abs() < 0.02 * wanted,
+                "{id}: {times} {wanted}"
+            );
+        }
         let (Handle::Along(axis), 9) = (line.handle, line.points.len()) else {
             count += 1;
             continue;

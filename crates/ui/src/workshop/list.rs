@@ -307,5 +307,6 @@ fn name(ui: &mut Ui, row: &ObjectRow) -> Response {
         .truncate();
     let response = ui.add_sized(size, button);
     focus_ring(ui, &response);
-    response
+    // Whole, where the list is too narrow for it.
+    response.on_hover_text(format!("{} ({})", row.name, row.kind))
 }

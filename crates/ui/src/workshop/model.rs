@@ -244,11 +244,13 @@ pub enum ViewSide {
     Front,
     /// From the side.
     Side,
+    /// As who begins there.
+    Start,
 }
 
 impl ViewSide {
     /// All, in their order.
-    pub const ALL: [Self; 3] = [Self::Top, Self::Front, Self::Side];
+    pub const ALL: [Self; 4] = [Self::Top, Self::Front, Self::Side, Self::Start];
 
     /// Its word.
     pub fn id(self) -> &'static str {
@@ -256,6 +258,7 @@ impl ViewSide {
             Self::Top => "top",
             Self::Front => "front",
             Self::Side => "side",
+            Self::Start => "start",
         }
     }
 }
@@ -398,7 +401,7 @@ pub enum WorkshopWish {
     Raster(bool),
     /// Keys fly the camera, or not.
     Flies(bool),
-    /// One looks from that side, along parallel lines.
+    /// One looks from that side, along parallel lines but from the start.
     Face(ViewSide),
     /// All is seen along parallel lines, or as an eye sees it.
     Parallel(bool),

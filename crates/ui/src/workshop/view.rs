@@ -191,8 +191,12 @@ fn paint(ui: &Ui, rect: Rect, model: &WorkshopModel<'_>, is_focused: bool) {
     let painter = ui.painter_at(rect);
     let mut room = rect.shrink(GRID);
     let lines = |room: Rect| {
+        // No label covers what can be taken hold of.
         for line in model.lines {
-            paint_line(&painter, (rect, room), line);
+            paint_label(&painter, (rect, room), line);
+        }
+        for line in model.lines {
+            paint_line(&painter, rect, line);
         }
     };
     if model.status.is_empty() {
@@ -217,34 +221,39 @@ fn paint(ui: &Ui, rect: Rect, model: &WorkshopModel<'_>, is_focused: bool) {
     }
 }
 
-/// Draws a line of the view, whose label stays in a part of that.
-fn paint_line(painter: &egui::Painter, (rect, room): (Rect, Rect), line: &ViewLine) {
-    let half = rect.size() * 0.5;
-    let on_screen = |at: &[f32; 2]| {
-        let centre = rect.center();
-        pos2(centre.x + at[0] * half.x, centre.y - at[1] * half.y)
-    };
-    let points: Vec<_> = line.points.iter().map(on_screen).collect();
+fn on_screen(rect: Rect, at: [f32; 2]) -> Pos2 {
+    let (centre, half) = (rect.center(), rect.size() * 0.5);
+    pos2(centre.x + at[0] * half.x, centre.y - at[1] * half.y)
+}
+
+/// Draws a line of the view.
+fn paint_line(painter: &egui::Painter, rect: Rect, line: &ViewLine) {
+    let points: Vec<_> = line.points.iter().map(|at| on_screen(rect, *at)).collect();
     // A dark edge, so that it is seen over snow and night.
     let edge = Stroke::new(line.width + 2.0, egui::Color32::from_black_alpha(120));
     painter.add(egui::Shape::line(points.clone(), edge));
     let stroke = Stroke::new(line.width, line.colour);
     painter.add(egui::Shape::line(points.clone(), stroke));
-    let Some(end) = points.last() else { return };
-    if line.knob {
+    if let (Some(end), true) = (points.last(), line.knob) {
         painter.circle_filled(*end, 2.2 * line.width, line.colour);
     }
-    if let Some(label) = &line.label {
-        let words = painter.layout_no_wrap(label.clone(), small(), TEXT);
-        let beside = |side: Align2, x: f32| side.anchor_size(*end + vec2(x, 0.0), words.size());
-        let mut at = beside(Align2::LEFT_CENTER, LABEL_OFF);
-        if at.max.x > room.max.x {
-            at = beside(Align2::RIGHT_CENTER, -LABEL_OFF);
-        }
-        // All of it is read, wherever the line ends.
-        let at = at.translate((room.max - at.max).min(egui::Vec2::ZERO));
-        let at = at.translate((room.min - at.min).max(egui::Vec2::ZERO));
-        painter.rect_filled(at.expand(4.0), 4, PLATE);
-        painter.galley(at.min, words, TEXT);
+}
+
+/// Draws the label at the end of a line of the view, within a part of that.
+fn paint_label(painter: &egui::Painter, (rect, room): (Rect, Rect), line: &ViewLine) {
+    let (Some(end), Some(label)) = (line.points.last(), &line.label) else {
+        return;
+    };
+    let end = on_screen(rect, *end);
+    let words = painter.layout_no_wrap(label.clone(), small(), TEXT);
+    let beside = |side: Align2, x: f32| side.anchor_size(end + vec2(x, 0.0), words.size());
+    let mut at = beside(Align2::LEFT_CENTER, LABEL_OFF);
+    if at.max.x > room.max.x {
+        at = beside(Align2::RIGHT_CENTER, -LABEL_OFF);
     }
+    // All of it is read, wherever the line ends.
+    let at = at.translate((room.max - at.max).min(egui::Vec2::ZERO));
+    let at = at.translate((room.min - at.min).max(egui::Vec2::ZERO));
+    painter.rect_filled(at.expand(4.0), 4, PLATE);
+    painter.galley(at.min, words, TEXT);
 }

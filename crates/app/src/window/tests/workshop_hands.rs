@@ -1,9 +1,11 @@
 //! Where things come to lie in the workshop, and what is said of what is kept.
 
-use antipode_ui::workshop::{LessonChoice, ViewEvent, WorkshopWish};
+use antipode_rooms::What;
+use antipode_ui::workshop::{LessonChoice, ToolChoice, ViewEvent, ViewSide, WorkshopWish};
 
-use super::workshop::{ask, building, chosen, press, put, scene};
+use super::workshop::{ask, building, chosen, drag, press, put, scene};
 use super::*;
+use crate::window::workshop::Told;
 
 fn place(game: &Game, name: &str) -> glam::DVec3 {
     scene(game).room().find(name).unwrap().1.at
@@ -180,6 +182,67 @@ fn a_copy_stands_free_of_what_it_is_of() {
     let copy = chosen(&game)[0].clone();
     let way = place(&game, &copy).distance(place(&game, "floor"));
     assert!(way > 0.0 && way < 2.0, "{way}");
+}
+
+#[test]
+fn what_is_pasted_twice_stands_free_and_the_history_has_its_own_name() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let paste = || WorkshopWish::Paste;
+    ask(
+        &mut game,
+        [put("box"), WorkshopWish::Copy, paste(), paste()],
+    );
+    let x = |name: &str| place(&game, name).x - place(&game, "box").x;
+    assert_eq!((x("box 2"), x("box 3")), (1.0, 2.0));
+    let said = |game: &Game| {
+        let mut told = Told::default();
+        told.renew(&game.menus.texts, scene(game));
+        told.history.pop().unwrap().text
+    };
+    assert_eq!(said(&game), "Paste “box 3”");
+    ask(&mut game, [put("portal"), put("portal")]);
+    assert_eq!(said(&game), "Add “portal frame 2”");
+}
+
+#[test]
+fn a_handle_makes_a_wall_higher_that_stands_where_it_stood() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(
+        &mut game,
+        [put("wall"), WorkshopWish::Tool(ToolChoice::Scale)],
+    );
+    let visit = game.play.phase.visit().unwrap();
+    let workshop = visit.workshop.as_ref().unwrap();
+    let lines = workshop.lines(visit.scene(), &game.menus.texts);
+    // The handle upwards, of those that have knobs: green.
+    let green = egui::Color32::from_rgb(0x7F, 0xD1, 0x6B);
+    let up = lines.iter().find(|it| it.knob && it.colour == green);
+    let at = |place: usize| up.unwrap().points[place].map(f64::from);
+    let (from, to) = (at(5), at(8));
+    drag(&mut game, from, to);
+    let What::Box { size } = scene(&game).room().find("wall").unwrap().1.what else {
+        panic!("it is no wall")
+    };
+    assert!(size.y > 2.6, "{size}");
+    let low = place(&game, "wall").y - size.y / 2.0;
+    assert!(low.abs() < 1e-6, "its lower side is at {low} m");
+}
+
+#[test]
+fn one_looks_from_the_start_again() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let away = WorkshopWish::View(ViewEvent::Fly([0.0, 1.0, 0.0], 1.0, true));
+    ask(&mut game, [WorkshopWish::Face(ViewSide::Top), away]);
+    ask(&mut game, [WorkshopWish::Face(ViewSide::Start)]);
+    let eye = game.room_view(1.5).unwrap().moment.eye;
+    let spawn = scene(&game).room().spawn;
+    let feet = eye.place.point - glam::DVec3::Y * antipode_room_scene::tuning::EYE_M;
+    assert!(feet.distance(spawn.at) < 1e-9, "{feet}");
+    let ahead = antipode_rooms::direction(spawn.look);
+    assert!(eye.front.distance(ahead) < 1e-9 && eye.parallel_m.is_none());
 }
 
 #[test]

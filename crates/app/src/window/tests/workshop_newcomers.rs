@@ -1,6 +1,6 @@
 //! What newcomers do in the workshop: the lesson, a line from portal to portal, clicks that mean the group, and the way there.
 
-use antipode_rooms::What;
+use antipode_rooms::{Colour, What};
 use antipode_ui::workshop::{
     ChooserWish, FieldKind, FieldValue, LessonChoice, ViewEvent, WorkshopWish,
 };
@@ -89,24 +89,24 @@ fn the_second_lesson_leads_to_a_tunnel_and_two_portals_and_through_one() {
     };
     let begin = WorkshopWish::BeginLesson(LessonChoice::Doors);
     ask(&mut game, [WorkshopWish::EndLesson, begin, put("portals")]);
-    assert!(said(&mut game).contains("step 1 of 6"));
+    assert!(said(&mut game).contains("step 1 of 7"));
     ask(&mut game, [put("tunnel")]);
-    assert!(said(&mut game).contains("step 2 of 6"));
+    assert!(said(&mut game).contains("step 2 of 7"));
     let longer = WorkshopWish::Set {
         key: "times".to_owned(),
         value: FieldValue::Number(0, 8.0),
         done: true,
     };
     ask(&mut game, [longer]);
-    assert!(said(&mut game).contains("step 3 of 6"));
+    assert!(said(&mut game).contains("step 3 of 7"));
     ask(&mut game, [put("portal")]);
-    assert!(said(&mut game).contains("step 4 of 6"));
+    assert!(said(&mut game).contains("step 4 of 7"));
     ask(&mut game, [put("portal"), WorkshopWish::Undo]);
-    assert!(said(&mut game).contains("step 4 of 6"));
+    assert!(said(&mut game).contains("step 4 of 7"));
     ask(&mut game, [put("portal")]);
     // Nor does more time lead on.
     said(&mut game);
-    assert!(said(&mut game).contains("step 5 of 6"));
+    assert!(said(&mut game).contains("step 5 of 7"));
     // The line is dragged from one to the other, so both are seen.
     let visit = game.play.phase.visit().unwrap();
     for name in ["portal", "portal 2"] {
@@ -134,11 +134,16 @@ fn the_second_lesson_leads_to_a_tunnel_and_two_portals_and_through_one() {
         done: true,
     };
     ask(&mut game, [choose, link]);
-    assert!(said(&mut game).contains("step 6 of 6"));
+    assert!(said(&mut game).contains("step 6 of 7"));
     let room = scene(&game).room();
     let pose = antipode_rooms::poses(room)[room.find(&names[0]).unwrap().0];
     press(&mut game, "F5");
     assert!(words(&mut game).contains("Walk through the tunnel"));
+    let tunnel = scene(&game).room().find("tunnel").unwrap().1.at;
+    let walker = &mut game.play.phase.visit_mut().unwrap().room.scene;
+    walker.teleport(tunnel - glam::DVec3::Y).unwrap();
+    let _ = said(&mut game);
+    assert!(words(&mut game).contains("That was the tunnel"));
     walk_into(&mut game, &pose);
     let _ = said(&mut game);
     assert!(words(&mut game).contains("You have built a tunnel"));
@@ -237,6 +242,9 @@ fn a_picture_is_chosen_from_the_disk_and_lies_on_what_is_selected() {
     };
     tick_until(&mut game, |game| texture(game).is_some());
     assert_eq!(texture(&game).unwrap(), "textures/brick.png");
+    // It has the colours of its file, though a box has one of its own.
+    let made = scene(&game).room().find("box").unwrap().1;
+    assert_eq!(made.surface.colour, Colour::WHITE);
     // The inspector shows it, changes its size, and takes it away.
     let size = |game: &Game| {
         let made = scene(game).room().find("box").unwrap().1;

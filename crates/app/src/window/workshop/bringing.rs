@@ -7,7 +7,7 @@ use std::sync::Arc;
 use antipode_rooms::folder::assets;
 use antipode_rooms::import::{Imported, import};
 use antipode_rooms::room::Texture;
-use antipode_rooms::{Assets, Object, Room, RoomsDir, What};
+use antipode_rooms::{Assets, Colour, Object, Room, RoomsDir, What};
 use antipode_ui::ToastKind;
 use antipode_ui::workshop::ChooserWish;
 use antipode_workshop::{Edit, Field};
@@ -90,7 +90,16 @@ impl Workshop {
             Imported::Texture(file) => {
                 let names = bench.scene.document().selection().to_vec();
                 let texture = Field::new("texture", format!("{file},{PICTURE_M}"));
-                Edit::change_all(&names, &texture)
+                // On white the first picture has the colours of its file.
+                let white = Field::colour("colour", Colour::WHITE);
+                let room = bench.scene.room();
+                let edits = names.into_iter().map(|name| {
+                    let found = room.find(&name);
+                    let is_bare = found.is_some_and(|(_, it)| it.surface.texture.is_none());
+                    let white = is_bare.then(|| white.clone());
+                    Edit::Change(name, white.into_iter().chain([texture.clone()]).collect())
+                });
+                Edit::Several(edits.collect())
             }
         };
         bench.make(&edit).map_err(|why| why.to_string())

@@ -1,14 +1,17 @@
 //! What a drag, or a step of the arrow keys, makes of what is chosen: an edit that counts from the room before the drag.
 
+use std::sync::Arc;
+
 use antipode_room_scene::workshop::Change;
 use antipode_rooms::aberration::{Aberration, Lengths};
 use antipode_rooms::bounds::{HALVES_M, SIZES_M, STRETCHES};
 use antipode_rooms::portal::Opening;
-use antipode_rooms::{Object, Room, What};
-use antipode_workshop::{Edit, Field, Placed, turn_of};
+use antipode_rooms::words::{Pairs, set};
+use antipode_rooms::{Object, Room, What, rotation};
+use antipode_workshop::{Edit, Field, Placed, closure, turn_of};
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
-use super::chosen::roots;
+use super::chosen::{half, roots};
 
 /// The edit of a room whose objects have these poses; none where it would change nothing.
 pub fn edit(
@@ -19,14 +22,6 @@ pub fn edit(
 ) -> Option<Edit> {
     let roots = roots(room, chosen).into_iter();
     let things = roots.map(|index| (room.objects[index].as_ref(), &poses[index]));
-    let sized = |fields: &dyn Fn(&What) -> Vec<Field>| {
-        let all = things.clone().map(|(it, _)| (it, fields(&it.what)));
-        let all = all.filter(|(_, fields)| !fields.is_empty());
-        Edit::Several(
-            all.map(|(it, fields)| Edit::Change(it.name.clone(), fields))
-                .collect(),
-        )
-    };
     let edit = match *change {
         Change::Move(way) if way == DVec3::ZERO => return None,
         Change::Turn(_, 0.0) => return None,
@@ -39,10 +34,24 @@ pub fn edit(
                     .collect(),
             )
         }
-        Change::Scale(times) => sized(&|what| scaled(what, times)),
-        Change::Feel(times) => sized(&|what| felt(what, times).into_iter().collect()),
+        Change::Scale(times) => several(things.flat_map(|(it, _)| match it.what {
+            What::Group => group(room, it, most(times)),
+            _ => vec![(it, resized(it, times))],
+        })),
+        Change::Feel(times) => {
+            several(things.map(|(it, _)| (it, felt(&it.what, times).into_iter().collect())))
+        }
     };
     (!edit.touched().is_empty()).then_some(edit)
+}
+
+/// Changes of fields of several things, but for those of which none changes.
+fn several<'r>(all: impl Iterator<Item = (&'r Object, Vec<Field>)>) -> Edit {
+    let all = all.filter(|(_, fields)| !fields.is_empty());
+    Edit::Several(
+        all.map(|(it, fields)| Edit::Change(it.name.clone(), fields))
+            .collect(),
+    )
 }
 
 /// The pose of what carries an object.
@@ -101,37 +110,107 @@ fn most(times: DVec3) -> f64 {
         .unwrap_or(1.0)
 }
 
-fn scaled(what: &What, times: DVec3) -> Vec<Field> {
-    match what {
+/// A thing that is made so many times as large along its axes: the side away from the handle stays where it is, and so does the lower
+/// one, or what stands on the ground would sink into it.
+fn resized(object: &Object, times: DVec3) -> Vec<Field> {
+    let Some((mut fields, half)) = scaled(&object.what, times) else {
+        return Vec::new();
+    };
+    if let Some(before) = stays(&object.what) {
+        let mut grown = half - before;
+        for axis in [0, 2] {
+            if times[axis] == 1.0 {
+                grown[axis] = 0.0;
+            }
+        }
+        let at = tidy(object.at + rotation(object.turn) * grown);
+        fields.push(Field::three("at", at));
+    }
+    fields
+}
+
+/// Where a thing goes whose fields change, so that its lower side stays; none where that is where it is.
+pub fn footing(object: &Object, fields: &[Field]) -> Option<Field> {
+    let before = stays(&object.what)?;
+    let pairs = fields.iter().map(|it| (it.key.as_str(), it.value.as_str()));
+    let mut after = object.clone();
+    set(&mut after, &Pairs::from_pairs(pairs).ok()?, false).ok()?;
+    let up = DVec3::Y * (half(&after.what).y - before.y);
+    (up != DVec3::ZERO).then(|| Field::three("at", tidy(object.at + rotation(object.turn) * up)))
+}
+
+/// A group that is made so many times as large: all that it carries grows, and moves away from where the group is.
+fn group<'r>(room: &'r Room, group: &Object, times: f64) -> Vec<(&'r Object, Vec<Field>)> {
+    let carried = closure(room, std::slice::from_ref(&group.name));
+    let all = room.objects.iter().map(Arc::as_ref);
+    let all = all.filter(|it| it.name != group.name && carried.contains(it.name.as_str()));
+    all.map(|it| {
+        let scaled = scaled(&it.what, DVec3::splat(times));
+        let mut fields = scaled.map_or_else(Vec::new, |(fields, _)| fields);
+        fields.push(Field::three("at", tidy(it.at * times)));
+        (it, fields)
+    })
+    .collect()
+}
+
+/// How far from its middle the sides are of which one stays while a thing grows, metres. A model and a group grow about their
+/// own origins.
+pub fn stays(what: &What) -> Option<DVec3> {
+    let has_own = matches!(what, What::Model { .. } | What::Group | What::Light { .. });
+    (!has_own).then(|| half(what))
+}
+
+/// The fields of a thing that is made so many times as large along its axes, and its half sizes then.
+fn scaled(what: &What, times: DVec3) -> Option<(Vec<Field>, DVec3)> {
+    let board = |size: DVec2| DVec3::new(half(what).x, size.y / 2.0, size.x / 2.0);
+    Some(match what {
         What::Box { size }
         | What::Pyramid { size }
         | What::Ramp { size }
-        | What::Stairs { size, .. } => vec![Field::three("size", size3(*size, times))],
-        What::Arch { size, opening } => vec![
-            Field::three("size", size3(*size, times)),
-            Field::two("opening", size2(*opening, times)),
-        ],
-        What::Cylinder { radius, height } => vec![
-            Field::number(
-                "radius",
-                size1(*radius, most(DVec3::new(times.x, 1.0, times.z))),
-            ),
-            Field::number("height", size1(*height, times.y)),
-        ],
-        What::Ball { radius } => vec![Field::number("radius", size1(*radius, most(times)))],
-        What::Model { scale, .. } => vec![Field::number("scale", size1(*scale, most(times)))],
-        What::Sign { size, .. } => vec![Field::two("size", size2(*size, times))],
+        | What::Stairs { size, .. } => {
+            let size = size3(*size, times);
+            (vec![Field::three("size", size)], size / 2.0)
+        }
+        What::Arch { size, opening } => {
+            let size = size3(*size, times);
+            let opening = Field::two("opening", size2(*opening, times));
+            (vec![Field::three("size", size), opening], size / 2.0)
+        }
+        What::Cylinder { radius, height } => {
+            let radius = size1(*radius, most(times.with_y(1.0)));
+            let height = size1(*height, times.y);
+            let fields = vec![
+                Field::number("radius", radius),
+                Field::number("height", height),
+            ];
+            (fields, DVec3::new(radius, height / 2.0, radius))
+        }
+        What::Ball { radius } => {
+            let radius = size1(*radius, most(times));
+            (vec![Field::number("radius", radius)], DVec3::splat(radius))
+        }
+        What::Model { scale, .. } => {
+            let scale = size1(*scale, most(times));
+            (vec![Field::number("scale", scale)], DVec3::splat(scale))
+        }
+        What::Sign { size, .. } => {
+            let size = size2(*size, times);
+            (vec![Field::two("size", size)], board(size))
+        }
         What::Portal(it) => match &it.opening {
-            Opening::Size(size) => vec![Field::two("size", size2(*size, times))],
-            Opening::Polygon(_) => Vec::new(),
+            Opening::Size(size) => {
+                let size = size2(*size, times);
+                (vec![Field::two("size", size)], board(size))
+            }
+            Opening::Polygon(_) => return None,
         },
         What::Aberration(it) => aberration(it, times),
-        What::Light { .. } | What::Group => Vec::new(),
-    }
+        What::Light { .. } | What::Group => return None,
+    })
 }
 
 /// A box that grows feels as many times as long as before.
-fn aberration(it: &Aberration, times: DVec3) -> Vec<Field> {
+fn aberration(it: &Aberration, times: DVec3) -> (Vec<Field>, DVec3) {
     let clamped = |one: f64| one.clamp(*HALVES_M.start(), *HALVES_M.end());
     let half = tidy((it.half * times).map(clamped));
     let mut fields = vec![Field::three("half", half)];
@@ -139,7 +218,7 @@ fn aberration(it: &Aberration, times: DVec3) -> Vec<Field> {
         let grown = half[axis.index()] / it.half[axis.index()];
         fields.push(Field::number("felt", round(felt_m * grown)));
     }
-    fields
+    (fields, half)
 }
 
 fn round(metres: f64) -> f64 {
@@ -221,6 +300,81 @@ mod tests {
     }
 
     #[test]
+    fn what_grows_stays_on_the_ground_and_on_the_side_away_from_the_handle() {
+        let size = DVec3::new(4.0, 2.5, 0.25);
+        for what in [
+            What::Box { size },
+            What::Ball { radius: 0.5 },
+            What::Cylinder {
+                radius: 0.5,
+                height: 2.0,
+            },
+            What::Sign {
+                text: None,
+                size: DVec2::ONE,
+            },
+        ] {
+            let mut room = Room::new("a");
+            let mut thing = Object::new("it", DVec3::new(1.0, 2.0, 3.0), what.clone());
+            thing.turn.x = 90.0;
+            room.push(thing);
+            for axis in 0..3 {
+                let mut times = DVec3::ONE;
+                times[axis] = 2.0;
+                let side = |room: &Room| {
+                    let (all, it) = (poses(room), room.objects.last().unwrap());
+                    let pose = *all.last().unwrap();
+                    let low = pose.transform_point3(DVec3::NEG_Y * half(&it.what).y);
+                    let mut away = DVec3::ZERO;
+                    away[axis] = -half(&it.what)[axis];
+                    (
+                        low.y,
+                        pose.transform_point3(away)[if axis == 1 { 1 } else { 2 - axis }],
+                    )
+                };
+                let all = poses(&room);
+                let edit = edit(
+                    (&room, &all),
+                    &["it".to_owned()],
+                    DVec3::ZERO,
+                    &Change::Scale(times),
+                );
+                let made = make(&room, &edit.unwrap()).unwrap();
+                let ((low, away), (low_then, away_then)) = (side(&room), side(&made));
+                assert!(
+                    (low - low_then).abs() < 1e-6,
+                    "{what:?} {axis}: {low} {low_then}"
+                );
+                assert!(
+                    (away - away_then).abs() < 1e-6,
+                    "{what:?} {axis}: {away} {away_then}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_group_that_grows_is_in_proportion_as_before() {
+        let room = room();
+        let all = poses(&room);
+        let twice = Change::Scale(DVec3::new(1.0, 2.0, 1.0));
+        let edit = edit((&room, &all), &["group".to_owned()], DVec3::ZERO, &twice).unwrap();
+        let made = make(&room, &edit).unwrap();
+        let (_, block) = made.find("block").unwrap();
+        assert_eq!(block.at, DVec3::new(2.0, 4.0, 6.0));
+        assert_eq!(
+            block.what,
+            What::Box {
+                size: DVec3::splat(2.0)
+            }
+        );
+        assert_eq!(
+            made.find("group").unwrap().1.at,
+            room.find("group").unwrap().1.at
+        );
+    }
+
+    #[test]
     fn a_felt_length_stays_within_what_space_can_be_stretched() {
         let what = What::Aberration(Aberration {
             half: DVec3::new(1.0, 1.0, 39.5),
@@ -235,7 +389,7 @@ mod tests {
         assert_eq!(felt(&what, 2.0), Some(Field::number("felt", 790.0)));
         let Field { value, .. } = felt(&what, 1000.0).unwrap();
         assert_eq!(value.parse::<f64>().unwrap(), 79.0 * 32.0);
-        let grown = scaled(&what, DVec3::new(1.0, 1.0, 2.0));
+        let (grown, _) = scaled(&what, DVec3::new(1.0, 1.0, 2.0)).unwrap();
         assert_eq!(grown[1], Field::number("felt", 790.0));
     }
 }

@@ -1,13 +1,17 @@
 //! What is chosen: where it is, how large, and by which axes it is held.
 
+use std::sync::Arc;
+
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::Held;
 use antipode_rooms::aberration::Lengths;
 use antipode_rooms::portal::Opening;
 use antipode_rooms::room::Names;
-use antipode_rooms::{Object, Room, What};
+use antipode_rooms::{Object, Room, What, poses};
+use antipode_workshop::Clip;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
+use super::changes;
 use super::kits::bounds_of_group;
 
 /// So many names are looked for one by one.
@@ -41,6 +45,7 @@ pub fn held(scene: &RoomScene, own_axes: bool) -> Option<Held> {
         origin: poses[last].translation,
         axes,
         half: half_of(scene, object),
+        stays_m: changes::stays(&object.what).unwrap_or_default(),
         felt,
     })
 }
@@ -180,11 +185,32 @@ fn extent(scene: &RoomScene, index: usize) -> (DVec3, f64) {
 /// How far all that is chosen reaches along x, metres, in whole steps: so far aside a copy stands free. None where that is too far
 /// for the copy to be in view.
 pub fn width_m(scene: &RoomScene, step_m: f64) -> Option<f64> {
-    let room = scene.room();
-    let spans = indices(scene).into_iter().map(|index| {
-        let (object, pose) = (&room.objects[index], &scene.poses()[index]);
+    width_of((scene.room(), scene.poses()), &indices(scene), step_m)
+}
+
+/// So far aside copies stand free both of what they are copies of and of copies that were pasted there before. None where that is
+/// too far for the copy to be in view.
+pub fn free_aside(room: &Room, clip: &Clip, step_m: f64) -> Option<DVec3> {
+    let mut alone = Room::new("");
+    alone.objects = clip.objects().to_vec();
+    let all = alone.objects.iter().enumerate();
+    let roots: Vec<_> = all.filter(|(_, it)| it.group.is_none()).collect();
+    let roots: Vec<_> = roots.into_iter().map(|(index, _)| index).collect();
+    let first = &alone.objects[*roots.first()?];
+    let width_m = width_of((&alone, &poses(&alone)), &roots, step_m)?;
+    let is_free = |by: &DVec3| {
+        let there = |it: &Arc<Object>| it.at.abs_diff_eq(first.at + by, 1e-6);
+        !room.objects.iter().any(there)
+    };
+    let mut steps = (1..).map(|number| DVec3::X * width_m * f64::from(number));
+    steps.find(is_free)
+}
+
+fn width_of((room, poses): (&Room, &[DAffine3]), all: &[usize], step_m: f64) -> Option<f64> {
+    let spans = all.iter().map(|index| {
+        let (object, pose) = (&room.objects[*index], &poses[*index]);
         let is_group = object.what == What::Group;
-        let bounds = is_group.then(|| bounds_of_group(room, scene.poses(), &object.name));
+        let bounds = is_group.then(|| bounds_of_group(room, poses, &object.name));
         let half = half(&object.what);
         let (low, high) = bounds.flatten().unwrap_or((-half, half));
         let middle = pose.transform_point3((low + high) / 2.0).x;

@@ -141,6 +141,9 @@ fn of_object(texts: &Texts, scene: &RoomScene, index: usize, alone: bool) -> Vec
         rows.add("name", FieldKind::Text(Some(object.name.clone())), true);
     }
     rows.numbers("at", &object.at.to_array(), far(), object.at == DVec3::ZERO);
+    if let Some(row) = rows.all.last_mut().filter(|_| object.group.is_some()) {
+        row.label = texts.say("workshop-field-at-group");
+    }
     let turns = ((*TURNS_DEG.start(), *TURNS_DEG.end()), Unit::Degrees);
     let turn = object.turn.to_array();
     rows.numbers("turn", &turn, turns, object.turn == DVec3::ZERO);

@@ -5,7 +5,9 @@ use std::time::Duration;
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::tuning::EYE_M;
 use antipode_rooms::RoomsDir;
-use antipode_ui::workshop::{BarModel, LessonChoice, WorkshopModel, WorkshopPanes, WorkshopWish};
+use antipode_ui::workshop::{
+    BarModel, LessonChoice, ToolChoice, WorkshopModel, WorkshopPanes, WorkshopWish,
+};
 use antipode_ui::{Intent, ToastKind};
 use glam::DVec3;
 
@@ -138,7 +140,7 @@ impl Game {
         };
         let scene = &visit.room.scene;
         let walks = visit.workshop.is_none();
-        if walks && (visit.lesson.as_ref()).is_some_and(|it| it.is_ended_by(scene)) {
+        if walks && (visit.lesson.as_mut()).is_some_and(|it| it.walk(scene)) {
             self.end_lesson(true);
         }
     }
@@ -376,7 +378,11 @@ impl Workshop {
         } else if scene.document().selection().is_empty() {
             texts.say("workshop-status-nothing")
         } else {
-            texts.say("workshop-status-chosen")
+            texts.say(match self.bar.tool {
+                ToolChoice::Move => "workshop-status-chosen",
+                ToolChoice::Turn => "workshop-status-turn",
+                ToolChoice::Scale => "workshop-status-scale",
+            })
         }
     }
 }

@@ -116,14 +116,22 @@ fn place(room: &Room, kit: &[Arc<Object>], lift_m: f64, site: &Site<'_>) -> Opti
         let made = make(room, &paste(objects));
         made.is_ok_and(|made| space_in_parts(&made).closed.len() <= closed)
     };
-    let mut free = all().filter_map(|(place, apart)| lay(place, apart));
-    let found = free
-        .find(|it| !is_in_the_way(&before, it) && fits(it))
-        .or_else(|| {
-            let mut any = all().filter_map(|(place, apart)| lay(place, apart));
-            any.find(fits)
-        });
+    let first = |is_good: &dyn Fn(&Vec<Arc<Object>>) -> bool| {
+        let mut any = all().filter_map(|(place, apart)| lay(place, apart));
+        any.find(|it| is_good(it) && fits(it))
+    };
+    let is_free = |it: &Vec<Arc<Object>>| !is_in_the_way(&before, it);
+    let found = first(&|it| is_level(it) && is_free(it))
+        .or_else(|| first(&is_free))
+        .or_else(|| first(&|_| true));
     Some(paste(&found?))
+}
+
+/// Whether its groups stand equally high.
+fn is_level(objects: &[Arc<Object>]) -> bool {
+    let mut alone = objects.iter().filter(|it| it.group.is_none());
+    let first = alone.next().map_or(0.0, |it| it.at.y);
+    alone.all(|it| (it.at.y - first).abs() < UNDER_M)
 }
 
 fn lifted(mut objects: Vec<Arc<Object>>, lift_m: f64) -> Vec<Arc<Object>> {

@@ -48,6 +48,7 @@ const DOORS: &[Step] = &[
     ("portal", Deed::Put("portal")),
     ("portal-again", Deed::Put("portal")),
     ("link", Deed::Link),
+    ("through", Deed::Enter),
     ("pass", Deed::Pass),
 ];
 
@@ -201,21 +202,23 @@ impl Lesson {
         goes_on
     }
 
-    /// Whether who walks has done the last deed.
-    pub fn is_ended_by(&self, scene: &RoomScene) -> bool {
+    /// Goes on to the next deed, if who walks has done this one. Returns whether that was the last.
+    pub fn walk(&mut self, scene: &RoomScene) -> bool {
         let place = scene.eye().place;
-        match self.current().1 {
+        let is_done = match self.current().1 {
             Deed::Enter => !place.stack.is_empty(),
             Deed::Pass => place.passage.count > 0,
             _ => false,
-        }
+        };
+        is_done && !self.skip(scene.room())
     }
 
     /// What is said to who walks, where all that is left is to walk.
     pub fn walking_words(&self) -> Option<&'static str> {
-        match self.current().1 {
-            Deed::Enter => Some("workshop-lesson-walk"),
-            Deed::Pass => Some("workshop-lesson-walk-doors"),
+        match self.current().0 {
+            "enter" => Some("workshop-lesson-walk"),
+            "through" => Some("workshop-lesson-walk-tunnel"),
+            "pass" => Some("workshop-lesson-walk-doors"),
             _ => None,
         }
     }

@@ -169,7 +169,7 @@ fn add_handles(
             | Handle::About(axis)
             | Handle::Size(axis)
             | Handle::Felt(axis) => axis,
-            Handle::Whole | Handle::Body => 1,
+            Handle::Body => 1,
         };
         let is_felt = matches!(line.handle, Handle::Felt(_));
         let is_hot = active == Some(line.handle);

@@ -9,6 +9,7 @@ use antipode_ui::workshop::FieldValue;
 use antipode_workshop::{Edit, Field};
 use glam::DVec3;
 
+use super::changes::footing;
 use super::fields::numbers_of;
 use super::link::link;
 
@@ -43,7 +44,10 @@ pub fn edit(room: &Room, chosen: &[usize], key: &str, value: &FieldValue) -> Opt
         .iter()
         .filter_map(|index| {
             let object = &room.objects[*index];
-            let fields = fields(object, key, value)?;
+            let mut fields = fields(object, key, value)?;
+            if matches!(key, "size" | "radius" | "height" | "box") {
+                fields.extend(footing(object, &fields));
+            }
             Some(Edit::Change(object.name.clone(), fields))
         })
         .collect();
@@ -314,6 +318,20 @@ mod tests {
         let reset = reset(document.room(), &[1], "times").unwrap();
         document.edit(&reset).unwrap();
         assert!((felt(&document) - 8.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_gets_another_height_stands_where_it_stood() {
+        let mut document = tunnel();
+        let low = |document: &Document, index: usize| {
+            let it = &document.room().objects[index];
+            it.at.y - crate::window::workshop::chosen::half(&it.what).y
+        };
+        for (index, key) in [(1, "box"), (2, "size")] {
+            let before = low(&document, index);
+            set(&mut document, &[index], key, &FieldValue::Number(1, 7.0));
+            assert!((low(&document, index) - before).abs() < 1e-9, "{key}");
+        }
     }
 
     #[test]

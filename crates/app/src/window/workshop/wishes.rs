@@ -1,7 +1,7 @@
 //! What the player asks for in the workshop, done.
 
 use antipode_room_scene::RoomScene;
-use antipode_room_scene::workshop::Facing;
+use antipode_room_scene::workshop::{Facing, FreeCamera};
 use antipode_rooms::{Assets, Room, RoomsDir};
 use antipode_ui::workshop::{ViewSide, WorkshopWish};
 use antipode_workshop::{Array, Edit, WorkshopError};
@@ -190,11 +190,15 @@ impl Workshop {
                 };
                 parts::put(room, id, &site)?
             }
-            WorkshopWish::Paste if !scene.document().clipboard().is_empty() => Edit::Paste {
-                clip: scene.document().clipboard().clone(),
-                by: aside,
-                is_part: false,
-            },
+            WorkshopWish::Paste if !scene.document().clipboard().is_empty() => {
+                let clip = scene.document().clipboard().clone();
+                let by = chosen::free_aside(room, &clip, step).unwrap_or(aside);
+                Edit::Paste {
+                    clip,
+                    by,
+                    is_part: false,
+                }
+            }
             WorkshopWish::Duplicate => Edit::Duplicate {
                 names: all()?,
                 by: chosen::width_m(scene, step).map_or(aside, |it| DVec3::X * it),
@@ -275,12 +279,17 @@ impl Workshop {
             }
             WorkshopWish::Face(side) => {
                 let facing = match side {
-                    ViewSide::Top => Facing::Top,
-                    ViewSide::Front => Facing::Front,
-                    ViewSide::Side => Facing::Side,
+                    ViewSide::Top => Some(Facing::Top),
+                    ViewSide::Front => Some(Facing::Front),
+                    ViewSide::Side => Some(Facing::Side),
+                    ViewSide::Start => None,
                 };
-                self.camera.face(scene.space(), facing);
-                self.camera.parallel = Some(scene.radius_m());
+                if let Some(facing) = facing {
+                    self.camera.face(scene.space(), facing);
+                    self.camera.parallel = Some(scene.radius_m());
+                } else {
+                    self.camera = FreeCamera::at_start(scene.room());
+                }
                 self.forget_chain();
             }
             WorkshopWish::Focus => self.look_at(scene, &chosen::indices(scene)),
