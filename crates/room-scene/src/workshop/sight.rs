@@ -37,7 +37,7 @@ impl Viewpoint {
     pub fn place_of(&self, w: DVec3) -> Option<DVec2> {
         if let Some(half) = self.eye.parallel_m {
             let at = DVec2::new(self.eye.right.dot(w) / self.aspect, self.eye.up.dot(w));
-            return Some(at / half);
+            return (self.eye.front.dot(w) > 0.0).then(|| at / half);
         }
         let depth = self.eye.front.dot(w);
         let half = (0.5 * self.eye.fov_y_rad).tan();

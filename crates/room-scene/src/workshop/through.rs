@@ -5,7 +5,7 @@
 //! Newton's method, whose derivatives are differences.
 
 use antipode_deformation::{Chain, Leg, Place, Space, Traveller, Void, trace};
-use glam::{DMat2, DVec2, DVec3};
+use glam::{DMat2, DQuat, DVec2, DVec3};
 
 use super::sight::Viewpoint;
 use crate::scene::RoomScene;
@@ -82,6 +82,10 @@ impl<'a> Through<'a> {
 
     /// Where a point of the room is seen, sought from a place of the picture on; none where it is not through this chain.
     pub fn seen_at(&self, point: DVec3, from: DVec2) -> Option<DVec2> {
+        if self.is_straight() {
+            let at = self.view.place_of(point - self.view.eye.place.point);
+            return at.filter(|at| at.abs().max_element() <= FARTHEST);
+        }
         let mut at = from;
         for _ in 0..STEPS {
             let off = Off::of(&self.leg(at)?, point);
@@ -104,6 +108,13 @@ impl<'a> Through<'a> {
             }
         }
         None
+    }
+
+    /// Whether the rays are straight from an eye in no box: the room is seen in perspective then.
+    fn is_straight(&self) -> bool {
+        let place = &self.view.eye.place;
+        let is_free = place.stack.is_empty() && place.turn == DQuat::IDENTITY;
+        self.chain.is_empty() && is_free && place.scale == 1.0
     }
 
     /// How many metres of the room at a point are as wide in the picture as its half height, along the widest of three axes.

@@ -1,7 +1,5 @@
 //! What can be changed of what is chosen, as rows of the inspector; of the room itself where nothing is chosen.
 
-use std::sync::Arc;
-
 use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
 use antipode_rooms::aberration::{Aberration, Axis, Lengths, Sides, Ways, thesis_of_stretch};
@@ -32,7 +30,19 @@ pub fn rows(texts: &Texts, scene: &RoomScene, chosen: &[usize]) -> Vec<FieldRow>
     let Some((first, others)) = chosen.split_first() else {
         return of_room(texts, room);
     };
-    let mut rows = of_object(texts, scene, *first, others.is_empty());
+    let all = room.objects.iter();
+    let groups = all.filter(|it| it.what == What::Group);
+    let groups: Vec<_> = groups.map(|it| it.name.as_str()).collect();
+    let of = |index: usize, words: Option<&Texts>| {
+        let mut rows = Rows {
+            texts: words,
+            all: Vec::new(),
+        };
+        of_object(&mut rows, scene, index, others.is_empty());
+        of_group(&mut rows, &groups, &room.objects[index]);
+        rows.all
+    };
+    let mut rows = of(*first, Some(texts));
     let mut known = vec![&room.objects[*first]];
     for other in others {
         let object = &room.objects[*other];
@@ -46,7 +56,7 @@ pub fn rows(texts: &Texts, scene: &RoomScene, chosen: &[usize]) -> Vec<FieldRow>
             continue;
         }
         known.push(object);
-        let theirs = of_object(texts, scene, *other, false);
+        let theirs = of(*other, None);
         rows.retain_mut(|row| match theirs.iter().find(|it| it.key == row.key) {
             Some(same) => join(row, same),
             None => false,
@@ -57,25 +67,29 @@ pub fn rows(texts: &Texts, scene: &RoomScene, chosen: &[usize]) -> Vec<FieldRow>
 
 /// Rows that are put together.
 struct Rows<'a> {
-    texts: &'a Texts,
+    /// None where others have the words already.
+    texts: Option<&'a Texts>,
     all: Vec<FieldRow>,
 }
 
 impl Rows<'_> {
+    fn say(&self, [kind, word]: [&str; 2]) -> String {
+        let say = |texts: &Texts| texts.say(&["workshop", kind, word].join("-"));
+        self.texts.map_or_else(String::new, say)
+    }
+
     fn add(&mut self, key: &str, kind: FieldKind, is_default: bool) {
         // The axes of one field share a name, and a room's own fields have those of things.
         let word = key.trim_start_matches("room-");
         let about = match (word, &kind) {
             // A portal has sides, too, which its words explain.
             ("sides", FieldKind::Choice(options, _)) if options.len() == 2 => String::new(),
-            ("sides" | "ways" | "outline" | "lengths" | "thesis", _) => {
-                self.texts.say(&format!("workshop-hover-{word}"))
-            }
+            ("sides" | "ways" | "outline" | "lengths" | "thesis", _) => self.say(["hover", word]),
             _ => String::new(),
         };
         self.all.push(FieldRow {
             key: key.to_owned(),
-            label: self.texts.say(&format!("workshop-field-{word}")),
+            label: self.say(["field", word]),
             about,
             kind,
             is_default,
@@ -99,8 +113,7 @@ impl Rows<'_> {
 
     fn choice(&mut self, key: &str, words: &[&str], chosen: usize, is_default: bool) {
         let option = |word: &&str| {
-            let id = [key, word].join("-");
-            let label = self.texts.say(&format!("workshop-choice-{id}"));
+            let label = self.say(["choice", &[key, word].join("-")]);
             ((*word).to_owned(), label)
         };
         let options = words.iter().map(option).collect();
@@ -131,40 +144,34 @@ fn sizes() -> ((f64, f64), Unit) {
     ((*SIZES_M.start(), *SIZES_M.end()), Unit::Metres)
 }
 
-fn of_object(texts: &Texts, scene: &RoomScene, index: usize, alone: bool) -> Vec<FieldRow> {
+fn of_object(rows: &mut Rows<'_>, scene: &RoomScene, index: usize, alone: bool) {
     let object = &scene.room().objects[index];
-    let mut rows = Rows {
-        texts,
-        all: Vec::new(),
-    };
     if alone {
         rows.add("name", FieldKind::Text(Some(object.name.clone())), true);
     }
     rows.numbers("at", &object.at.to_array(), far(), object.at == DVec3::ZERO);
+    let label = rows.say(["field", "at-group"]);
     if let Some(row) = rows.all.last_mut().filter(|_| object.group.is_some()) {
-        row.label = texts.say("workshop-field-at-group");
+        row.label = label;
     }
     let turns = ((*TURNS_DEG.start(), *TURNS_DEG.end()), Unit::Degrees);
     let turn = object.turn.to_array();
     rows.numbers("turn", &turn, turns, object.turn == DVec3::ZERO);
     match &object.what {
-        What::Aberration(it) => of_aberration(&mut rows, it, alone),
-        What::Portal(it) => of_portal(&mut rows, scene, (object, it), alone),
-        what => of_solid(&mut rows, what),
+        What::Aberration(it) => of_aberration(rows, it, alone),
+        What::Portal(it) => of_portal(rows, scene, (object, it), alone),
+        what => of_solid(rows, what),
     }
     if has_surface(&object.what) {
-        of_surface(&mut rows, &object.surface);
+        of_surface(rows, &object.surface);
     }
-    of_group(&mut rows, scene.room(), object);
-    rows.all
 }
 
 /// Which group carries something; none where there is no group that could.
-fn of_group(rows: &mut Rows<'_>, room: &Room, object: &Object) {
-    let is_other = |it: &&Arc<Object>| it.what == What::Group && it.name != object.name;
-    let groups = room.objects.iter().filter(is_other);
-    let none = (String::new(), rows.texts.say("workshop-choice-group-none"));
-    let named = groups.map(|it| (it.name.clone(), it.name.clone()));
+fn of_group(rows: &mut Rows<'_>, groups: &[&str], object: &Object) {
+    let others = groups.iter().filter(|it| **it != object.name);
+    let none = (String::new(), rows.say(["choice", "group-none"]));
+    let named = others.map(|it| ((*it).to_owned(), (*it).to_owned()));
     let options: Vec<_> = std::iter::once(none).chain(named).collect();
     if options.len() == 1 {
         return;
@@ -252,8 +259,8 @@ fn of_surface(rows: &mut Rows<'_>, surface: &Surface) {
 fn of_aberration(rows: &mut Rows<'_>, it: &Aberration, alone: bool) {
     let halves = ((2.0 * HALVES_M.start(), 2.0 * HALVES_M.end()), Unit::Metres);
     rows.numbers("box", &(2.0 * it.half).to_array(), halves, true);
-    if alone {
-        for (number, (words, is_warning)) in bent::told(rows.texts, it).into_iter().enumerate() {
+    if let (true, Some(texts)) = (alone, rows.texts) {
+        for (number, (words, is_warning)) in bent::told(texts, it).into_iter().enumerate() {
             rows.words(&format!("told-{number}"), words, is_warning);
         }
     }
@@ -317,8 +324,8 @@ fn of_portal(
     rows.add("to", FieldKind::Choice(options, partner), true);
     let two = usize::from(it.sides == 2);
     rows.choice("sides", &["1", "2"], two, two == 0);
-    if alone {
-        let (words, is_warning) = bent::of_portal(rows.texts, room, scene.space(), &object.name);
+    if let (true, Some(texts)) = (alone, rows.texts) {
+        let (words, is_warning) = bent::of_portal(texts, room, scene.space(), &object.name);
         rows.words("told", words, is_warning);
     }
 }
@@ -326,7 +333,7 @@ fn of_portal(
 fn of_room(texts: &Texts, room: &Room) -> Vec<FieldRow> {
     let usual = Room::new("");
     let mut rows = Rows {
-        texts,
+        texts: Some(texts),
         all: Vec::new(),
     };
     rows.add("room-name", FieldKind::Text(Some(room.name.clone())), true);

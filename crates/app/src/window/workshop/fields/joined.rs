@@ -47,8 +47,10 @@ pub(super) fn join(row: &mut FieldRow, other: &FieldRow) -> bool {
         (FieldKind::Colour(mine), FieldKind::Colour(theirs)) => keep_equal(mine, theirs.as_ref()),
         (FieldKind::Text(mine), FieldKind::Text(theirs)) => keep_equal(mine, theirs.as_ref()),
         (FieldKind::Switch(mine), FieldKind::Switch(theirs)) => keep_equal(mine, theirs.as_ref()),
-        (FieldKind::Choice(options, mine), FieldKind::Choice(same, theirs)) if options == same => {
-            keep_equal(mine, theirs.as_ref())
+        (FieldKind::Choice(options, mine), FieldKind::Choice(others, theirs)) => {
+            // The labels of the other are not said.
+            let words = options.iter().map(|(word, _)| word);
+            words.eq(others.iter().map(|(word, _)| word)) && keep_equal(mine, theirs.as_ref())
         }
         _ => false,
     }
