@@ -35,36 +35,46 @@ fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<
         return;
     }
     ui.horizontal(|ui| {
-        let axes = match &row.kind {
-            FieldKind::Numbers(all, unit) if all.len() == 3 && *unit != Unit::Degrees => {
-                " (x, y, z)"
-            }
-            _ => "",
+        let FieldKind::Stretch(value) = &row.kind else {
+            name(ui, row);
+            reset(ui, model, row, wishes);
+            return;
         };
-        let words = format!("{}{axes}", row.label);
-        let label = ui.label(RichText::new(words).color(WEAK).small());
-        if !row.about.is_empty() {
-            label.on_hover_text(&row.about);
-        }
-        if !row.is_default {
-            let values = [("name", row.label.as_str().into())];
-            let label = model.texts.say_with("workshop-reset", &values);
-            let words = RichText::new(model.texts.say("workshop-reset-short"));
-            let button = egui::Button::new(words.color(WEAK).small()).small();
-            let response = ui.add(button);
-            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
-            focus_ring(ui, &response);
-            if response.on_hover_text(&label).clicked() {
-                wishes.push(WorkshopWish::Reset(row.key.clone()));
-            }
-        }
-        if let FieldKind::Stretch(value) = &row.kind {
-            let side = Layout::right_to_left(Align::Center);
-            ui.with_layout(side, |ui| {
-                field::times(ui, model.texts, row, *value, wishes);
-            });
-        }
+        // A number stands at the right end, and a long name in two lines before it.
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            field::times(ui, model.texts, row, *value, wishes);
+            reset(ui, model, row, wishes);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| name(ui, row));
+        });
     });
     field::show(ui, model.texts, row, wishes);
     ui.add_space(2.0);
+}
+
+fn name(ui: &mut Ui, row: &FieldRow) {
+    let axes = match &row.kind {
+        FieldKind::Numbers(all, unit) if all.len() == 3 && *unit != Unit::Degrees => " (x, y, z)",
+        _ => "",
+    };
+    let words = format!("{}{axes}", row.label);
+    let label = ui.add(Label::new(RichText::new(words).color(WEAK).small()).wrap());
+    if !row.about.is_empty() {
+        label.on_hover_text(&row.about);
+    }
+}
+
+/// The button that leaves a field as it is when nothing is said of it; none where it is so.
+fn reset(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<WorkshopWish>) {
+    if row.is_default {
+        return;
+    }
+    let values = [("name", row.label.as_str().into())];
+    let label = model.texts.say_with("workshop-reset", &values);
+    let words = RichText::new(model.texts.say("workshop-reset-short"));
+    let response = ui.add(egui::Button::new(words.color(WEAK).small()).small());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
+    focus_ring(ui, &response);
+    if response.on_hover_text(&label).clicked() {
+        wishes.push(WorkshopWish::Reset(row.key.clone()));
+    }
 }

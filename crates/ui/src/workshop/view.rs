@@ -191,11 +191,17 @@ fn paint(ui: &Ui, rect: Rect, model: &WorkshopModel<'_>, is_focused: bool) {
     let painter = ui.painter_at(rect);
     let mut room = rect.shrink(GRID);
     let lines = |room: Rect| {
-        // No label covers what can be taken hold of.
-        for line in model.lines {
-            paint_label(&painter, (rect, room), line);
+        // No label covers what can be taken hold of, and edges cover no label.
+        let (held, edges): (Vec<_>, Vec<_>) = model.lines.iter().partition(|it| it.knob);
+        for line in edges {
+            paint_line(&painter, rect, line);
         }
+        let points = held.iter().flat_map(|it| &it.points);
+        let points: Vec<_> = points.map(|at| on_screen(rect, *at)).collect();
         for line in model.lines {
+            paint_label(&painter, (rect, room), line, &points);
+        }
+        for line in held {
             paint_line(&painter, rect, line);
         }
     };
@@ -239,21 +245,37 @@ fn paint_line(painter: &egui::Painter, rect: Rect, line: &ViewLine) {
     }
 }
 
-/// Draws the label at the end of a line of the view, within a part of that.
-fn paint_label(painter: &egui::Painter, (rect, room): (Rect, Rect), line: &ViewLine) {
+/// Draws the label at the end of a line of the view, within a part of that, on the side where the fewest of some points are.
+fn paint_label(
+    painter: &egui::Painter,
+    (rect, room): (Rect, Rect),
+    line: &ViewLine,
+    points: &[Pos2],
+) {
     let (Some(end), Some(label)) = (line.points.last(), &line.label) else {
         return;
     };
     let end = on_screen(rect, *end);
     let words = painter.layout_no_wrap(label.clone(), small(), TEXT);
-    let beside = |side: Align2, x: f32| side.anchor_size(end + vec2(x, 0.0), words.size());
-    let mut at = beside(Align2::LEFT_CENTER, LABEL_OFF);
-    if at.max.x > room.max.x {
-        at = beside(Align2::RIGHT_CENTER, -LABEL_OFF);
-    }
-    // All of it is read, wherever the line ends.
-    let at = at.translate((room.max - at.max).min(egui::Vec2::ZERO));
-    let at = at.translate((room.min - at.min).max(egui::Vec2::ZERO));
+    let beside = |(side, x, y): (Align2, f32, f32)| {
+        let at = side.anchor_size(end + vec2(x, y) * LABEL_OFF, words.size());
+        // All of it is read, wherever the line ends.
+        let at = at.translate((room.max - at.max).min(egui::Vec2::ZERO));
+        at.translate((room.min - at.min).max(egui::Vec2::ZERO))
+    };
+    let covered = |at: &Rect| {
+        let plate = at.expand(8.0);
+        points.iter().filter(|it| plate.contains(**it)).count()
+    };
+    let sides = [
+        (Align2::LEFT_CENTER, 1.0, 0.0),
+        (Align2::RIGHT_CENTER, -1.0, 0.0),
+        (Align2::CENTER_TOP, 0.0, 2.0),
+        (Align2::CENTER_BOTTOM, 0.0, -2.0),
+    ];
+    let Some(at) = sides.map(beside).into_iter().min_by_key(covered) else {
+        return;
+    };
     painter.rect_filled(at.expand(4.0), 4, PLATE);
     painter.galley(at.min, words, TEXT);
 }

@@ -1,12 +1,13 @@
 //! The slider of how many times as long something feels: as wide as the pane, the same way for twice as much everywhere, and slow
 //! with Shift.
 
+use antipode_language::{Language, Texts};
 use antipode_ui::workshop::{FieldKind, FieldValue, WorkshopWish};
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
-use crate::workshop::{Bench, asked, wide};
+use crate::workshop::{Bench, asked, bench, field, harness, wide};
 
 /// What the slider asks for is done, and told: each value, and whether it is the last of a drag.
 fn follow(harness: &mut Harness<'static, Bench>) -> Vec<(f64, bool)> {
@@ -123,4 +124,28 @@ fn the_slider_is_moved_by_keys_and_its_number_is_typed_beside_the_name() {
     assert_eq!(asked, [(5.2, true)], "an arrow is a small step");
     let number = harness.query_all_by_label("Stretch").last().unwrap().rect();
     assert!(number.bottom() <= slider(&harness).top() + 1.0, "{number}");
+}
+
+#[test]
+fn a_long_name_leaves_its_button_and_its_number_free_in_every_language() {
+    for language in Language::ALL {
+        let mut bench = bench(language, 1280.0);
+        let say = |words: &str| Texts::new(language).say(words);
+        let label = say("workshop-field-times-all");
+        bench.fields = vec![field("times-all", &label, FieldKind::Stretch(Some(2.0)))];
+        let mut harness = harness(bench, vec2(1280.0, 720.0));
+        harness.run();
+        let values = [("name", label.as_str().into())];
+        let reset = Texts::new(language).say_with("workshop-reset", &values);
+        let reset = harness.get_by_label(&reset).rect();
+        let all: Vec<_> = harness.get_all_by_label(&label).collect();
+        assert_eq!(all.len(), 2, "{language:?}");
+        for one in all {
+            let rect = one.rect();
+            assert!(
+                !rect.shrink(0.5).intersects(reset),
+                "{language:?}: {rect} {reset}"
+            );
+        }
+    }
 }
