@@ -128,8 +128,10 @@ fn most_of(weights: mat4x4<f32>) -> Most {
     return most;
 }
 
-// How far heights reach into each other where kinds blend.
-const BLEND_DEPTH: f32 = 0.10;
+// How far heights reach into each other where kinds blend: near, and where a pixel is so wide that nothing of their detail is
+// seen. There a sharp border would have the corners of triangles, which are metres long.
+const BLEND_DEPTHS: vec2<f32> = vec2<f32>(0.10, 0.40);
+const BLEND_WIDE_M: vec2<f32> = vec2<f32>(0.03, 0.20);
 
 // A tint over the biome's colour.
 fn tinted(biome: vec3<f32>, tint: vec4<f32>) -> vec3<f32> {
@@ -170,7 +172,8 @@ fn surface_at(weights: mat4x4<f32>, ground: vec3<f32>, p: vec3<f32>, wide_m: f32
         return Surface(ground * one.tone, one.slope, one.gloss, one.glow);
     }
     let scores = most.weights * (vec2<f32>(0.4) + vec2<f32>(one.height, two.height));
-    let heights = max(scores - (max(scores.x, scores.y) - BLEND_DEPTH), vec2<f32>(0.0));
+    let depth = mix(BLEND_DEPTHS.x, BLEND_DEPTHS.y, smoothstep(BLEND_WIDE_M.x, BLEND_WIDE_M.y, wide_m));
+    let heights = max(scores - (max(scores.x, scores.y) - depth), vec2<f32>(0.0));
     let share = heights.y / (heights.x + heights.y);
     let colours = parted(ground, most.kinds, most.weights / (most.weights.x + most.weights.y));
     return Surface(
