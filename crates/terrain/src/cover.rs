@@ -48,7 +48,7 @@ impl Field {
     /// shows most.
     pub fn cover(&self, point: ChartPoint, normal: Vec3) -> Cover {
         let shares = Painter::new(self).shares(point, normal);
-        let [low, middle, high] = self.biome().covers;
+        let [low, middle, high] = self.biome_at(point).covers;
         if shares.rock > 0.5 {
             Cover::Rock
         } else if shares.high > 0.5 {

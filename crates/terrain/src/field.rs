@@ -1,5 +1,8 @@
 //! The scalar field of a world's untouched ground.
 //!
+//! Of [`Generator::Climates`] each column has a form of its own ([`crate::form`]), which goes over into its neighbours', and
+//! the field is `y - middle + fall + terraces * wave(y) + sum_i waves_i noise_i`. [`Generator::OneBiome`] has one biome:
+//!
 //! `value = y + sum_i (noise_i - 0.5) a_i - relief`, solid below zero, with noise in 0..=1
 //! and `relief = sum_i a_i / 2`: ground lies between 0 and twice the relief. On the sphere
 //! the sum is squeezed, smoothly and strictly, between the space's lowest and highest ground.
@@ -11,11 +14,15 @@
 use std::sync::Arc;
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord, Domain, NoiseFrame, SquareFrame};
-use glam::DVec3;
+use glam::{DVec3, Vec4};
 
 use crate::biome::Biome;
+use crate::climate::Climate;
+use crate::form::Form;
 use crate::fractal::{Column, Octave};
+use crate::generator::Generator;
 use crate::lattice::Lattice;
+use crate::light::{LightTables, linear};
 use crate::relief::{BLOCK, Ground, Relief, Rows};
 use crate::samples::{SAMPLES, Samples};
 use crate::tilted::{self, Heights};
@@ -31,37 +38,156 @@ const SPHERE_SHARE: f64 = 0.98;
 /// all of them, and stretched higher it would tear off rocks that float.
 const SPHERE_MOST_M: f64 = 11.0;
 
+/// Frequency of the longest wave of the ground that biomes by climate have in common; frequencies double from octave to
+/// octave.
+const FIRST_FREQUENCY: f64 = 0.1;
+/// No flat ground of those is lower, metres: just over the border between two layers of chunks and their borders.
+const LOWEST_M: f64 = 1.5;
+/// How many there are.
+const OCTAVES: i32 = 4;
+/// Room for the rounding of what is between forms, metres.
+const ROUNDING_M: f32 = 1e-3;
+
 /// The ground of a world before any edit: a pure function of seed and space.
 #[derive(Debug, Clone)]
 pub struct Field {
     strategy: Arc<dyn Atlas>,
     lattice: Arc<Lattice>,
-    biome: &'static Biome,
+    /// The biome of a world of one.
+    alone: &'static Biome,
+    climate: Option<Arc<Climate>>,
     octaves: Vec<Octave>,
     relief: Relief,
 }
 
 impl Field {
-    /// The field of the world with this seed in this space.
+    /// The field of a new world with this seed in this space.
     pub fn new(seed: u64, strategy: Arc<dyn Atlas>) -> Self {
-        let biome = Biome::from_seed(seed);
+        Self::made_by(Generator::default(), seed, strategy)
+    }
+
+    /// The field of the world with this seed in this space that was begun with this generator.
+    pub fn made_by(generator: Generator, seed: u64, strategy: Arc<dyn Atlas>) -> Self {
         let bounds = strategy.limits().map(|limits| {
             let middle = f64::midpoint(limits.ground_min_m, limits.ground_max_m);
             let half = (limits.ground_max_m - limits.ground_min_m) / 2.0;
             (middle, (half * SPHERE_SHARE).min(SPHERE_MOST_M))
         });
+        let alone = Biome::from_seed(seed);
+        let climate = match generator {
+            Generator::OneBiome => None,
+            Generator::Climates => Some(Arc::new(Climate::new(seed, &*strategy))),
+        };
+        let (octaves, sums_m, lowest_m) = match &climate {
+            None => {
+                let most_m = alone.max_amplitude_m();
+                (alone.octaves(), [-most_m, most_m], 0.0)
+            }
+            Some(_) => (common_octaves(), all_sums_m().map(f64::from), LOWEST_M),
+        };
         Self {
             lattice: Arc::new(Lattice::new(seed)),
-            octaves: biome.octaves(),
-            relief: Relief::new(biome.max_amplitude_m(), bounds),
-            biome,
+            relief: Relief::new(sums_m, lowest_m, bounds),
+            alone,
+            climate,
+            octaves,
             strategy,
         }
     }
 
-    /// The biome, chosen by the seed.
-    pub fn biome(&self) -> &'static Biome {
-        self.biome
+    /// Which generator makes it.
+    pub fn generator(&self) -> Generator {
+        match self.climate {
+            None => Generator::OneBiome,
+            Some(_) => Generator::Climates,
+        }
+    }
+
+    /// The biome of the land at a point.
+    pub fn biome_at(&self, point: ChartPoint) -> &'static Biome {
+        let Some(climate) = &self.climate else {
+            return self.alone;
+        };
+        let here = climate.at(self.ground_place(point.chart, point.pos.x, point.pos.z));
+        climate.lands()[climate.nearest(here)].biome
+    }
+
+    /// Colours of low, middle and high ground at a point, sRGB: between biomes, between theirs.
+    pub fn ground_colours(&self, point: ChartPoint) -> [[u8; 3]; 3] {
+        let Some(climate) = &self.climate else {
+            return self.alone.ground_colours();
+        };
+        let here = climate.at(self.ground_place(point.chart, point.pos.x, point.pos.z));
+        let mut sums = [Vec4::ZERO; 3];
+        climate.colour_shares(here, |n, share| {
+            let colours = climate.lands()[n].biome.ground_colours();
+            for (sum, colour) in sums.iter_mut().zip(colours) {
+                *sum += linear(colour) * share;
+            }
+        });
+        sums.map(|sum| {
+            let [r, g, b, _] = LightTables::get().bytes(sum);
+            [r, g, b]
+        })
+    }
+
+    /// The biome of a world of one.
+    pub(crate) fn alone(&self) -> &'static Biome {
+        self.alone
+    }
+
+    /// The climates of a world of several.
+    pub(crate) fn climate(&self) -> Option<&Arc<Climate>> {
+        self.climate.as_ref()
+    }
+
+    /// A height `y` is `(y - offset) * scale` in the heights that biomes tell theirs in: metres of flat worlds, over their
+    /// lowest ground where it is that of one biome, and else over the middle.
+    pub(crate) fn own_heights(&self) -> (f64, f64) {
+        let relief = &self.relief;
+        match self.climate {
+            None => (relief.range_m().0, relief.stretch().recip()),
+            Some(_) => (relief.middle_m(), relief.steepness().recip()),
+        }
+    }
+
+    /// Where in noise space the ground at `(x, z)` is.
+    pub(crate) fn ground_place(&self, chart: ChartId, x: f64, z: f64) -> DVec3 {
+        let ground = ChartPoint::new(chart, DVec3::new(x, 0.0, z));
+        self.strategy.noise_point(ground)
+    }
+
+    /// What the column at a place of noise space on the ground makes of the octaves.
+    fn form(&self, place: DVec3) -> Form {
+        let formed = |climate: &Arc<Climate>| climate.form(climate.at(place));
+        self.climate.as_ref().map_or(Form::PLAIN, formed)
+    }
+
+    /// Half of how high each octave is.
+    fn halves(&self) -> Vec4 {
+        let mut halves = [0.0; 4];
+        for (half, octave) in halves.iter_mut().zip(&self.octaves) {
+            *half = octave.half_m();
+        }
+        Vec4::from(halves)
+    }
+
+    /// Rows for columns of these forms.
+    fn rows<'a>(
+        &self,
+        forms: impl Iterator<Item = &'a Form>,
+        (first_m, step_m, count): (f64, f64, usize),
+    ) -> Rows {
+        if self.climate.is_none() {
+            return self.relief.rows(first_m, step_m, count);
+        }
+        let halves = self.halves();
+        let mut sums = [f32::INFINITY, f32::NEG_INFINITY];
+        for form in forms {
+            let [least, most] = form.sums(halves);
+            sums = [sums[0].min(least), sums[1].max(most)];
+        }
+        self.relief.rows_within(sums, first_m, step_m, count)
     }
 
     /// The space this field lives in.
@@ -95,15 +221,19 @@ impl Field {
     pub fn sample(&self, point: ChartPoint) -> f32 {
         let ChartPoint { chart, pos } = point;
         let sum = match self.strategy.noise_frame(chart) {
-            NoiseFrame::Square(frame) => {
-                upright::sum_at(&self.lattice, &self.octaves, frame.placed(pos))
-            }
+            NoiseFrame::Square(frame) => return self.sample_square(frame.placed(pos)),
             NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
                 let column = self.column(chart, pos.x, pos.z);
                 tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
             }
         };
         self.relief.value(pos.y, sum)
+    }
+
+    /// The field at a place of noise space, where charts are square with that.
+    pub(crate) fn sample_square(&self, place: DVec3) -> f32 {
+        let sum = upright::sum_at(&self.lattice, &self.octaves, &self.form(place), place);
+        self.relief.value(place.y, sum)
     }
 
     /// The field over a chunk and its border.
@@ -142,34 +272,35 @@ impl Field {
             counts,
         };
         match self.strategy.noise_frame(chart) {
-            NoiseFrame::Square(frame) => {
-                self.fill_square(frame, &grid, &rows, out);
-            }
-            NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
-                self.fill_tilted(chart, &grid, &rows, out);
-            }
+            NoiseFrame::Square(frame) => self.fill_square(frame, &grid, out),
+            NoiseFrame::Radial { .. } | NoiseFrame::Upright => self.fill_tilted(chart, &grid, out),
         }
     }
 
     /// [`Self::fill_grid`] where columns stand upright in the lattice: as the grid lies in the lattice's own axes, and
     /// from there to its places.
-    fn fill_square(&self, frame: SquareFrame, grid: &Grid, rows: &Rows, out: &mut [f32]) {
+    fn fill_square(&self, frame: SquareFrame, grid: &Grid, out: &mut [f32]) {
         let Grid {
             first,
             step_m,
             counts,
         } = *grid;
-        let ground = Ground {
-            relief: &self.relief,
-            rows,
-        };
         let fill = |first, counts, out: &mut [f32]| {
             let turned = Grid {
                 first,
                 step_m,
                 counts,
             };
-            upright::fill(&self.lattice, &self.octaves, ground, &turned, out);
+            let forms = self.forms(&turned);
+            let rows = self.rows(forms.iter(), (first.y, step_m.y, counts[1]));
+            if rows.open[0] == rows.open[1] {
+                return rows.fill_closed(counts[1], out);
+            }
+            let ground = Ground {
+                relief: &self.relief,
+                rows: &rows,
+            };
+            upright::fill(&self.lattice, &self.octaves, ground, &turned, &forms, out);
         };
         let [width, height, depth] = counts;
         let last = first + DVec3::new(width as f64 - 1.0, 0.0, depth as f64 - 1.0) * step_m;
@@ -191,6 +322,21 @@ impl Field {
             let from = (place.x as usize * along + place.z as usize) * height;
             column.copy_from_slice(&turned[from..from + height]);
         }
+    }
+
+    /// The forms of a grid's columns in noise space, by `i * counts[2] + k`.
+    fn forms(
+        &self,
+        &Grid {
+            first,
+            step_m,
+            counts,
+        }: &Grid,
+    ) -> Vec<Form> {
+        let [width, _, depth] = counts;
+        let at =
+            |n: usize| first + step_m * DVec3::new((n / depth) as f64, 0.0, (n % depth) as f64);
+        (0..width * depth).map(|n| self.form(at(n))).collect()
     }
 
     /// By how many quarter turns a chart is turned against the space.
@@ -221,13 +367,9 @@ impl Field {
     }
 
     /// [`Self::fill_grid`] where columns slant through the lattice.
-    fn fill_tilted(&self, chart: ChartId, grid: &Grid, rows: &Rows, out: &mut [f32]) {
+    fn fill_tilted(&self, chart: ChartId, grid: &Grid, out: &mut [f32]) {
         let Grid { first, step_m, .. } = *grid;
         let [width, height, depth] = grid.counts;
-        let ground = Ground {
-            relief: &self.relief,
-            rows,
-        };
         let heights = Heights {
             first_m: first.y,
             step_m: step_m.y,
@@ -243,6 +385,12 @@ impl Field {
                     columns.push(self.column(chart, x, z));
                 }
             }
+            let forms = columns.iter().map(|column: &Column| &column.form);
+            let rows = self.rows(forms, (first.y, step_m.y, height));
+            let ground = Ground {
+                relief: &self.relief,
+                rows: &rows,
+            };
             tilted::fill(&self.lattice, &self.octaves, ground, &columns, heights, out);
         }
     }
@@ -274,15 +422,40 @@ impl Field {
     /// A column of the chart in the lattice of the first octave. Where noise space is radial about
     /// the sphere's centre, the height stretches the point on the ground.
     fn column(&self, chart: ChartId, x: f64, z: f64) -> Column {
-        let ground = ChartPoint::new(chart, DVec3::new(x, 0.0, z));
         let frequencies = self.octaves.first().map_or(DVec3::ONE, |o| o.frequencies());
-        let base = self.strategy.noise_point(ground) * frequencies;
+        let place = self.ground_place(chart, x, z);
+        let base = place * frequencies;
         let slope = match self.strategy.noise_frame(chart) {
             NoiseFrame::Radial { radius_m } => base / radius_m,
             NoiseFrame::Square(_) | NoiseFrame::Upright => DVec3::Y * frequencies,
         };
-        Column { base, slope }
+        Column {
+            base,
+            slope,
+            form: self.form(place),
+        }
     }
+}
+
+/// The octaves that all columns of biomes by climate have in common, each as high as its forms say.
+fn common_octaves() -> Vec<Octave> {
+    let octave = |n: i32| Octave {
+        frequency: FIRST_FREQUENCY * 2.0_f64.powi(n),
+        amplitude_m: 2.0,
+    };
+    (0..OCTAVES).map(octave).collect()
+}
+
+/// The least and the greatest sum of any form, metres.
+fn all_sums_m() -> [f32; 2] {
+    let forms = Biome::all().iter().map(Biome::form);
+    let sums = forms.map(|form| form.sums(Vec4::ONE));
+    sums.fold([-ROUNDING_M, ROUNDING_M], |[least, most], sums| {
+        [
+            least.min(sums[0] - ROUNDING_M),
+            most.max(sums[1] + ROUNDING_M),
+        ]
+    })
 }
 
 /// Lowest and highest height of samples that edits change. One sample inside the limits:
