@@ -6,7 +6,7 @@ use antipode_geometry::{
     ChartId, ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M,
     Geometry, strategy,
 };
-use antipode_terrain::{ChunkEdits, Field, Level, SAMPLES, Stroke, march};
+use antipode_terrain::{ChunkEdits, Field, Generator, Level, SAMPLES, Stroke, march};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::{DVec3, IVec3};
@@ -23,7 +23,7 @@ fn field(geometry: Geometry) -> Field {
         Geometry::Spherical => DEFAULT_SPHERE_RADIUS_M,
         _ => DEFAULT_HYPERBOLIC_RADIUS_M,
     };
-    Field::new(20, strategy(geometry, radius_m))
+    Field::made_by(Generator::OneBiome, 20, strategy(geometry, radius_m))
 }
 
 fn chunk() -> ChunkCoord {

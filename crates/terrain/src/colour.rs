@@ -207,6 +207,7 @@ mod tests {
 
     use super::*;
     use crate::fractal::AXIS_FREQUENCY;
+    use crate::generator::Generator;
     use crate::lattice::table_seed;
     use crate::light::linear;
 
@@ -276,7 +277,7 @@ mod tests {
                 (Geometry::Spherical, 32.0),
                 (Geometry::Spherical, 256.0),
             ] {
-                let field = Field::new(seed, strategy(geometry, radius_m));
+                let field = Field::made_by(Generator::OneBiome, seed, strategy(geometry, radius_m));
                 let painter = Painter::new(&field);
                 let (low, high) = field.ground_range_m();
                 for n in 0..4000 {
@@ -305,7 +306,7 @@ mod tests {
             (Geometry::Spherical, 32.0),
             (Geometry::Spherical, 256.0),
         ] {
-            let field = Field::new(1, strategy(geometry, radius_m));
+            let field = Field::made_by(Generator::OneBiome, 1, strategy(geometry, radius_m));
             let painter = Painter::new(&field);
             let (low, high) = field.ground_range_m();
             let is_bed = |n: u32| {
