@@ -131,8 +131,8 @@ impl Biome {
     }
 
     /// The kinds of a world of it alone.
-    pub(crate) fn kinds_alone(&self) -> &Kinds {
-        self.alone.as_ref().map_or(&self.kinds, |it| &it.kinds)
+    pub(crate) fn kinds_alone(&self) -> Kinds {
+        self.alone.as_ref().map_or(self.kinds, |it| it.kinds)
     }
 
     /// How far the ground of a flat world of it alone is off at 2, 4 and 8 m, metres.

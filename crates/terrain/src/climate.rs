@@ -189,7 +189,7 @@ impl Climate {
             let climate = self.uncooled(corner + DVec3::new(x, 0.0, z) * edge_m);
             (least, most) = (least.min(climate), most.max(climate));
         }
-        let strays = Vec3::from(self.frequencies.map(|it| self.strays(it * edge_m)));
+        let strays = Vec3::from(self.frequencies.map(|it| Self::strays(it * edge_m)));
         let strays = strays.extend(0.0) + ROUNDING;
         (least, most) = (least - strays, most + strays);
         // Heat falls with height, whatever it is.
@@ -199,7 +199,7 @@ impl Climate {
     }
 
     /// How far a climate strays between nodes so many lattice points apart.
-    fn strays(&self, steps: f64) -> f32 {
+    fn strays(steps: f64) -> f32 {
         let bend = BEND / 8.0 * 2.0 * steps * steps;
         GAIN * (bend * (1.0 + f64::from(FINER_SHARE) * FINER * FINER)) as f32
     }

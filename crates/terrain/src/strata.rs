@@ -81,7 +81,7 @@ pub(crate) struct Strata<'a> {
 /// What a biome's ground is made of.
 #[derive(Debug)]
 struct Ground {
-    kinds: &'static Kinds,
+    kinds: Kinds,
     /// What is at the surface: by height in the two lowest bits, then in patches, over copper and over crystal.
     skins: [Kind; 32],
     /// Heights where middle ground, high ground and the cap begin, metres in flat worlds.
@@ -89,10 +89,10 @@ struct Ground {
 }
 
 impl Ground {
-    fn new(kinds: &'static Kinds, [middle, top]: [f32; 2]) -> Self {
+    fn new(kinds: Kinds, [middle, top]: [f32; 2]) -> Self {
         Self {
             kinds,
-            skins: skins_of(*kinds),
+            skins: skins_of(kinds),
             borders_m: [middle, top, top + CAP_OVER_M],
         }
     }
@@ -120,7 +120,7 @@ impl<'a> Strata<'a> {
             |climate| {
                 let biomes = climate.lands().iter().map(|land| land.biome);
                 biomes
-                    .map(|it| Ground::new(&it.kinds, it.levels_m))
+                    .map(|it| Ground::new(it.kinds, it.levels_m))
                     .collect()
             },
         );

@@ -79,7 +79,7 @@ pub fn setup(geometry: Geometry, view_distance: u32) -> WorldSetup {
         seed: SEED,
         geometry,
         radius_m: radius_m(geometry),
-        generator: antipode_scene::Generator::default(),
+        generator: Generator::OneBiome,
         view_distance,
     }
 }

@@ -85,7 +85,7 @@ fn closed_worlds_have_two_biomes_and_large_ones_three() {
                 let chart = [ChartId::FIRST, ChartId::SECOND][usize::from(up < 0.0)];
                 let from_pole = up.abs().acos();
                 let radius = (0.5 * from_pole).tan() * radius_m;
-                let at = DVec2::from_angle(random.between(0.0, 6.283)) * radius;
+                let at = DVec2::from_angle(random.between(0.0, std::f64::consts::TAU)) * radius;
                 *counts.entry(name(&field, chart, at.x, at.y)).or_default() += 1.0 / 2000.0;
             }
             let expected = if radius_m < 100.0 { 2 } else { 3 };

@@ -10,7 +10,6 @@ use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use antipode_scene::frame::{Frame, ModelId};
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, CameraMode, Scene};
-use antipode_terrain::Field;
 use glam::{DVec3, DVec4};
 
 use super::*;
