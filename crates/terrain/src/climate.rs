@@ -16,18 +16,15 @@ use crate::form::Form;
 use crate::lattice::{Cell, Lattice, LatticeCoord, SCALE, blend, fade, table_seed};
 
 /// How far apart the lattice points of the slow noise are in open worlds, metres: of heat, humidity and how high land lies.
-const SPREADS_M: [f64; 3] = [500.0, 460.0, 380.0];
+const SPREADS_M: [f64; 3] = [520.0, 500.0, 480.0];
 /// The same in closed worlds, radii.
 const CLOSED_SPREAD: f64 = 1.2;
-/// A second octave makes borders wind: how many times as fine, and how high, it is.
-const FINER: f64 = 3.3;
-const FINER_SHARE: f32 = 0.25;
 /// What the noise is multiplied by, so that climates range about from -0.5 to 0.5.
-const GAIN: f32 = 1.05;
+const GAIN: f32 = 1.1;
 /// What high land is colder by, as a share of how high it lies.
 const COOLS: f32 = 0.4;
 /// How much greater squared distances are of what has no share any more.
-const BLEND: f32 = 0.09;
+const BLEND: f32 = 0.15;
 /// The same of colours: their borders are narrower than slopes could be, so that each biome has land of its own.
 const COLOUR_BLEND: f32 = 0.03;
 /// Closed worlds of this radius have three biomes, smaller ones two.
@@ -86,7 +83,7 @@ impl Climate {
     /// The climate at a place of noise space on the ground: heat, humidity, how high land lies, and nothing.
     pub(crate) fn at(&self, place: DVec3) -> Vec4 {
         if self.is_closed {
-            let odd = |n: usize| GAIN * (self.noise(n, place, 1.0) - self.noise(n, -place, 1.0));
+            let odd = |n: usize| GAIN * (self.noise(n, place) - self.noise(n, -place));
             return Vec4::new(odd(0), odd(1), 0.0, 0.0);
         }
         let climate = self.uncooled(place);
@@ -96,14 +93,12 @@ impl Climate {
     /// The climate of an open world's place, if high land were no colder.
     fn uncooled(&self, place: DVec3) -> Vec4 {
         let place = place.with_y(0.0);
-        let [heat, humid, high] = [0, 1, 2].map(|n| {
-            GAIN * (self.noise(n, place, 1.0) + FINER_SHARE * self.noise(n, place, FINER))
-        });
+        let [heat, humid, high] = [0, 1, 2].map(|n| GAIN * self.noise(n, place));
         Vec4::new(heat, humid, high, 0.0)
     }
 
-    fn noise(&self, n: usize, place: DVec3, finer: f64) -> f32 {
-        let at = place * (self.frequencies[n] * finer) + APART * (n as f64 + finer);
+    fn noise(&self, n: usize, place: DVec3) -> f32 {
+        let at = place * self.frequencies[n] + APART * (n as f64 + 1.0);
         let [x, y, z] = at.to_array().map(LatticeCoord::new);
         let cell = Cell::new(&self.lattice, [x.low, y.low, z.low]);
         let corners = cell.corners(x.part, y.part, z.part, fade(z.part));
@@ -200,8 +195,7 @@ impl Climate {
 
     /// How far a climate strays between nodes so many lattice points apart.
     fn strays(steps: f64) -> f32 {
-        let bend = BEND / 8.0 * 2.0 * steps * steps;
-        GAIN * (bend * (1.0 + f64::from(FINER_SHARE) * FINER * FINER)) as f32
+        GAIN * (BEND / 8.0 * 2.0 * steps * steps) as f32
     }
 
     /// [`Self::forms`] of climates between two.
@@ -279,4 +273,84 @@ fn closed_lands(seed: u64, radius_m: f64) -> Vec<Land> {
         });
     }
     lands
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+    use glam::DVec2;
+
+    use super::*;
+
+    /// On how many metres of a way of places so far apart a biome's share of the form goes over from a tenth to nine tenths, or
+    /// back.
+    fn widths_m(climate: &Climate, way: impl Iterator<Item = DVec3>, step_m: f64) -> Vec<f64> {
+        let mut widths = Vec::new();
+        // Where each share was last low and last high.
+        let mut last = [[None::<usize>; 2]; MOST_LANDS];
+        for (step, at) in way.enumerate() {
+            let mut shares = [0.0; MOST_LANDS];
+            climate.shares(climate.at(at), BLEND, |n, share| shares[n] = share);
+            for (last, share) in last.iter_mut().zip(shares) {
+                let is = [share <= 0.1, share >= 0.9];
+                for (now, other) in [(0, 1), (1, 0)] {
+                    if is[now] {
+                        let before = last[other].take();
+                        widths.extend(before.map(|before| (step - before) as f64 * step_m));
+                        last[now] = Some(step);
+                    }
+                }
+            }
+        }
+        widths
+    }
+
+    #[test]
+    fn forms_of_open_worlds_go_over_on_24_metres_and_more() {
+        let space = strategy(Geometry::Euclidean, 0.0);
+        let mut all = Vec::new();
+        for seed in 300..320 {
+            let climate = Climate::new(seed, &*space);
+            for n in 0..8 {
+                let along = DVec2::from_angle(f64::from(n) * 0.7);
+                let from = DVec3::new(f64::from(n) * 430.0, 0.0, -900.0);
+                let along = DVec3::new(along.x, 0.0, along.y);
+                let way = (0..3000).map(|step| from + along * f64::from(step));
+                all.extend(widths_m(&climate, way, 1.0));
+            }
+        }
+        all.sort_by(f64::total_cmp);
+        println!(
+            "{} borders, from {} m, median {} m",
+            all.len(),
+            all[0],
+            all[all.len() / 2]
+        );
+        assert!(all.len() > 300 && all[0] >= 24.0, "{:?}", &all[..8]);
+    }
+
+    #[test]
+    fn forms_of_small_closed_worlds_go_over_on_a_fifth_of_the_spread() {
+        let mut shares = Vec::new();
+        for seed in 300..320 {
+            let space = strategy(Geometry::Spherical, 16.0);
+            let climate = Climate::new(seed, &*space);
+            let mut widths = Vec::new();
+            for n in 0..8 {
+                // A great circle, by its axis.
+                let axis = DVec3::new(f64::from(n) - 3.5, 1.3, 0.4 * f64::from(n)).normalize();
+                let start = axis.any_orthonormal_vector();
+                let place = |step: u32| {
+                    let (sin, cos) = (f64::from(step) * 0.05 / 16.0).sin_cos();
+                    16.0 * (start * cos + axis.cross(start) * sin)
+                };
+                widths.extend(widths_m(&climate, (0..2000).map(place), 0.05));
+            }
+            shares.extend(widths.into_iter().map(|width| width / climate.spread_m()));
+        }
+        shares.sort_by(f64::total_cmp);
+        let middle = shares[shares.len() / 2];
+        println!("{} borders, median {middle:.3} of the spread", shares.len());
+        assert!(middle <= 0.2, "{middle}");
+    }
 }

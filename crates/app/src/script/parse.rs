@@ -297,11 +297,8 @@ fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
     for option in options {
         match option.split_once('=') {
             Some(("seed", value)) => {
-                wanted.seed = Some(
-                    value
-                        .parse()
-                        .map_err(|_| format!("{} is not a seed", quoted(value)))?,
-                );
+                let seed = value.parse().ok();
+                wanted.seed = Some(seed.ok_or_else(|| format!("{} is not a seed", quoted(value)))?);
             }
             Some(("generator", value)) => {
                 let number = value.parse().ok().and_then(Generator::of_number);
