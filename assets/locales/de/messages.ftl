@@ -88,6 +88,7 @@ not-writable = { $path } kann nicht geschrieben werden: Es ist schreibgeschützt
 not-readable = { $path } kann nicht gelesen werden: die Rechte verbieten es, oder es gehört jemand anderem. Ändere die Rechte oder wähle mit --saves-dir einen anderen Ort.
 archive-refused = { $path } kann nicht importiert werden: es ist keine exportierte Welt, oder die Datei ist beschädigt. Im Protokoll steht mehr.
 unknown-space = Die Welt „{ $world }“ liegt in einem Raum, den diese Version nicht kennt. Eine neuere Version des Spiels kann sie vielleicht öffnen.
+unknown-generator = Das Land der Welt „{ $world }“ entsteht auf eine Weise, die diese Version nicht kennt. Eine neuere Version des Spiels kann sie vielleicht öffnen.
 impossible-radius = Die Welt „{ $world }“ gibt an, ihr Raum habe einen Radius von { $radius } m; den kann keine Welt haben. Ihre Datei blieb, wie sie ist.
 player-damaged = Der Spieler im Spielstand war beschädigt; du beginnst wieder am Anfang. Dein Land ist, wie es war.
 unknown-item = Der Spielstand enthält einen Gegenstand, den diese Version nicht kennt („{ $item }“); er ist nicht zu sehen, bleibt aber im Spielstand.
@@ -126,3 +127,14 @@ graphics-software = Das Spiel wurde neu gestartet, und jetzt zeichnet der Prozes
 # Ein Absturz des Spiels zuvor.
 crash-title = Das Spiel ist abgestürzt
 crash = Das Spiel wurde unerwartet beendet und neu gestartet. Deine Welten und Räume sind so, wie sie zuletzt gespeichert wurden, höchstens einige Sekunden vorher. Was über den Absturz bekannt ist, steht in { $report }.
+
+# Biome: der Name allein erscheint, wenn man eines betritt.
+biome-volcanic = Vulkanland
+biome-desert = Wüste
+biome-forest = Wald
+biome-toxic = Giftebene
+biome-jungle = Dschungel
+biome-tundra = Tundra
+biome-wetland = Feuchtland
+biome-crags = Schroffen
+biome-shore = Strand

@@ -92,6 +92,7 @@ not-writable = { $path } cannot be written: it is read-only or belongs to someon
 not-readable = { $path } cannot be read: its permissions forbid it, or it belongs to someone else. Change its permissions, or choose another place with --saves-dir.
 archive-refused = { $path } cannot be imported: it is not an exported world, or it is damaged. The log has the details.
 unknown-space = The world “{ $world }” is in a space this version does not know. A newer version of the game may open it.
+unknown-generator = The land of “{ $world }” is made in a way this version does not know. A newer version of the game may open it.
 impossible-radius = The world “{ $world }” says that its space has a radius of { $radius } m, and no world can have that. Its file was left as it is.
 player-damaged = The player in this save was damaged, so you begin at the start again. Your land is unchanged.
 unknown-item = The save holds an item this version does not know (“{ $item }”); it is not shown, but stays in the save.
@@ -132,3 +133,14 @@ graphics-software = The game has restarted and the processor draws now, which is
 # A crash of the game before this one.
 crash-title = The game has crashed
 crash = The game stopped unexpectedly and has restarted. Your worlds and rooms are as they were last saved, a few seconds earlier at most. The file { $report } says what is known about the crash.
+
+# Biomes: the name alone is shown to whoever enters one.
+biome-volcanic = Volcanic land
+biome-desert = Desert
+biome-forest = Forest
+biome-toxic = Toxic flats
+biome-jungle = Jungle
+biome-tundra = Tundra
+biome-wetland = Wetland
+biome-crags = Crags
+biome-shore = Shore

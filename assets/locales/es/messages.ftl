@@ -88,6 +88,7 @@ not-writable = No se puede escribir { $path }: es de solo lectura o pertenece a 
 not-readable = No se puede leer { $path }: los permisos lo prohíben o pertenece a otra persona. Cambia los permisos o elige otro lugar con --saves-dir.
 archive-refused = No se puede importar { $path }: no es un mundo exportado o está dañado. El registro dice el resto.
 unknown-space = El mundo «{ $world }» está en un espacio que esta versión no conoce. Una versión más nueva del juego quizá lo abra.
+unknown-generator = El terreno del mundo «{ $world }» se hace de un modo que esta versión no conoce. Una versión más nueva del juego quizá lo abra.
 impossible-radius = El mundo «{ $world }» dice que su espacio tiene un radio de { $radius } m, y ningún mundo puede tenerlo. Su archivo quedó como está.
 player-damaged = El jugador de la partida estaba dañado; empiezas de nuevo desde el principio. Tu tierra está como estaba.
 unknown-item = La partida contiene un objeto que esta versión no conoce («{ $item }»); no se muestra, pero sigue en la partida.
@@ -126,3 +127,14 @@ graphics-software = El juego se ha vuelto a iniciar y ahora dibuja el procesador
 # Un fallo de la ejecución anterior.
 crash-title = El juego ha fallado
 crash = El juego se detuvo de forma inesperada y se ha vuelto a iniciar. Tus mundos y salas están como se guardaron por última vez, a lo sumo unos segundos antes. Lo que se sabe del fallo está en { $report }.
+
+# Biomas: al entrar en uno se muestra solo el nombre.
+biome-volcanic = Tierra volcánica
+biome-desert = Desierto
+biome-forest = Bosque
+biome-toxic = Llanura tóxica
+biome-jungle = Jungla
+biome-tundra = Tundra
+biome-wetland = Humedal
+biome-crags = Peñas
+biome-shore = Costa

@@ -91,6 +91,7 @@ not-writable = Nie można zapisać { $path }: jest tylko do odczytu albo należy
 not-readable = Nie można odczytać { $path }: zabraniają tego uprawnienia albo plik należy do kogoś innego. Zmień uprawnienia albo wybierz inne miejsce przez --saves-dir.
 archive-refused = Nie można zaimportować { $path }: to nie jest wyeksportowany świat albo plik jest uszkodzony. Reszta jest w dzienniku.
 unknown-space = Świat „{ $world }” leży w przestrzeni, której ta wersja nie zna. Nowsza wersja gry może go otworzyć.
+unknown-generator = Teren świata „{ $world }” powstaje w sposób, którego ta wersja nie zna. Nowsza wersja gry może go otworzyć.
 impossible-radius = Świat „{ $world }” podaje, że jego przestrzeń ma promień { $radius } m, a tego nie może mieć żaden świat. Jego plik pozostał nietknięty.
 player-damaged = Gracz w zapisie był uszkodzony; zaczynasz znów od początku. Twój ląd jest taki, jaki był.
 unknown-item = Zapis zawiera przedmiot, którego ta wersja nie zna („{ $item }”); nie widać go, ale w zapisie pozostaje.
@@ -134,3 +135,14 @@ graphics-software = Gra uruchomiła się na nowo i teraz rysuje procesor, co jes
 # Awaria poprzedniego uruchomienia gry.
 crash-title = Gra uległa awarii
 crash = Gra nieoczekiwanie się zatrzymała i uruchomiła na nowo. Twoje światy i pokoje są takie, jak przy ostatnim zapisie, najwyżej kilka sekund wcześniej. To, co wiadomo o awarii, jest w { $report }.
+
+# Biomy: samą nazwę widać po wejściu.
+biome-volcanic = Ziemia wulkaniczna
+biome-desert = Pustynia
+biome-forest = Las
+biome-toxic = Toksyczna równina
+biome-jungle = Dżungla
+biome-tundra = Tundra
+biome-wetland = Mokradła
+biome-crags = Turnie
+biome-shore = Wybrzeże

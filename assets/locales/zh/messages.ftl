@@ -88,6 +88,7 @@ not-writable = 无法写入 { $path }：它是只读的，或属于别人。请�
 not-readable = 无法读取 { $path }：权限不允许，或属于他人。请更改权限，或用 --saves-dir 另选位置。
 archive-refused = 无法导入 { $path }：它不是导出的世界，或已损坏。详情见日志。
 unknown-space = 世界“{ $world }”所在的空间是这个版本不认识的。更新版本的游戏也许能打开它。
+unknown-generator = 世界“{ $world }”的地形是用这个版本不认识的方式生成的。更新版本的游戏也许能打开它。
 impossible-radius = 世界“{ $world }”称其空间的半径为 { $radius } 米，而任何世界都不可能如此。它的文件保持原样。
 player-damaged = 存档中的玩家数据已损坏；你从起点重新开始。你的大地保持原样。
 unknown-item = 存档中有这个版本不认识的物品（“{ $item }”）；它不会显示，但仍保留在存档中。
@@ -117,3 +118,14 @@ graphics-software = 游戏已重新启动，现在由处理器绘制，速度较
 # 上一次运行时的崩溃。
 crash-title = 游戏崩溃了
 crash = 游戏意外停止，已重新启动。你的世界和房间保持上次保存时的样子，最多相差几秒。关于这次崩溃的信息在 { $report }。
+
+# 生物群系：进入时只显示名称。
+biome-volcanic = 火山地带
+biome-desert = 沙漠
+biome-forest = 森林
+biome-toxic = 毒原
+biome-jungle = 丛林
+biome-tundra = 苔原
+biome-wetland = 湿地
+biome-crags = 峭壁
+biome-shore = 海岸

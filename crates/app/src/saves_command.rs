@@ -154,7 +154,10 @@ fn particulars(world: &WorldSummary) -> Vec<String> {
     ];
     if let Some(meta) = &world.meta {
         lines.push(format!("space     {}", meta.geometry));
-        lines.push(format!("biome     {}", meta.biome));
+        if !meta.biome.is_empty() {
+            lines.push(format!("biome     {}", meta.biome));
+        }
+        lines.push(format!("generator {}", meta.generator));
         lines.push(format!("seed      {}", meta.seed));
         let space = meta.geometry.parse::<Geometry>();
         if space.is_ok_and(|it| it.radii().chosen_m.is_some()) {

@@ -10,7 +10,7 @@ use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_rooms::{RoomsDir, rooms_dir};
 use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
-use antipode_scene::{Between, NpcMode, Scene, WorldSetup};
+use antipode_scene::{Between, Generator, NpcMode, Scene, WorldSetup};
 use antipode_storage::{SavesDir, StorageError, WorldStore, WorldSummary, saves_dir};
 use antipode_streaming::StreamingError;
 use image::{ImageFormat, RgbaImage};
@@ -29,6 +29,8 @@ pub struct NewWorld {
     pub seed: Option<u64>,
     /// Radius of a spherical world in metres.
     pub radius_m: Option<f64>,
+    /// What makes its land; the newest when left out.
+    pub generator: Option<Generator>,
     /// Where it begins.
     pub start: Beginning,
 }
@@ -258,6 +260,7 @@ impl Worlds {
             seed: wanted.seed.unwrap_or_else(random_seed),
             geometry: wanted.geometry,
             radius_m,
+            generator: wanted.generator.unwrap_or_default(),
             view_distance: self.view_distance.unwrap_or(VIEW_DISTANCE_CHUNKS.2),
         })
     }
@@ -318,6 +321,7 @@ mod tests {
             name: name.map(str::to_owned),
             seed: Some(3),
             radius_m,
+            generator: None,
             start: Beginning::Middle,
         }
     }

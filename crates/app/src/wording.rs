@@ -228,6 +228,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::Undone => texts.say("hint-undone"),
         Hint::NotUndone(why) => not_undone(texts, why),
         Hint::Said { greets, line } => said(texts, greets, line),
+        Hint::Entered(biome) => texts.say(&format!("biome-{biome}")),
         Hint::BeenRound(metres) => texts.say_with("hint-been-round", &[("metres", metres.into())]),
     }
 }
@@ -339,6 +340,10 @@ fn scene(texts: &Texts, error: &SceneError, worlds: &[WorldSummary]) -> String {
         SceneError::Streaming(error) => streaming(texts, error),
         SceneError::UnknownGeometry { name, .. } => texts.say_with(
             "unknown-space",
+            &[("world", world_name(name, worlds).into())],
+        ),
+        SceneError::UnknownGenerator { name, .. } => texts.say_with(
+            "unknown-generator",
             &[("world", world_name(name, worlds).into())],
         ),
         SceneError::ImpossibleRadius { name, radius_m } => texts.say_with(

@@ -71,6 +71,7 @@ fn opened(among: Among) -> (TempDir, Scene) {
         seed: 3,
         geometry: Geometry::Euclidean,
         radius_m: 20.0,
+        generator: antipode_scene::Generator::default(),
         view_distance: 2,
     };
     let dir = tempfile::tempdir().unwrap();

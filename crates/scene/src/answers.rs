@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_items::Item;
-use antipode_terrain::Biome;
+use antipode_terrain::Field;
 
 use crate::actors::ActorId;
 use crate::bearings::{self, Bearings, FlagWay, Landmark};
@@ -43,9 +43,14 @@ impl Scene {
         &self.sim.world.setup
     }
 
-    /// Name of the biome of this seed.
+    /// Name of the biome where the player is.
     pub fn biome(&self) -> &'static str {
-        Biome::from_seed(self.sim.world.setup.seed).name()
+        self.field().biome_at(self.feet()).name()
+    }
+
+    /// The land before any edit.
+    pub fn field(&self) -> &Field {
+        self.sim.world.ground.field()
     }
 
     /// The strategy of the world itself; pictures are taken with that of [`Scene::lens`].

@@ -229,6 +229,7 @@ mod tests {
             seed: 3,
             geometry,
             radius_m: 32.0,
+            generator: antipode_terrain::Generator::default(),
             view_distance: 1,
         };
         Scene::open(setup, None).unwrap()

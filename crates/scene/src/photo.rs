@@ -135,6 +135,7 @@ mod tests {
             seed: 3,
             geometry,
             radius_m: 32.0,
+            generator: antipode_terrain::Generator::default(),
             view_distance: 2,
         };
         let mut scene = Scene::open(setup, None).unwrap();

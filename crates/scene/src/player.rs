@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 
 use crate::actions::Actions;
 use crate::aimed::Gaze;
+use crate::biome::InBiome;
 use crate::brush::{Brush, Choice};
 use crate::circumnavigation::Circumnavigation;
 use crate::damage::Condition;
@@ -42,6 +43,8 @@ pub(crate) struct Player {
     /// Where the player stands up again, unless the land alone decides.
     pub start: Option<ChartPoint>,
     pub circumnavigation: Circumnavigation,
+    /// The biome of the land that the player is in.
+    pub biome: InBiome,
     /// Whether the body was put where it is and may be stuck there.
     pub body_unchecked: bool,
 }
@@ -66,6 +69,7 @@ impl Player {
             flashlight: false,
             start: None,
             circumnavigation: Circumnavigation::default(),
+            biome: InBiome::default(),
             body_unchecked: true,
         }
     }

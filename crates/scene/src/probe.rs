@@ -15,6 +15,10 @@ pub struct Probe {
     pub world: String,
     /// Its seed.
     pub seed: u64,
+    /// The number of the generator that makes its land.
+    pub generator: u16,
+    /// The biome where the player is, as `forest`.
+    pub biome: &'static str,
     /// Its geometry: `euclidean`, `hyperbolic` or `spherical`.
     pub geometry: String,
     /// Radius of curvature in metres; null where space is flat.

@@ -65,6 +65,8 @@ pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
         t: world.simulated_s,
         world: world.setup.name.clone(),
         seed: world.setup.seed,
+        generator: world.setup.generator.number(),
+        biome: world.ground.field().biome_at(now.feet()).name(),
         geometry: world.setup.geometry.to_string(),
         radius: curved_radius.is_finite().then_some(curved_radius),
         map: lens.map().map(HyperbolicMap::name),

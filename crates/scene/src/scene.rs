@@ -77,7 +77,8 @@ impl Scene {
         store: Option<Arc<WorldStore>>,
         workers: usize,
     ) -> Result<Self, SceneError> {
-        let field = Arc::new(Field::new(setup.seed, Arc::<dyn Strategy>::clone(&space)));
+        let atlas = Arc::<dyn Strategy>::clone(&space);
+        let field = Arc::new(Field::made_by(setup.generator, setup.seed, atlas));
         let (saved, notices) = match &store {
             Some(store) => saved_records(store)?,
             None => Default::default(),

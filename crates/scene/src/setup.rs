@@ -5,7 +5,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use antipode_geometry::Geometry;
 use antipode_storage::{StorageError, WorldMeta};
 use antipode_streaming::StreamingError;
-use antipode_terrain::Biome;
+use antipode_terrain::{Biome, Generator};
 use thiserror::Error;
 
 use crate::tuning::VIEW_DISTANCE_CHUNKS;
@@ -28,6 +28,16 @@ pub enum SceneError {
         name: String,
         /// What the save says.
         geometry: String,
+    },
+    /// Its save names a generator of land this program does not know.
+    #[error(
+        "The land of the world \"{name}\" is made in a way this version does not know ({generator}). A newer version of the game may open it."
+    )]
+    UnknownGenerator {
+        /// The world's name.
+        name: String,
+        /// What the save says.
+        generator: u16,
     },
     /// Its save names a radius that no world can have.
     #[error(
@@ -52,6 +62,8 @@ pub struct WorldSetup {
     pub geometry: Geometry,
     /// Radius of curvature in metres; ignored where space is flat.
     pub radius_m: f64,
+    /// What makes its land.
+    pub generator: Generator,
     /// How far chunks are loaded, in chunks.
     pub view_distance: u32,
 }
@@ -69,7 +81,7 @@ impl WorldSetup {
     /// The setup a save describes, with the given view distance where the save has none of its own.
     ///
     /// # Errors
-    /// When the save names a geometry this version does not know, or a radius that no world can have.
+    /// When the save names a geometry or a generator this version does not know, or a radius that no world can have.
     pub fn from_meta(meta: &WorldMeta, view_distance: u32) -> Result<Self, SceneError> {
         let geometry: Geometry =
             meta.geometry
@@ -85,11 +97,17 @@ impl WorldSetup {
                 radius_m: meta.radius_m,
             });
         }
+        let generator =
+            Generator::of_number(meta.generator).ok_or_else(|| SceneError::UnknownGenerator {
+                name: meta.name.clone(),
+                generator: meta.generator,
+            })?;
         Ok(Self {
             name: meta.name.clone(),
             seed: meta.seed,
             geometry,
             radius_m: meta.radius_m,
+            generator,
             view_distance,
         })
     }
@@ -102,11 +120,15 @@ impl WorldSetup {
             seed: self.seed,
             geometry: self.geometry.to_string(),
             radius_m: self.radius_m,
-            biome: Biome::from_seed(self.seed).name().to_owned(),
+            biome: match self.generator {
+                Generator::OneBiome => Biome::from_seed(self.seed).name().to_owned(),
+                Generator::Climates => String::new(),
+            },
             created_unix_s: now,
             last_played_unix_s: now,
             played_s: 0.0,
             cheated: false,
+            generator: self.generator.number(),
         }
     }
 }

@@ -18,7 +18,7 @@ use crate::situation::{Situation, is_ground_ready};
 use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, REACH_M, STEP_S};
 use crate::world::World;
-use crate::{body, circumnavigation, damage, door, drops, fixture, gun, npc, tool};
+use crate::{biome, body, circumnavigation, damage, door, drops, fixture, gun, npc, tool};
 use antipode_frame::motion::Doing;
 
 /// All that a step changes: a world, its actors, the player and what is to be told of them.
@@ -59,6 +59,7 @@ impl Simulation {
         let bodies = actors.car_bodies(world);
         world.physics.set_obstacles(bodies);
         circumnavigation::notice(world, actors.feet(), &mut player.circumnavigation, outbox);
+        biome::notice(world, actors.feet(), &mut player.biome, outbox);
         // Both hands are on the wheel.
         let actions = &actions.unless(actors.cars.is_driving());
         npc::step(world, actors, player, outbox);

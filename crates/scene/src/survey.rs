@@ -7,7 +7,6 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, Globe, Strategy};
-use antipode_terrain::Biome;
 use glam::{DVec2, DVec3, Vec2, Vec3Swizzles};
 
 use crate::bearings::{Locator, map_eye};
@@ -316,7 +315,7 @@ fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> SurveyMap {
         nodes,
         patches,
         contours,
-        colours: Biome::from_seed(scene.setup().seed).ground_colours(),
+        colours: scene.field().ground_colours(scene.feet()),
     }
 }
 

@@ -12,7 +12,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
-use crate::schema_history::{v1, v2, v3, v4, v5};
+use crate::schema_history::{v1, v2, v3, v4, v5, v8};
 
 pub use crate::record_shapes::{
     BotRecord, CarRecord, CourseRecord, DropRecord, FixtureRecord, FlagRecord, LampRecord,
@@ -21,14 +21,16 @@ pub use crate::record_shapes::{
 pub use crate::state::WorldState;
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 8;
+pub const SCHEMA_VERSION: u16 = 9;
+/// How worlds were made before they said so.
+pub(crate) const FIRST_GENERATOR: u16 = 1;
 /// The last version whose chunks had no kinds of ground.
 const LAST_WITHOUT_KINDS: u16 = 7;
 /// The last version that kept the state as one value.
 const LAST_OF_ONE_STATE: u16 = 6;
 
 /// What a world is: fixed at its creation, but for the name and the times.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WorldMeta {
     /// The name the player gave, printable, 1 to 40 characters.
     pub name: String,
@@ -38,7 +40,7 @@ pub struct WorldMeta {
     pub geometry: String,
     /// Radius of curvature in metres; 0 or infinite in a flat world.
     pub radius_m: f64,
-    /// The biome's identifier, empty if it follows from the seed.
+    /// The biome's identifier, empty where the world has several.
     pub biome: String,
     /// When the world was made, seconds since 1970 UTC.
     pub created_unix_s: u64,
@@ -48,6 +50,14 @@ pub struct WorldMeta {
     pub played_s: f64,
     /// Whether a command that cheats was ever used in it.
     pub cheated: bool,
+    /// The number of the generator that makes its land.
+    pub generator: u16,
+}
+
+impl Default for WorldMeta {
+    fn default() -> Self {
+        v8::WorldMeta::default().into()
+    }
 }
 
 /// Which chunk: its chart, and its index in chunks.
@@ -224,7 +234,10 @@ impl Versioned for WorldMeta {
 
     fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
         match version {
-            1 | 2 => decode::<v2::WorldMeta>(body).map(Self::from),
+            1 | 2 => decode::<v2::WorldMeta>(body)
+                .map(v8::WorldMeta::from)
+                .map(Self::from),
+            3..=8 => decode::<v8::WorldMeta>(body).map(Self::from),
             _ => decode(body),
         }
     }

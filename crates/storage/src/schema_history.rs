@@ -46,7 +46,7 @@ pub(crate) mod v1 {
 pub(crate) mod v2 {
     use serde::{Deserialize, Serialize};
 
-    use crate::schema;
+    use super::v8;
 
     /// What versions 1 and 2 kept of what a world is.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -61,7 +61,7 @@ pub(crate) mod v2 {
         pub played_s: f64,
     }
 
-    impl From<WorldMeta> for schema::WorldMeta {
+    impl From<WorldMeta> for v8::WorldMeta {
         fn from(old: WorldMeta) -> Self {
             Self {
                 name: old.name,
@@ -284,6 +284,44 @@ pub(crate) mod v5 {
                 car_given: old.car_given,
                 start: None,
                 been_round: false,
+            }
+        }
+    }
+}
+
+/// Version 8 knew one generator of land.
+pub(crate) mod v8 {
+    use serde::{Deserialize, Serialize};
+
+    use crate::schema::{self, FIRST_GENERATOR};
+
+    /// What versions 3 to 8 kept of what a world is.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub(crate) struct WorldMeta {
+        pub name: String,
+        pub seed: u64,
+        pub geometry: String,
+        pub radius_m: f64,
+        pub biome: String,
+        pub created_unix_s: u64,
+        pub last_played_unix_s: u64,
+        pub played_s: f64,
+        pub cheated: bool,
+    }
+
+    impl From<WorldMeta> for schema::WorldMeta {
+        fn from(old: WorldMeta) -> Self {
+            Self {
+                name: old.name,
+                seed: old.seed,
+                geometry: old.geometry,
+                radius_m: old.radius_m,
+                biome: old.biome,
+                created_unix_s: old.created_unix_s,
+                last_played_unix_s: old.last_played_unix_s,
+                played_s: old.played_s,
+                cheated: old.cheated,
+                generator: FIRST_GENERATOR,
             }
         }
     }

@@ -10,15 +10,28 @@ use crate::source::{Names, Source};
 #[serde(deny_unknown_fields)]
 pub(crate) struct Biome {
     id: String,
+    alone: Option<Alone>,
+    climate: [f32; 3],
+    rise_m: f32,
+    waves_m: [f32; 4],
+    terraces: f32,
+    levels_m: [f32; 2],
+    covers: [Cover; 3],
+    kinds: Kinds,
+    palette: Palette,
+}
+
+/// As `Alone` of the terrain.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Alone {
     octaves: usize,
     first_frequency: f64,
     first_amplitude_m: f64,
     middle_m: f64,
     top_m: f64,
-    covers: [Cover; 3],
-    kinds: Kinds,
-    palette: Palette,
     level_errors_m: [f64; 3],
+    kinds: Kinds,
 }
 
 /// As `Cover` of the terrain.
@@ -97,20 +110,55 @@ impl Row for Biome {
     }
 
     fn check(&self, _: Assets<'_>) -> Result<(), Fault> {
+        if let Some(alone) = &self.alone {
+            alone.check()?;
+        }
+        let is_within = self.climate.iter().all(|it| it.abs() <= 1.0);
+        need("climate", is_within, "is to be -1 to 1")?;
+        let is_high = self.waves_m.iter().all(|wave| *wave >= 0.0);
+        need("waves_m", is_high, "is to be 0 or more")?;
+        // With more, terraces would hang over.
+        let is_share = (0.0..=0.8).contains(&self.terraces);
+        need("terraces", is_share, "is to be 0 to 0.8")?;
+        let rise = self.levels_m.is_sorted();
+        need("levels_m", rise, "is to rise")
+    }
+}
+
+impl Alone {
+    fn expression(&self) -> String {
+        format!(
+            "Some(Alone {{ octaves: {}, first_frequency: {:?}, first_amplitude_m: {:?}, middle_m: {:?}, top_m: {:?}, \
+             level_errors_m: {:?}, kinds: {} }})",
+            self.octaves,
+            self.first_frequency,
+            self.first_amplitude_m,
+            self.middle_m,
+            self.top_m,
+            self.level_errors_m,
+            self.kinds.expression(),
+        )
+    }
+
+    fn check(&self) -> Result<(), Fault> {
         need(
-            "octaves",
-            (1..=8).contains(&self.octaves),
-            "is to be 1 to 8",
+            "alone.octaves",
+            (1..=4).contains(&self.octaves),
+            "is to be 1 to 4",
         )?;
         let is_positive = |field, number: f64| need(field, number > 0.0, "is to be more than 0");
-        is_positive("first_frequency", self.first_frequency)?;
-        is_positive("first_amplitude_m", self.first_amplitude_m)?;
-        is_positive("middle_m", self.middle_m)?;
+        is_positive("alone.first_frequency", self.first_frequency)?;
+        is_positive("alone.first_amplitude_m", self.first_amplitude_m)?;
+        is_positive("alone.middle_m", self.middle_m)?;
         let is_over = self.top_m > self.middle_m;
-        need("top_m", is_over, "is to be over middle_m")?;
+        need("alone.top_m", is_over, "is to be over middle_m")?;
         let errors_m = &self.level_errors_m;
         let rise = errors_m[0] > 0.0 && errors_m.is_sorted();
-        need("level_errors_m", rise, "is to be more than 0 and to rise")
+        need(
+            "alone.level_errors_m",
+            rise,
+            "is to be more than 0 and to rise",
+        )
     }
 }
 
@@ -122,20 +170,24 @@ impl Source for Biome {
     }
 
     fn expression(&self, _: &dyn Fn(&Fault) -> String) -> String {
+        let alone = self
+            .alone
+            .as_ref()
+            .map_or("None".to_owned(), Alone::expression);
         let covers = self.covers.map(|cover| format!("Cover::{cover:?}"));
         format!(
-            "Row {{ name: {:?}, octaves: {}, first_frequency: {:?}, first_amplitude_m: {:?}, middle_m: {:?}, top_m: {:?}, \
-             covers: [{}], kinds: {}, palette: {:?}, level_errors_m: {:?} }}",
+            "Row {{ name: {:?}, alone: {}, climate: {:?}, rise_m: {:?}, waves_m: {:?}, terraces: {:?}, levels_m: {:?}, \
+             covers: [{}], kinds: {}, palette: {:?} }}",
             self.id,
-            self.octaves,
-            self.first_frequency,
-            self.first_amplitude_m,
-            self.middle_m,
-            self.top_m,
+            alone,
+            self.climate,
+            self.rise_m,
+            self.waves_m,
+            self.terraces,
+            self.levels_m,
             covers.join(", "),
             self.kinds.expression(),
             self.palette,
-            self.level_errors_m,
         )
     }
 }
@@ -148,11 +200,19 @@ mod tests {
     const ONE: &str = r#"[
   (
     id: "tundra",
-    octaves: 4,
-    first_frequency: 0.3,
-    first_amplitude_m: 20,
-    middle_m: 15,
-    top_m: 23,
+    alone: Some((
+      octaves: 4,
+      first_frequency: 0.3,
+      first_amplitude_m: 20,
+      middle_m: 15,
+      top_m: 23,
+      level_errors_m: (0.8, 2.2, 4.3), kinds: (low: Rock, middle: Ash, high: Gravel, cap: Snow, patch: Moss, under: Soil, stone: Rock),
+    )),
+    climate: (0.1, -0.4, 0),
+    rise_m: 1,
+    waves_m: (8, 4, 2, 1),
+    terraces: 0.5,
+    levels_m: (-3, 5),
     covers: (Rock, Gravel, Grass),
     kinds: (low: Rock, middle: Ash, high: Grass, cap: Snow, patch: Moss, under: Soil, stone: Rock),
     palette: (
@@ -162,7 +222,6 @@ mod tests {
       rock: (56, 46, 56),
       strata: (150, 66, 48),
     ),
-    level_errors_m: (0.8, 2.2, 4.3),
   ),
 ]"#;
 
@@ -176,49 +235,69 @@ mod tests {
                 (
                     "  ),\n]",
                     &format!("  ),{twin}"),
-                    "21: id of \"tundra\" is the id of an earlier row, too",
+                    "28: id of \"tundra\" is the id of an earlier row, too",
                 ),
                 (
                     "octaves: 4",
                     "octaves: 9",
-                    "4: octaves of \"tundra\" is to be 1 to 8",
+                    "5: alone.octaves of \"tundra\" is to be 1 to 4",
                 ),
-                ("octaves: 4", "octaves: -4", "4: octaves of \"tundra\": "),
+                (
+                    "octaves: 4",
+                    "octaves: -4",
+                    "5: alone.octaves of \"tundra\": ",
+                ),
                 (
                     "0.3,",
                     "0,",
-                    "5: first_frequency of \"tundra\" is to be more than 0",
+                    "6: alone.first_frequency of \"tundra\" is to be more than 0",
                 ),
                 (
                     "20,",
                     "inf,",
-                    "6: first_amplitude_m of \"tundra\" is to be a number",
+                    "7: alone.first_amplitude_m of \"tundra\" is to be a number",
                 ),
                 (
                     "23,",
                     "15,",
-                    "8: top_m of \"tundra\" is to be over middle_m",
-                ),
-                ("Gravel", "Lava", "9: covers of \"tundra\": Unexpected "),
-                (
-                    "high: Grass",
-                    "high: Coal",
-                    "10: kinds.high of \"tundra\": ",
-                ),
-                (
-                    "(206, 92, 48)",
-                    "(206, 92, 480)",
-                    "12: palette.bottom of \"tundra\": ",
-                ),
-                (
-                    "strata",
-                    "stripes",
-                    "16: \"tundra\": Unexpected field named `stripes`",
+                    "9: alone.top_m of \"tundra\" is to be over middle_m",
                 ),
                 (
                     "(0.8, 2.2",
                     "(2.8, 2.2",
-                    "18: level_errors_m of \"tundra\" is to be more than 0 and to rise",
+                    "10: alone.level_errors_m of \"tundra\" is to be more than 0 and to rise",
+                ),
+                (
+                    "(0.1, -0.4",
+                    "(0.1, -1.4",
+                    "12: climate of \"tundra\" is to be -1 to 1",
+                ),
+                (
+                    "(8, 4",
+                    "(8, -4",
+                    "14: waves_m of \"tundra\" is to be 0 or more",
+                ),
+                (
+                    "0.5,",
+                    "0.9,",
+                    "15: terraces of \"tundra\" is to be 0 to 0.8",
+                ),
+                ("(-3, 5)", "(6, 5)", "16: levels_m of \"tundra\" is to rise"),
+                ("Gravel", "Lava", "17: covers of \"tundra\": Unexpected "),
+                (
+                    "high: Grass",
+                    "high: Coal",
+                    "18: kinds.high of \"tundra\": ",
+                ),
+                (
+                    "(206, 92, 48)",
+                    "(206, 92, 480)",
+                    "20: palette.bottom of \"tundra\": ",
+                ),
+                (
+                    "strata",
+                    "stripes",
+                    "24: \"tundra\": Unexpected field named `stripes`",
                 ),
             ],
         );

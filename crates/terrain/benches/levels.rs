@@ -4,7 +4,7 @@
 use std::hint::black_box;
 
 use antipode_geometry::{ChartId, ChunkCoord, Geometry, strategy};
-use antipode_terrain::{Field, Level, Mesher};
+use antipode_terrain::{Field, Generator, Level, Mesher};
 use divan::Bencher;
 use glam::IVec3;
 
@@ -21,7 +21,10 @@ fn ground() -> (Field, ChunkCoord) {
         chart: ChartId::FIRST,
         index: IVec3::ZERO,
     };
-    (Field::new(20, strategy(Geometry::Euclidean, 20.0)), coord)
+    (
+        Field::made_by(Generator::OneBiome, 20, strategy(Geometry::Euclidean, 20.0)),
+        coord,
+    )
 }
 
 fn level(cells: usize) -> Level {

@@ -6,24 +6,31 @@ use antipode_geometry::{
     ChartId, ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M,
     Geometry, strategy,
 };
-use antipode_terrain::{ChunkEdits, Field, Level, SAMPLES, Stroke, march};
+use antipode_terrain::{ChunkEdits, Field, Generator, Level, SAMPLES, Stroke, march};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::{DVec3, IVec3};
 
-const GEOMETRIES: [Geometry; 2] = [Geometry::Euclidean, Geometry::Spherical];
+type World = (Generator, Geometry);
+
+const WORLDS: [World; 4] = [
+    (Generator::OneBiome, Geometry::Euclidean),
+    (Generator::OneBiome, Geometry::Spherical),
+    (Generator::Climates, Geometry::Euclidean),
+    (Generator::Climates, Geometry::Spherical),
+];
 
 fn main() {
     divan::main();
 }
 
-/// A volcanic world, of four octaves.
-fn field(geometry: Geometry) -> Field {
+/// A world of one biome, volcanic, of four octaves, or of several.
+fn field((generator, geometry): World) -> Field {
     let radius_m = match geometry {
         Geometry::Spherical => DEFAULT_SPHERE_RADIUS_M,
         _ => DEFAULT_HYPERBOLIC_RADIUS_M,
     };
-    Field::new(20, strategy(geometry, radius_m))
+    Field::made_by(generator, 20, strategy(geometry, radius_m))
 }
 
 fn chunk() -> ChunkCoord {
@@ -33,17 +40,18 @@ fn chunk() -> ChunkCoord {
     }
 }
 
-#[divan::bench(args = GEOMETRIES)]
-fn sample(bencher: Bencher<'_, '_>, geometry: Geometry) {
-    let field = field(geometry);
+#[divan::bench(args = WORLDS)]
+fn sample(bencher: Bencher<'_, '_>, world: World) {
+    let field = field(world);
     let point = ChartPoint::a(DVec3::new(3.7, 9.1, -20.4));
     bencher.bench_local(|| field.sample(black_box(point)));
 }
 
 /// Chunks under, in and over the ground of a volcanic world.
-#[divan::bench(args = [-1, 0, 1, 2])]
-fn content(bencher: Bencher<'_, '_>, layer: i32) {
-    let field = field(Geometry::Euclidean);
+#[divan::bench(args = [-1, 0, 1, 2], consts = [1, 2])]
+fn content<const GENERATOR: u16>(bencher: Bencher<'_, '_>, layer: i32) {
+    let generator = Generator::of_number(GENERATOR).unwrap_or_default();
+    let field = field((generator, Geometry::Euclidean));
     let coord = ChunkCoord {
         chart: ChartId::FIRST,
         index: IVec3::new(0, layer, 0),
@@ -51,23 +59,23 @@ fn content(bencher: Bencher<'_, '_>, layer: i32) {
     bencher.bench_local(|| field.content(black_box(coord)));
 }
 
-#[divan::bench(args = GEOMETRIES)]
-fn chunk_samples(bencher: Bencher<'_, '_>, geometry: Geometry) {
-    let field = field(geometry);
+#[divan::bench(args = WORLDS)]
+fn chunk_samples(bencher: Bencher<'_, '_>, world: World) {
+    let field = field(world);
     bencher
         .counter(ItemsCount::new(SAMPLES.pow(3)))
         .bench_local(|| field.samples(black_box(chunk())));
 }
 
-#[divan::bench(args = GEOMETRIES, consts = [1, 2, 3])]
-fn level_samples<const LEVEL: usize>(bencher: Bencher<'_, '_>, geometry: Geometry) {
-    let field = field(geometry);
+#[divan::bench(args = WORLDS, consts = [1, 2, 3])]
+fn level_samples<const LEVEL: usize>(bencher: Bencher<'_, '_>, world: World) {
+    let field = field(world);
     bencher.bench_local(|| field.samples_at(black_box(chunk()), Level::ALL[LEVEL]));
 }
 
-#[divan::bench(args = GEOMETRIES)]
-fn chunk_mesh(bencher: Bencher<'_, '_>, geometry: Geometry) {
-    let field = field(geometry);
+#[divan::bench(args = WORLDS)]
+fn chunk_mesh(bencher: Bencher<'_, '_>, world: World) {
+    let field = field(world);
     let samples = field.samples(chunk());
     bencher.bench_local(|| march(black_box(&samples), &field, chunk()));
 }

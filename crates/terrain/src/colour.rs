@@ -9,10 +9,11 @@ use std::cell::RefCell;
 use antipode_geometry::ChartPoint;
 use glam::{Vec3, Vec4};
 
-use crate::biome::Palette;
+use crate::climate::Climate;
 use crate::field::Field;
-use crate::light::{LightTables, linear};
+use crate::light::LightTables;
 use crate::memo::{Places, Waves};
+use crate::sites::{Paint, Sites};
 use crate::tint::{self, tint_of};
 
 /// Half width of the border between two kinds of ground, metres of height.
@@ -44,26 +45,29 @@ const RIDGE_MOST: f32 = 0.14;
 pub(crate) struct Painter<'a> {
     field: &'a Field,
     light: &'static LightTables,
-    low: Vec4,
-    middle: Vec4,
-    high: Vec4,
-    rock: Vec4,
-    strata: Vec4,
-    /// Where middle ground, high ground, rock and the steep tint begin to show: heights in metres in flat worlds, and
-    /// `1 - normal.y`.
-    from: Vec4,
+    /// Of all land, if it is of one biome; what places are like is in the memo else.
+    paint: Paint,
+    climate: Option<&'a Climate>,
     /// A height becomes `(y - offset_m) * scale` in the biome's own heights.
     offset_m: f64,
     scale: f64,
     /// Strata, radians per metre of the biome's own heights.
     strata_rad_per_m: f32,
     /// Neighbouring vertices need nearly the same.
-    memo: RefCell<(Places, Waves)>,
+    memo: RefCell<Memo>,
+}
+
+#[derive(Debug)]
+struct Memo {
+    places: Places,
+    waves: Waves,
+    sites: Option<Sites<Paint>>,
 }
 
 /// How much of each kind of ground shows at a point, 0 to 1, and the noise that decided it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shares {
+    paint: Paint,
     /// In the biome's own heights, metres.
     height: f32,
     wander: f32,
@@ -80,35 +84,21 @@ pub(crate) struct Shares {
 
 impl<'a> Painter<'a> {
     pub(crate) fn new(field: &'a Field) -> Self {
-        let biome = field.biome();
-        let Palette {
-            bottom,
-            middle,
-            top,
-            rock,
-            strata,
-        } = biome.palette;
-        let (lowest, highest) = field.ground_range_m();
-        let waves = Waves::new([WANDER_FREQUENCY, MOTTLE_FREQUENCY]);
-        let scale = 2.0 * biome.max_amplitude_m() / (highest - lowest);
+        let climate = field.climate().map(|it| &**it);
+        let (offset_m, scale) = field.own_heights();
         Self {
             field,
             light: LightTables::get(),
-            low: linear(bottom),
-            middle: linear(middle),
-            high: linear(top),
-            rock: linear(rock),
-            strata: linear(strata),
-            from: Vec4::new(
-                biome.middle_m() as f32 - BLEND_M,
-                biome.top_m() as f32 - BLEND_M,
-                STEEP.0,
-                tint::STEEP,
-            ),
-            offset_m: lowest,
+            paint: Paint::new(&field.alone().palette, field.alone().levels_alone_m()),
+            climate,
+            offset_m,
             scale,
             strata_rad_per_m: STRATA_RAD_PER_M / scale as f32,
-            memo: RefCell::new((Places::new(), waves)),
+            memo: RefCell::new(Memo {
+                places: Places::new(),
+                waves: Waves::new([WANDER_FREQUENCY, MOTTLE_FREQUENCY]),
+                sites: climate.map(Sites::new),
+            }),
         }
     }
 
@@ -118,13 +108,14 @@ impl<'a> Painter<'a> {
     #[inline(always)]
     pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3, kind: u8, hollow: f32) -> [u8; 4] {
         let at = self.shares(point, normal);
-        let ground = self
+        let paint = &at.paint;
+        let ground = paint
             .low
-            .lerp(self.middle, at.middle)
-            .lerp(self.high, at.high);
+            .lerp(paint.middle, at.middle)
+            .lerp(paint.high, at.high);
         let colour = if at.rock > 0.0 {
             let wave = sine(at.height * self.strata_rad_per_m + at.wander * STRATA_BEND_RAD);
-            let rock = self.rock.lerp(self.strata, rises(-0.2, 1.0, wave));
+            let rock = paint.rock.lerp(paint.strata, rises(-0.2, 1.0, wave));
             ground.lerp(rock, at.rock)
         } else {
             ground
@@ -140,7 +131,15 @@ impl<'a> Painter<'a> {
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
     pub(crate) fn shares(&self, point: ChartPoint, normal: Vec3) -> Shares {
-        let (places, waves) = &mut *self.memo.borrow_mut();
+        let Memo {
+            places,
+            waves,
+            sites,
+        } = &mut *self.memo.borrow_mut();
+        let paint = match (sites, self.climate) {
+            (Some(sites), Some(climate)) => sites.at(self.field, climate, point),
+            _ => self.paint,
+        };
         let place = places.at(self.field, point);
         let [wander, mottle] = waves.at(self.field.lattice(), place);
         let height = ((point.pos.y - self.offset_m) * self.scale) as f32;
@@ -148,8 +147,10 @@ impl<'a> Painter<'a> {
         let level = height + WANDER_M * wander;
         let steepness = 1.0 - normal.y;
         let x = Vec4::new(level, level, steepness + 0.1 * mottle, steepness);
-        let shown = rise(self.from, RISE, x);
+        let from = paint.levels_m - FROM;
+        let shown = rise(from, RISE, x);
         Shares {
+            paint,
             height,
             wander,
             mottle,
@@ -161,7 +162,10 @@ impl<'a> Painter<'a> {
     }
 }
 
-/// By how much more of each nothing else shows, one over that: see [`Painter::from`].
+/// By how much middle and high ground begin to show below their levels, and less than nothing where rock and the steep tint
+/// begin to show, `1 - normal.y`.
+const FROM: Vec4 = Vec4::new(BLEND_M, BLEND_M, -STEEP.0, -tint::STEEP);
+/// By how much more of each nothing else shows, one over that: see [`FROM`].
 const RISE: Vec4 = Vec4::new(
     0.5 / BLEND_M,
     0.5 / BLEND_M,
@@ -203,7 +207,9 @@ mod tests {
 
     use super::*;
     use crate::fractal::AXIS_FREQUENCY;
+    use crate::generator::Generator;
     use crate::lattice::table_seed;
+    use crate::light::linear;
 
     #[test]
     fn the_quick_sine_is_a_sine() {
@@ -230,7 +236,7 @@ mod tests {
         let place = field.strategy().noise_point(point) * AXIS_FREQUENCY;
         let noise = |frequency: f64| perlin.get((place * frequency).to_array()) as f32;
         let (wander, mottle) = (noise(0.8), noise(3.1));
-        let biome = field.biome();
+        let biome = field.alone();
         let (lowest, highest) = field.ground_range_m();
         let scale = 2.0 * biome.max_amplitude_m() / (highest - lowest);
         let height = ((point.pos.y - lowest) * scale) as f32;
@@ -242,8 +248,14 @@ mod tests {
         let above = |border: f64| smooth(border as f32 - 2.5, border as f32 + 2.5, level);
         let palette = &biome.palette;
         let ground = linear(palette.bottom)
-            .lerp(linear(palette.middle), above(biome.middle_m()))
-            .lerp(linear(palette.top), above(biome.top_m()));
+            .lerp(
+                linear(palette.middle),
+                above(f64::from(biome.levels_alone_m()[0])),
+            )
+            .lerp(
+                linear(palette.top),
+                above(f64::from(biome.levels_alone_m()[1])),
+            );
         let above_lowest_m = (point.pos.y - lowest) as f32;
         let beds = smooth(-0.2, 0.8, (above_lowest_m * 2.4 + wander * 2.0).sin());
         let rock = linear(palette.rock).lerp(linear(palette.strata), beds);
@@ -265,7 +277,7 @@ mod tests {
                 (Geometry::Spherical, 32.0),
                 (Geometry::Spherical, 256.0),
             ] {
-                let field = Field::new(seed, strategy(geometry, radius_m));
+                let field = Field::made_by(Generator::OneBiome, seed, strategy(geometry, radius_m));
                 let painter = Painter::new(&field);
                 let (low, high) = field.ground_range_m();
                 for n in 0..4000 {
@@ -294,7 +306,7 @@ mod tests {
             (Geometry::Spherical, 32.0),
             (Geometry::Spherical, 256.0),
         ] {
-            let field = Field::new(1, strategy(geometry, radius_m));
+            let field = Field::made_by(Generator::OneBiome, 1, strategy(geometry, radius_m));
             let painter = Painter::new(&field);
             let (low, high) = field.ground_range_m();
             let is_bed = |n: u32| {

@@ -12,9 +12,10 @@
 //! decides alone: ground is squeezed into so few layers that nearly all their chunks hold surface.
 
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, NoiseFrame};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec4};
 
 use crate::field::{Field, RIM_REACH_M};
+use crate::form::Form;
 use crate::fractal::Octave;
 use crate::upright::{self, Grid};
 
@@ -34,7 +35,7 @@ pub enum Content {
 const ROUNDING_M: f32 = 1e-3;
 /// The second derivative of one octave of noise along an axis of the lattice is at most this: at
 /// any place in a cell, the sum over the corners of the most that a gradient there adds.
-const BEND: f64 = 14.0;
+pub(crate) const BEND: f64 = 14.0;
 /// Before it is held to 1, noise is at most this.
 const OVERSHOOT: f32 = 1.25;
 /// From the first to the last sample of a chunk's block, metres.
@@ -50,38 +51,80 @@ impl Field {
     /// the noise's bounds, in microseconds: `Air` and `Solid` are certain, `Surface` is not.
     pub fn content(&self, coord: ChunkCoord) -> Content {
         let bottom = f64::from(coord.index.y) * 32.0;
-        let (first, last) = (bottom - 1.0, bottom - 1.0 + SPAN_M);
-        let relief = self.relief();
-        let (low, high) = relief.range_m();
-        if !self.within_rim(coord) || relief.value(first, -relief.sum_m()) > ROUNDING_M {
-            Content::Air
-        } else if relief.value(last, relief.sum_m()) < -ROUNDING_M {
-            Content::Solid
-        } else if !matches!(
-            self.strategy().noise_frame(coord.chart),
-            NoiseFrame::Square(_)
-        ) {
+        let ends = [bottom - 1.0, bottom - 1.0 + SPAN_M];
+        if !self.within_rim(coord) {
+            return Content::Air;
+        }
+        let sums = self.relief().sums_m();
+        if let Some(known) = self.known(sums, ends) {
+            return known;
+        }
+        let NoiseFrame::Square(_) = self.strategy().noise_frame(coord.chart) else {
+            return Content::Surface;
+        };
+        let corner = self.noise_corner(coord.chart, coord.origin() - 1.0);
+        let Some(climate) = self.climate() else {
+            let span = Span {
+                corner,
+                edge_m: SPAN_M,
+                octaves: self.octaves().to_vec(),
+                middle_m: 0.0,
+                unsure_m: 0.0,
+                sums,
+            };
+            return self.looked_at(&span, ends);
+        };
+        // Forms differ less in a quarter.
+        let edge_m = 0.5 * SPAN_M;
+        let quarters = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        let mut quarters = quarters.into_iter().map(|[x, z]| {
+            let corner = corner + DVec3::new(x, 0.0, z) * edge_m;
+            let forms = climate.forms(corner, edge_m);
+            let span = Span::of(self.octaves(), &forms, corner, edge_m);
+            let known = self.known(span.sums, ends);
+            known.unwrap_or_else(|| self.looked_at(&span, ends))
+        });
+        let first = quarters.next().unwrap_or(Content::Surface);
+        if first != Content::Surface && quarters.all(|other| other == first) {
+            first
+        } else {
             Content::Surface
-        } else if first >= low && self.is_all(false, coord, [first, last.min(high)]) {
+        }
+    }
+
+    /// What lies between two heights where sums of noise lie between these, if that is all one.
+    fn known(&self, [least, most]: [f32; 2], [first, last]: [f64; 2]) -> Option<Content> {
+        let relief = self.relief();
+        if relief.value(first, least) > ROUNDING_M {
+            Some(Content::Air)
+        } else if relief.value(last, most) < -ROUNDING_M {
+            Some(Content::Solid)
+        } else {
+            None
+        }
+    }
+
+    /// What there is between two heights, by a look at the noise.
+    fn looked_at(&self, span: &Span, [first, last]: [f64; 2]) -> Content {
+        let [low, high] = self.relief().heights_m(span.sums);
+        if first >= low && self.is_all(false, span, [first, last.min(high)]) {
             Content::Air
-        } else if last <= high && self.is_all(true, coord, [first.max(low), last]) {
+        } else if last <= high && self.is_all(true, span, [first.max(low), last]) {
             Content::Solid
         } else {
             Content::Surface
         }
     }
 
-    /// Whether all the chunk's samples between two heights are certainly solid, or certainly not.
-    fn is_all(&self, solid: bool, coord: ChunkCoord, mut heights: [f64; 2]) -> bool {
-        let corner = coord.origin() - 1.0;
-        let mut middle = corner + SPAN_M / 2.0;
-        middle.y = if solid { heights[1] } else { heights[0] };
-        if (self.sample(ChartPoint::new(coord.chart, middle)) < 0.0) != solid {
+    /// Whether all samples between two heights are certainly solid, or certainly not.
+    fn is_all(&self, solid: bool, span: &Span, mut heights: [f64; 2]) -> bool {
+        let end = if solid { heights[1] } else { heights[0] };
+        let middle = (span.corner + span.edge_m / 2.0).with_y(end);
+        if (self.sample_square(middle) < 0.0) != solid {
             return false;
         }
-        let corner = self.noise_corner(coord.chart, corner);
         for stage in STAGES {
-            match self.doubtful(solid, corner, heights, stage) {
+            match self.doubtful(solid, span, heights, stage) {
                 Doubt::None => return true,
                 Doubt::Between(low, high) => heights = [low, high],
                 Doubt::Lost => return false,
@@ -100,19 +143,21 @@ impl Field {
     fn doubtful(
         &self,
         solid: bool,
-        corner: DVec3,
+        span: &Span,
         [low, high]: [f64; 2],
         [width, depth]: [usize; 2],
     ) -> Doubt {
+        let Span { corner, edge_m, .. } = *span;
         let rows = ((high - low) * (width - 1) as f64 / SPAN_M).ceil().max(1.0);
         let counts = [width, rows as usize + 1, depth];
         let spans = DVec3::new((width - 1) as f64, rows, (depth - 1) as f64);
-        let step_m = DVec3::new(SPAN_M, high - low, SPAN_M) / spans;
-        let (coarse, strays_m, unknown_m) = self.coarse(step_m);
+        let step_m = DVec3::new(edge_m, high - low, edge_m) / spans;
+        let (coarse, strays_m, unknown_m) = span.coarse(step_m);
         let sign = if solid { -1.0 } else { 1.0 };
         let relief = self.relief();
-        let usual = relief.sum_m() * USUAL + strays_m + unknown_m;
-        if sign * relief.value(if solid { high } else { low }, -sign * usual) <= 0.0 {
+        let usual = span.most_m() * USUAL + strays_m + unknown_m;
+        let end = if solid { high } else { low };
+        if sign * relief.value(end, span.middle_m - sign * usual) <= 0.0 {
             return Doubt::Between(low, high);
         }
         let held = if solid {
@@ -135,6 +180,7 @@ impl Field {
             } else {
                 (row, row + 1, least[row].min(least[row + 1]))
             };
+            let worst = span.middle_m + worst;
             let value = |row, slack| sign * relief.value(at(row), worst + sign * slack);
             if value(other, unknown_m) < 0.0 {
                 return Doubt::Lost;
@@ -147,10 +193,55 @@ impl Field {
         doubt.map_or(Doubt::None, |(low, high)| Doubt::Between(low, high))
     }
 
+    /// Whether any cell of the chunk touches the part of its chart that is meshed.
+    fn within_rim(&self, coord: ChunkCoord) -> bool {
+        let low = DVec2::new(f64::from(coord.index.x), f64::from(coord.index.z)) * 32.0;
+        self.domain(coord.chart).least_outside_m(low, low + 32.0) <= RIM_REACH_M
+    }
+}
+
+/// What a square of columns makes of the octaves.
+struct Span {
+    /// Its least corner in noise space, and its edge, metres.
+    corner: DVec3,
+    edge_m: f64,
+    /// As high as they are in its middle form.
+    octaves: Vec<Octave>,
+    /// How far the ground of that lies below the middle of the world's, metres.
+    middle_m: f32,
+    /// By how much other columns' sums may differ from what that gives, metres.
+    unsure_m: f32,
+    /// Between which all sums are, metres.
+    sums: [f32; 2],
+}
+
+impl Span {
+    /// For columns whose forms lie between these.
+    fn of(octaves: &[Octave], [least, most]: &[Form; 2], corner: DVec3, edge_m: f64) -> Self {
+        let waves = 0.5 * (least.waves + most.waves);
+        let octaves = octaves.iter().zip(waves.to_array());
+        let octaves = octaves.map(|(octave, wave)| Octave {
+            amplitude_m: octave.amplitude_m * f64::from(wave),
+            ..*octave
+        });
+        let [_, most_m] = most.sums(Vec4::ONE);
+        let around_m = most_m - most.fall_m;
+        let terraces_m = around_m - most.waves.element_sum();
+        let apart = (most.waves - least.waves).element_sum() + most.fall_m - least.fall_m;
+        Self {
+            corner,
+            edge_m,
+            octaves: octaves.collect(),
+            middle_m: f32::midpoint(least.fall_m, most.fall_m),
+            unsure_m: 0.5 * apart + terraces_m,
+            sums: [least.fall_m - around_m, most_m],
+        }
+    }
+
     /// The octaves that nodes so far apart tell something of, how far their sum strays between
     /// the nodes, and how far from zero the rest of the octaves is at most, metres.
     fn coarse(&self, step_m: DVec3) -> (&[Octave], f32, f32) {
-        let octaves = self.octaves();
+        let octaves = &self.octaves;
         let strays_m = |octave: &Octave| {
             let steps = octave.frequencies() * step_m;
             BEND / 8.0 * steps.length_squared() * f64::from(octave.half_m())
@@ -159,14 +250,13 @@ impl Field {
         let count = octaves.iter().take_while(tells).count();
         let (coarse, fine) = octaves.split_at(count);
         let strays: f64 = coarse.iter().map(strays_m).sum();
-        let unknown = fine.iter().map(|octave| octave.half_m()).sum();
-        (coarse, strays as f32, unknown)
+        let unknown: f32 = fine.iter().map(|octave| octave.half_m()).sum();
+        (coarse, strays as f32, unknown + self.unsure_m)
     }
 
-    /// Whether any cell of the chunk touches the part of its chart that is meshed.
-    fn within_rim(&self, coord: ChunkCoord) -> bool {
-        let low = DVec2::new(f64::from(coord.index.x), f64::from(coord.index.z)) * 32.0;
-        self.domain(coord.chart).least_outside_m(low, low + 32.0) <= RIM_REACH_M
+    /// How far from the middle sums are at most.
+    fn most_m(&self) -> f32 {
+        self.octaves.iter().map(|octave| octave.half_m()).sum()
     }
 }
 

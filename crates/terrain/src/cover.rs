@@ -48,7 +48,7 @@ impl Field {
     /// shows most.
     pub fn cover(&self, point: ChartPoint, normal: Vec3) -> Cover {
         let shares = Painter::new(self).shares(point, normal);
-        let [low, middle, high] = self.biome().covers;
+        let [low, middle, high] = self.biome_at(point).covers;
         if shares.rock > 0.5 {
             Cover::Rock
         } else if shares.high > 0.5 {
@@ -69,9 +69,14 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::generator::Generator;
 
     fn at(seed: u64, height_m: f64, normal: Vec3) -> Cover {
-        let field = Field::new(seed, strategy(Geometry::Euclidean, 0.0));
+        let field = Field::made_by(
+            Generator::OneBiome,
+            seed,
+            strategy(Geometry::Euclidean, 0.0),
+        );
         field.cover(ChartPoint::a(DVec3::new(3.0, height_m, -8.0)), normal)
     }
 
@@ -98,7 +103,7 @@ mod tests {
 
     #[test]
     fn the_border_is_where_the_colours_change_most() {
-        let field = Field::new(1, strategy(Geometry::Euclidean, 0.0));
+        let field = Field::made_by(Generator::OneBiome, 1, strategy(Geometry::Euclidean, 0.0));
         let painter = Painter::new(&field);
         for n in 0..400 {
             let pos = DVec3::new(f64::from(n) * 0.7, 6.0 + f64::from(n) * 0.02, 2.0);

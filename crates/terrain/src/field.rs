@@ -1,5 +1,8 @@
 //! The scalar field of a world's untouched ground.
 //!
+//! Of [`Generator::Climates`] each column has a form of its own ([`crate::form`]), which goes over into its neighbours', and
+//! the field is `y - middle + fall + terraces * wave(y) + sum_i waves_i noise_i`. [`Generator::OneBiome`] has one biome:
+//!
 //! `value = y + sum_i (noise_i - 0.5) a_i - relief`, solid below zero, with noise in 0..=1
 //! and `relief = sum_i a_i / 2`: ground lies between 0 and twice the relief. On the sphere
 //! the sum is squeezed, smoothly and strictly, between the space's lowest and highest ground.
@@ -8,15 +11,19 @@
 //! and it lets a pickaxe work at any depth: the unheld field grows with depth without bound,
 //! and neither patience nor a bounded edit would ever catch up with it.
 
+mod land;
+
 use std::sync::Arc;
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord, Domain, NoiseFrame, SquareFrame};
 use glam::DVec3;
 
 use crate::biome::Biome;
+use crate::climate::Climate;
 use crate::fractal::{Column, Octave};
+use crate::generator::Generator;
 use crate::lattice::Lattice;
-use crate::relief::{BLOCK, Ground, Relief, Rows};
+use crate::relief::{BLOCK, Ground, Relief};
 use crate::samples::{SAMPLES, Samples};
 use crate::tilted::{self, Heights};
 use crate::upright::{self, Grid};
@@ -36,32 +43,50 @@ const SPHERE_MOST_M: f64 = 11.0;
 pub struct Field {
     strategy: Arc<dyn Atlas>,
     lattice: Arc<Lattice>,
-    biome: &'static Biome,
+    /// The biome of a world of one.
+    alone: &'static Biome,
+    climate: Option<Arc<Climate>>,
     octaves: Vec<Octave>,
     relief: Relief,
 }
 
 impl Field {
-    /// The field of the world with this seed in this space.
+    /// The field of a new world with this seed in this space.
     pub fn new(seed: u64, strategy: Arc<dyn Atlas>) -> Self {
-        let biome = Biome::from_seed(seed);
+        Self::made_by(Generator::default(), seed, strategy)
+    }
+
+    /// The field of the world with this seed in this space that was begun with this generator.
+    pub fn made_by(generator: Generator, seed: u64, strategy: Arc<dyn Atlas>) -> Self {
         let bounds = strategy.limits().map(|limits| {
             let middle = f64::midpoint(limits.ground_min_m, limits.ground_max_m);
             let half = (limits.ground_max_m - limits.ground_min_m) / 2.0;
             (middle, (half * SPHERE_SHARE).min(SPHERE_MOST_M))
         });
+        let alone = Biome::from_seed(seed);
+        let climate = match generator {
+            Generator::OneBiome => None,
+            Generator::Climates => Some(Arc::new(Climate::new(seed, &*strategy))),
+        };
+        let (octaves, sums_m, lowest_m) = match &climate {
+            None => {
+                let most_m = alone.max_amplitude_m();
+                (alone.octaves(), [-most_m, most_m], 0.0)
+            }
+            Some(_) => (
+                land::common_octaves(),
+                land::all_sums_m().map(f64::from),
+                land::LOWEST_M,
+            ),
+        };
         Self {
             lattice: Arc::new(Lattice::new(seed)),
-            octaves: biome.octaves(),
-            relief: Relief::new(biome.max_amplitude_m(), bounds),
-            biome,
+            relief: Relief::new(sums_m, lowest_m, bounds),
+            alone,
+            climate,
+            octaves,
             strategy,
         }
-    }
-
-    /// The biome, chosen by the seed.
-    pub fn biome(&self) -> &'static Biome {
-        self.biome
     }
 
     /// The space this field lives in.
@@ -95,15 +120,19 @@ impl Field {
     pub fn sample(&self, point: ChartPoint) -> f32 {
         let ChartPoint { chart, pos } = point;
         let sum = match self.strategy.noise_frame(chart) {
-            NoiseFrame::Square(frame) => {
-                upright::sum_at(&self.lattice, &self.octaves, frame.placed(pos))
-            }
+            NoiseFrame::Square(frame) => return self.sample_square(frame.placed(pos)),
             NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
                 let column = self.column(chart, pos.x, pos.z);
                 tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
             }
         };
         self.relief.value(pos.y, sum)
+    }
+
+    /// The field at a place of noise space, where charts are square with that.
+    pub(crate) fn sample_square(&self, place: DVec3) -> f32 {
+        let sum = upright::sum_at(&self.lattice, &self.octaves, &self.form(place), place);
+        self.relief.value(place.y, sum)
     }
 
     /// The field over a chunk and its border.
@@ -142,34 +171,35 @@ impl Field {
             counts,
         };
         match self.strategy.noise_frame(chart) {
-            NoiseFrame::Square(frame) => {
-                self.fill_square(frame, &grid, &rows, out);
-            }
-            NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
-                self.fill_tilted(chart, &grid, &rows, out);
-            }
+            NoiseFrame::Square(frame) => self.fill_square(frame, &grid, out),
+            NoiseFrame::Radial { .. } | NoiseFrame::Upright => self.fill_tilted(chart, &grid, out),
         }
     }
 
     /// [`Self::fill_grid`] where columns stand upright in the lattice: as the grid lies in the lattice's own axes, and
     /// from there to its places.
-    fn fill_square(&self, frame: SquareFrame, grid: &Grid, rows: &Rows, out: &mut [f32]) {
+    fn fill_square(&self, frame: SquareFrame, grid: &Grid, out: &mut [f32]) {
         let Grid {
             first,
             step_m,
             counts,
         } = *grid;
-        let ground = Ground {
-            relief: &self.relief,
-            rows,
-        };
         let fill = |first, counts, out: &mut [f32]| {
             let turned = Grid {
                 first,
                 step_m,
                 counts,
             };
-            upright::fill(&self.lattice, &self.octaves, ground, &turned, out);
+            let forms = self.forms(&turned);
+            let rows = self.rows(forms.iter(), (first.y, step_m.y, counts[1]));
+            if rows.open[0] == rows.open[1] {
+                return rows.fill_closed(counts[1], out);
+            }
+            let ground = Ground {
+                relief: &self.relief,
+                rows: &rows,
+            };
+            upright::fill(&self.lattice, &self.octaves, ground, &turned, &forms, out);
         };
         let [width, height, depth] = counts;
         let last = first + DVec3::new(width as f64 - 1.0, 0.0, depth as f64 - 1.0) * step_m;
@@ -221,13 +251,9 @@ impl Field {
     }
 
     /// [`Self::fill_grid`] where columns slant through the lattice.
-    fn fill_tilted(&self, chart: ChartId, grid: &Grid, rows: &Rows, out: &mut [f32]) {
+    fn fill_tilted(&self, chart: ChartId, grid: &Grid, out: &mut [f32]) {
         let Grid { first, step_m, .. } = *grid;
         let [width, height, depth] = grid.counts;
-        let ground = Ground {
-            relief: &self.relief,
-            rows,
-        };
         let heights = Heights {
             first_m: first.y,
             step_m: step_m.y,
@@ -243,6 +269,12 @@ impl Field {
                     columns.push(self.column(chart, x, z));
                 }
             }
+            let forms = columns.iter().map(|column: &Column| &column.form);
+            let rows = self.rows(forms, (first.y, step_m.y, height));
+            let ground = Ground {
+                relief: &self.relief,
+                rows: &rows,
+            };
             tilted::fill(&self.lattice, &self.octaves, ground, &columns, heights, out);
         }
     }
@@ -274,14 +306,18 @@ impl Field {
     /// A column of the chart in the lattice of the first octave. Where noise space is radial about
     /// the sphere's centre, the height stretches the point on the ground.
     fn column(&self, chart: ChartId, x: f64, z: f64) -> Column {
-        let ground = ChartPoint::new(chart, DVec3::new(x, 0.0, z));
         let frequencies = self.octaves.first().map_or(DVec3::ONE, |o| o.frequencies());
-        let base = self.strategy.noise_point(ground) * frequencies;
+        let place = self.ground_place(chart, x, z);
+        let base = place * frequencies;
         let slope = match self.strategy.noise_frame(chart) {
             NoiseFrame::Radial { radius_m } => base / radius_m,
             NoiseFrame::Square(_) | NoiseFrame::Upright => DVec3::Y * frequencies,
         };
-        Column { base, slope }
+        Column {
+            base,
+            slope,
+            form: self.form(place),
+        }
     }
 }
 

@@ -36,7 +36,7 @@ pub(crate) fn part(position: u32) -> f32 {
 
 impl Ray {
     /// The samples of a column at heights `first_m + step_m * n`.
-    pub(crate) fn new(&Column { base, slope }: &Column, first_m: f64, step_m: f64) -> Self {
+    pub(crate) fn new(&Column { base, slope, .. }: &Column, first_m: f64, step_m: f64) -> Self {
         let rises = slope.to_array().map(fixed);
         let whole = first_m.floor();
         let ahead = (slope * (first_m - whole)).to_array().map(fixed);

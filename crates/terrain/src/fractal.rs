@@ -23,6 +23,8 @@
 
 use glam::DVec3;
 
+use crate::form::Form;
+
 /// Frequencies per metre of the three axes, which the octaves multiply.
 pub(crate) const AXIS_FREQUENCY: DVec3 = DVec3::new(0.1553, 0.1271, 0.0916);
 
@@ -42,6 +44,8 @@ pub(crate) struct Column {
     pub base: DVec3,
     /// Its change per metre of height.
     pub slope: DVec3,
+    /// What the column makes of the octaves.
+    pub form: Form,
 }
 
 impl Octave {

@@ -9,6 +9,7 @@
 //! [`apply_edits`] adds what players dug and built, and [`march`] meshes the result.
 
 mod biome;
+mod climate;
 mod colour;
 mod content;
 mod cover;
@@ -17,7 +18,9 @@ mod earth;
 mod edits;
 mod field;
 mod fixed;
+mod form;
 mod fractal;
+mod generator;
 mod kind;
 mod lattice;
 mod level;
@@ -32,6 +35,7 @@ mod relief;
 mod samples;
 mod seam;
 mod shape;
+mod sites;
 mod strata;
 mod stroke;
 mod tables;
@@ -47,6 +51,7 @@ pub use cover::Cover;
 pub use earth::{Cells, Earth, Moved, Owners, changed_cells};
 pub use edits::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, apply_edits};
 pub use field::{FIELD_BAND_M, Field, RIM_REACH_M};
+pub use generator::Generator;
 pub use kind::Kind;
 pub use level::Level;
 pub use march::{Mesher, march};

@@ -41,6 +41,8 @@ pub(crate) struct Batch {
     rows: [u8; LIMIT],
     /// The fours whose sums are still of interest.
     open: Vec<u8>,
+    /// What the octave that is added is multiplied by.
+    shares: Box<Lane<f32>>,
     slots: Box<Lane<u32>>,
     codes: Box<Lane<u32>>,
     middles: [Box<Lane<f32>>; 3],
@@ -70,16 +72,23 @@ impl Batch {
             settled: Vec::with_capacity(LIMIT),
             rows: std::array::from_fn(|n| (n % rows.max(1)) as u8),
             open: Vec::with_capacity(LIMIT),
+            shares: Box::new(Lane::new()),
             slots: Box::new(Lane::new()),
             codes: Box::new(Lane::new()),
             middles: std::array::from_fn(|_| Box::new(Lane::new())),
         }
     }
 
-    /// So many fours, at most [`LIMIT`], whose sums are nothing yet; their positions by axis are
+    /// So many fours, at most [`LIMIT`], with what their sums begin with; their positions by axis are
     /// to be filled in.
-    pub(crate) fn restart(&mut self, count: usize) -> [&mut [u64]; 3] {
-        self.sums.0[..4 * count].fill(0.0);
+    pub(crate) fn restart(
+        &mut self,
+        count: usize,
+        start: impl Fn(usize) -> Vec4,
+    ) -> [&mut [u64]; 3] {
+        for (n, sums) in self.sums.0[..4 * count].chunks_exact_mut(4).enumerate() {
+            start(n).write_to_slice(sums);
+        }
         self.settled.clear();
         self.settled.resize(count, Vec4::ZERO);
         self.open.clear();
@@ -157,11 +166,15 @@ impl Region {
         self.half_m
     }
 
-    /// Adds the octave to the open fours of a batch.
-    pub(crate) fn add(&self, batch: &mut Batch) {
+    /// Adds the octave to the open fours of a batch, so many times of each.
+    pub(crate) fn add(&self, batch: &mut Batch, share: impl Fn(usize) -> Vec4) {
         let count = 4 * batch.open.len();
         // What lies past the last sample is worked on too, and never looked at.
         let room = count.next_multiple_of(WIDEST);
+        let lanes = batch.shares.0.chunks_exact_mut(4);
+        for (&four, lane) in batch.open.iter().zip(lanes) {
+            share(usize::from(four)).write_to_slice(lane);
+        }
         let positions = batch.positions.each_ref().map(|axis| &axis.0[..room]);
         let middles = batch.middles.each_mut().map(|axis| &mut axis.0[..room]);
         let slots = &mut batch.slots.0[..room];
@@ -171,10 +184,12 @@ impl Region {
             *code = self.codes[slot as usize];
         }
         let middles = batch.middles.each_ref().map(|axis| &axis.0[..room]);
-        let (codes, sums) = (&batch.codes.0[..room], &mut batch.sums.0[..room]);
-        batch
-            .width
-            .add(codes, middles, self.half_m * SCALE, self.half_m, sums);
+        let (codes, shares) = (&batch.codes.0[..room], &batch.shares.0[..room]);
+        let (sums, weight) = (
+            &mut batch.sums.0[..room],
+            [self.half_m * SCALE, self.half_m],
+        );
+        batch.width.add(codes, middles, weight, shares, sums);
     }
 }
 
@@ -193,15 +208,19 @@ mod tests {
         let region =
             Region::new(&lattice, octave, 0, DVec3::ZERO, DVec3::splat(9.0)).expect("few cells");
         let mut batch = Batch::new(3);
-        for (axis, shift) in batch.restart(6).into_iter().zip([54, 55, 53]) {
+        for (axis, shift) in batch
+            .restart(6, |_| Vec4::ZERO)
+            .into_iter()
+            .zip([54, 55, 53])
+        {
             for (n, four) in (1_u64..).zip(axis.chunks_exact_mut(4)) {
                 four.fill(n << shift);
             }
         }
-        region.add(&mut batch);
+        region.add(&mut batch, |_| Vec4::ONE);
         let once = batch.finish().to_vec();
         batch.retain(|row, sum| row != 1 && sum == once[row]);
-        region.add(&mut batch);
+        region.add(&mut batch, |_| Vec4::ONE);
         for (n, (&before, &after)) in once.iter().zip(batch.finish()).enumerate() {
             let added = if [0, 2].contains(&n) {
                 before

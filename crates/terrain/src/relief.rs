@@ -3,6 +3,7 @@
 use glam::Vec4;
 
 use crate::field::FIELD_BAND_M;
+use crate::form::terrace_wave;
 
 /// Rows of a grid, and samples of a row, that are dealt with at once: a chunk's 35 in whole
 /// vectors.
@@ -20,7 +21,9 @@ const ROUNDING_M: f64 = 1e-3;
 #[derive(Debug, Clone, Copy)]
 #[expect(clippy::struct_field_names, reason = "units stand in names")]
 pub(crate) struct Relief {
-    /// The sum of noise is held to this on either side of zero, metres.
+    /// The least and the greatest sum of noise, metres.
+    sums_m: [f32; 2],
+    /// What no sum is further from zero than, metres.
     sum_m: f32,
     middle_m: f64,
     /// Half range of bounded ground, metres.
@@ -31,6 +34,8 @@ pub(crate) struct Relief {
 pub(crate) struct Rows {
     /// Heights above the middle of the ground, metres.
     pub base_m: [Vec4; VECTORS],
+    /// What terraces add to the sums there, as [`terrace_wave`] says.
+    pub waves: [Vec4; VECTORS],
     /// A sum of at least this puts a sample at the upper edge of the band.
     above: [Vec4; VECTORS],
     /// A sum of at most this puts a sample at the lower edge.
@@ -42,38 +47,73 @@ pub(crate) struct Rows {
 }
 
 impl Relief {
-    /// Ground around `sum_m`, the greatest sum of noise, or held to `bounds`: middle and half
+    /// Ground of sums of noise between these, its lowest at a height, or held to `bounds`: middle and half
     /// range. Metres.
-    pub(crate) fn new(sum_m: f64, bounds: Option<(f64, f64)>) -> Self {
+    pub(crate) fn new(
+        [least_m, most_m]: [f64; 2],
+        lowest_m: f64,
+        bounds: Option<(f64, f64)>,
+    ) -> Self {
         Self {
-            sum_m: sum_m as f32,
-            middle_m: bounds.map_or(sum_m, |(middle, _)| middle),
+            sums_m: [least_m as f32, most_m as f32],
+            sum_m: most_m.max(-least_m) as f32,
+            middle_m: bounds.map_or(lowest_m + most_m, |(middle, _)| middle),
             half_m: bounds.map(|(_, half)| half as f32),
         }
     }
 
     /// Lowest and highest height that ground can have, metres.
     pub(crate) fn range_m(&self) -> (f64, f64) {
-        let half = f64::from(self.half_m.unwrap_or(self.sum_m));
-        (self.middle_m - half, self.middle_m + half)
+        let [below, above] = match self.half_m {
+            None => [self.sums_m[1], -self.sums_m[0]],
+            Some(half) => [half; 2],
+        };
+        let middle = self.middle_m;
+        (middle - f64::from(below), middle + f64::from(above))
     }
 
-    /// The greatest sum of noise, metres.
-    pub(crate) fn sum_m(&self) -> f32 {
-        self.sum_m
+    /// Between which heights ground lies whose sums of noise lie between these, metres.
+    pub(crate) fn heights_m(&self, [least, most]: [f32; 2]) -> [f64; 2] {
+        let height = |sum: f32| self.middle_m - f64::from(self.lowered(Vec4::splat(sum)).x);
+        [height(most), height(least)]
+    }
+
+    /// How many times as steep ground is as its sums of noise are, where it is near the middle of its range.
+    pub(crate) fn steepness(&self) -> f64 {
+        let gained = |half: f32| f64::from(SPHERE_GAIN) * f64::from(half / self.sum_m);
+        self.half_m.map_or(1.0, gained)
+    }
+
+    /// How high the ground's range is over that of its sums.
+    pub(crate) fn stretch(&self) -> f64 {
+        let half = f64::from(self.half_m.unwrap_or(self.sum_m));
+        half / f64::from(self.sum_m)
+    }
+
+    /// Height of ground whose sum of noise is zero, metres.
+    pub(crate) fn middle_m(&self) -> f64 {
+        self.middle_m
+    }
+
+    /// The least and the greatest sum of noise, metres.
+    pub(crate) fn sums_m(&self) -> [f32; 2] {
+        self.sums_m
     }
 
     /// The field at heights above the ground's middle with these sums of noise.
     #[inline]
     pub(crate) fn values(&self, base_m: Vec4, sum: Vec4) -> Vec4 {
-        let lowered = match self.half_m {
-            None => sum,
-            Some(half) => {
-                let t = sum * (SPHERE_GAIN / self.sum_m);
-                t / (t * t + Vec4::ONE).sqrt() * half
-            }
+        Vec4::from((base_m + self.lowered(sum)).to_array().map(banded))
+    }
+
+    /// How far sums of noise lower the ground, metres.
+    #[inline]
+    fn lowered(&self, sum: Vec4) -> Vec4 {
+        let Some(half) = self.half_m else {
+            return sum;
         };
-        Vec4::from((base_m + lowered).to_array().map(banded))
+        let t = sum * (SPHERE_GAIN / self.sum_m);
+        t / (t * t + Vec4::ONE).sqrt() * half
     }
 
     /// The field at one height with this sum of noise.
@@ -95,14 +135,27 @@ impl Relief {
         }
     }
 
-    /// Rows at heights `first_m + step_m * n`, `count` of them, at most [`BLOCK`].
+    /// Rows at heights `first_m + step_m * n`, `count` of them, at most [`BLOCK`], for all sums there can be.
     pub(crate) fn rows(&self, first_m: f64, step_m: f64, count: usize) -> Rows {
+        self.rows_within(self.sums_m, first_m, step_m, count)
+    }
+
+    /// [`Self::rows`] for sums from the least to the greatest of these.
+    pub(crate) fn rows_within(
+        &self,
+        [least, most]: [f32; 2],
+        first_m: f64,
+        step_m: f64,
+        count: usize,
+    ) -> Rows {
         // Past the last row everything is certain.
         let (mut base_m, mut above, mut below) = ([0.0; BLOCK], [f32::MIN; BLOCK], [0.0; BLOCK]);
+        let mut waves = [0.0; BLOCK];
         let band = f64::from(FIELD_BAND_M) + ROUNDING_M;
         for n in 0..count.min(BLOCK) {
             let base = first_m + n as f64 * step_m - self.middle_m;
             base_m[n] = base as f32;
+            waves[n] = terrace_wave(first_m + n as f64 * step_m);
             above[n] = self.sum_for(band - base);
             below[n] = self.sum_for(-band - base);
         }
@@ -111,14 +164,16 @@ impl Relief {
         };
         let mut rows = Rows {
             base_m: vectors(base_m),
+            waves: vectors(waves),
             above: vectors(above),
             below: vectors(below),
             edge: [0.0; BLOCK],
             open: [0, VECTORS],
         };
-        rows.open = rows.narrow(rows.open, self.sum_m, &[Vec4::ZERO; VECTORS]);
+        let middle = Vec4::splat(f32::midpoint(least, most));
+        rows.open = rows.narrow(rows.open, 0.5 * (most - least), &[middle; VECTORS]);
         for (edge, base) in rows.edge.chunks_exact_mut(4).zip(rows.base_m) {
-            self.values(base, Vec4::ZERO).write_to_slice(edge);
+            self.values(base, middle).write_to_slice(edge);
         }
         rows
     }
@@ -181,9 +236,9 @@ mod tests {
     #[test]
     fn rows_are_certain_only_where_every_sum_gives_that_very_value() {
         for relief in [
-            Relief::new(18.75, None),
-            Relief::new(18.75, Some((10.4, 5.488))),
-            Relief::new(12.75, Some((83.2, 43.9))),
+            Relief::new([-18.75, 18.75], 0.0, None),
+            Relief::new([-18.75, 18.75], 0.0, Some((10.4, 5.488))),
+            Relief::new([-12.75, 12.75], 0.0, Some((83.2, 43.9))),
         ] {
             for first in [-40.0, -3.0, 30.0, 70.0, 120.0] {
                 let rows = relief.rows(first, 1.0, 35);
@@ -204,7 +259,7 @@ mod tests {
 
     #[test]
     fn rows_far_from_the_ground_are_all_closed() {
-        let relief = Relief::new(15.0, Some((10.4, 5.5)));
+        let relief = Relief::new([-15.0, 15.0], 0.0, Some((10.4, 5.5)));
         for (first, edge) in [(-100.0, -FIELD_BAND_M), (50.0, FIELD_BAND_M)] {
             let rows = relief.rows(first, 1.0, 35);
             assert_eq!(rows.open[0], rows.open[1]);
@@ -214,7 +269,7 @@ mod tests {
 
     #[test]
     fn no_number_is_solid() {
-        let relief = Relief::new(15.0, None);
+        let relief = Relief::new([-15.0, 15.0], 0.0, None);
         assert_eq!(relief.value(f64::NAN, 1.0), -FIELD_BAND_M);
         assert_eq!(relief.rows(f64::NAN, 1.0, 3).open, [0, 1]);
     }

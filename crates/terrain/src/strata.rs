@@ -11,10 +11,12 @@ use std::cell::RefCell;
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord};
 use glam::{DVec3, IVec3, Vec4};
 
-use crate::biome::Kinds;
+use crate::biome::{Biome, Kinds};
+use crate::climate::Climate;
 use crate::field::{FIELD_BAND_M, Field};
 use crate::kind::{Kind, SKIN};
 use crate::memo::{Places, Waves};
+use crate::sites::Sites;
 
 /// Depths told apart, of the field's band.
 const DEPTH_STEPS: f32 = 255.0;
@@ -37,6 +39,8 @@ const VEIN_RISE: f64 = 0.15;
 const PATCH: f32 = 0.30;
 /// What caps the heights begins so far over the high ground, metres.
 const CAP_OVER_M: f32 = 4.5;
+/// By how much of a climate the waves move the borders between biomes.
+const RAGGED: f32 = 0.04;
 /// Thickness of what is at the surface, and depths where stone and slate begin, metres; patches move the latter.
 const SKIN_M: f32 = 1.1;
 const STONE_M: f32 = 2.8;
@@ -65,19 +69,42 @@ type Node = Vec4;
 #[derive(Debug)]
 pub(crate) struct Strata<'a> {
     field: &'a Field,
-    kinds: &'static Kinds,
-    /// What is at the surface: by height in the two lowest bits, then in patches, over copper and over crystal.
-    skins: [Kind; 32],
+    climate: Option<&'a Climate>,
+    /// Of the biomes that there are, as [`Climate::lands`] has them, or of the one.
+    grounds: Vec<Ground>,
     coord: ChunkCoord,
-    /// Heights where middle ground, high ground and the cap begin, metres in flat worlds.
-    borders_m: [f32; 3],
     offset_m: f64,
     scale: f64,
     memo: RefCell<Memo>,
 }
 
+/// What a biome's ground is made of.
+#[derive(Debug)]
+struct Ground {
+    kinds: Kinds,
+    /// What is at the surface: by height in the two lowest bits, then in patches, over copper and over crystal.
+    skins: [Kind; 32],
+    /// Heights where middle ground, high ground and the cap begin, metres in flat worlds.
+    borders_m: [f32; 3],
+}
+
+impl Ground {
+    fn new(kinds: Kinds, [middle, top]: [f32; 2]) -> Self {
+        Self {
+            kinds,
+            skins: skins_of(kinds),
+            borders_m: [middle, top, top + CAP_OVER_M],
+        }
+    }
+
+    fn alone(biome: &'static Biome) -> Self {
+        Self::new(biome.kinds_alone(), biome.levels_alone_m())
+    }
+}
+
 #[derive(Debug)]
 struct Memo {
+    sites: Option<Sites<Vec4>>,
     places: Places,
     waves: Waves,
     veins: Waves,
@@ -87,18 +114,26 @@ struct Memo {
 
 impl<'a> Strata<'a> {
     pub(crate) fn new(field: &'a Field, coord: ChunkCoord) -> Self {
-        let biome = field.biome();
-        let (lowest, highest) = field.ground_range_m();
-        let [middle, top] = [biome.middle_m() as f32, biome.top_m() as f32];
+        let climate = field.climate().map(|it| &**it);
+        let grounds = climate.map_or_else(
+            || vec![Ground::alone(field.alone())],
+            |climate| {
+                let biomes = climate.lands().iter().map(|land| land.biome);
+                biomes
+                    .map(|it| Ground::new(it.kinds, it.levels_m))
+                    .collect()
+            },
+        );
+        let (offset_m, scale) = field.own_heights();
         Self {
             field,
-            kinds: &biome.kinds,
-            skins: skins_of(biome.kinds),
+            climate,
+            grounds,
             coord,
-            borders_m: [middle, top, top + CAP_OVER_M],
-            offset_m: lowest,
-            scale: 2.0 * biome.max_amplitude_m() / (highest - lowest),
+            offset_m,
+            scale,
             memo: RefCell::new(Memo {
+                sites: climate.map(Sites::new),
                 places: Places::new(),
                 waves: Waves::new([WANDER_FREQUENCY, PATCH_FREQUENCY]),
                 veins: Waves::new(VEIN_FREQUENCIES),
@@ -116,36 +151,28 @@ impl<'a> Strata<'a> {
         let y = f64::from(self.coord.index.y) * f64::from(CHUNK_CELLS) + f64::from(sample.y);
         let height = ((y - self.offset_m) * self.scale) as f32;
         let depth_m = depth_m(depth);
+        let ground = self.ground(sample, waves);
         if depth_m < SKIN_M {
-            self.skin(height, waves).byte() | SKIN
+            ground.skin(height, waves).byte() | SKIN
         } else {
-            self.below(depth_m, height, waves).byte()
+            ground.below(depth_m, height, waves).byte()
         }
     }
 
-    /// The kind at the surface.
+    /// What the biome of a sample has. Borders between biomes are ragged.
     #[inline]
-    fn skin(&self, height: f32, waves: Node) -> Kind {
-        let level = height + WANDER_M * waves.x;
-        // Without branches, which processors would foresee badly.
-        let over = self.borders_m.map(|border| usize::from(level > border));
-        let by_height = over[0] + over[1] + over[2];
-        let is_patch = usize::from(waves.y > PATCH) & (over[2] ^ 1);
-        let is_copper = usize::from(COPPER.holds(waves));
-        let is_crystal = usize::from(CRYSTAL.holds(waves));
-        self.skins[by_height | is_patch << 2 | is_copper << 3 | is_crystal << 4]
-    }
-
-    fn below(&self, depth_m: f32, height: f32, waves: Node) -> Kind {
-        if let Some(ore) = ore_of(depth_m, height, waves) {
-            ore
-        } else if depth_m > SLATE_M + waves.x {
-            Kind::Slate
-        } else if depth_m > STONE_M + waves.y {
-            self.kinds.stone
-        } else {
-            self.kinds.under
-        }
+    fn ground(&self, sample: IVec3, waves: Node) -> &Ground {
+        let Some(climate) = self.climate else {
+            return &self.grounds[0];
+        };
+        let pos = self.coord.origin() + sample.as_dvec3();
+        let point = ChartPoint::new(self.coord.chart, pos);
+        let here = match &mut self.memo.borrow_mut().sites {
+            Some(sites) => sites.at(self.field, climate, point),
+            None => Vec4::ZERO,
+        };
+        let ragged = Vec4::new(waves.y, waves.x, 0.0, 0.0) * RAGGED;
+        &self.grounds[climate.nearest(here + ragged)]
     }
 
     /// The waves between the lattice's corners.
@@ -191,7 +218,34 @@ impl<'a> Strata<'a> {
     }
 }
 
-/// As [`Strata::skins`].
+impl Ground {
+    /// The kind at the surface.
+    #[inline]
+    fn skin(&self, height: f32, waves: Node) -> Kind {
+        let level = height + WANDER_M * waves.x;
+        // Without branches, which processors would foresee badly.
+        let over = self.borders_m.map(|border| usize::from(level > border));
+        let by_height = over[0] + over[1] + over[2];
+        let is_patch = usize::from(waves.y > PATCH) & (over[2] ^ 1);
+        let is_copper = usize::from(COPPER.holds(waves));
+        let is_crystal = usize::from(CRYSTAL.holds(waves));
+        self.skins[by_height | is_patch << 2 | is_copper << 3 | is_crystal << 4]
+    }
+
+    fn below(&self, depth_m: f32, height: f32, waves: Node) -> Kind {
+        if let Some(ore) = ore_of(depth_m, height, waves) {
+            ore
+        } else if depth_m > SLATE_M + waves.x {
+            Kind::Slate
+        } else if depth_m > STONE_M + waves.y {
+            self.kinds.stone
+        } else {
+            self.kinds.under
+        }
+    }
+}
+
+/// As [`Ground::skins`].
 fn skins_of(kinds: Kinds) -> [Kind; 32] {
     let by_height = [kinds.low, kinds.middle, kinds.high, kinds.cap];
     std::array::from_fn(|n| {

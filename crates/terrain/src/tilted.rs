@@ -3,6 +3,7 @@
 use glam::{DVec3, Vec4};
 
 use crate::fixed::{self, PART_BITS, Ray};
+use crate::form::terrace_wave;
 use crate::fractal::{Column, Octave};
 use crate::lattice::{Cell, Lattice, SCALE, blend, fade};
 use crate::region::{Batch, LIMIT, Region};
@@ -47,22 +48,28 @@ pub(crate) fn fill(
         return rows.fill_closed(height, out);
     };
     let mut batch = Batch::new(open);
+    let most = columns
+        .iter()
+        .fold(Vec4::ZERO, |most, column| most.max(column.form.waves));
+    let octaves = regions.iter().zip(most.to_array()).skip(1);
+    let rest = octaves.map(|(region, wave)| region.half_m() * wave).sum();
     for (columns, out) in columns
         .chunks(together)
         .zip(out.chunks_mut(together * height))
     {
-        let [x, y, z] = batch.restart(columns.len() * open);
+        let form = |four: usize| &columns[four / open].form;
+        let start = |four| form(four).starts(rows.waves[from + four % open]);
+        let [x, y, z] = batch.restart(columns.len() * open, start);
         let parts = [x, y, z].map(|axis| axis.chunks_exact_mut(4 * open));
         let [x, y, z] = parts;
         for (column, ((x, y), z)) in columns.iter().zip(x.zip(y).zip(z)) {
             Ray::new(column, first_m, step_m).fill(from, [x, y, z]);
         }
         for (n, region) in regions.iter().enumerate() {
-            region.add(&mut batch);
+            region.add(&mut batch, |four| Vec4::splat(form(four).waves[n]));
             // The first octave is more than all others together: asked again after those, the
             // question costs more than it saves.
             if n == 0 {
-                let rest = relief.sum_m() - region.half_m();
                 batch.retain(|row, sum| !rows.certain(from + row, sum, rest));
             }
         }
@@ -109,7 +116,12 @@ fn fill_short(
         let vectors = columns.len().div_ceil(4);
         for row in 0..height {
             let y = heights.first_m + row as f64 * heights.step_m;
-            let mut axes = batch.restart(vectors);
+            let wave = rows.waves[row / 4][row % 4];
+            let forms = |four: usize| {
+                [0, 1, 2, 3].map(|n| columns[(4 * four + n).min(columns.len() - 1)].form)
+            };
+            let start = |four| Vec4::from(forms(four).map(|form| form.start(wave)));
+            let mut axes = batch.restart(vectors, start);
             for n in 0..vectors * 4 {
                 let column = &columns[n.min(columns.len() - 1)];
                 let start = Ray::new(column, y, 0.0).start;
@@ -117,8 +129,9 @@ fn fill_short(
                     axis[n] = start;
                 }
             }
-            for region in regions {
-                region.add(&mut batch);
+            for (n, region) in regions.iter().enumerate() {
+                let share = |four| Vec4::from(forms(four).map(|form| form.waves[n]));
+                region.add(&mut batch, share);
             }
             let base = Vec4::splat(rows.base_m[row / 4][row % 4]);
             for (&sum, out) in batch.finish().iter().zip(out.chunks_mut(4 * height)) {
@@ -134,15 +147,16 @@ fn fill_short(
 /// The sum of the octaves at height `y` of a column: bit for bit what [`fill`] finds there.
 pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], column: &Column, y: f64) -> f32 {
     let position = Ray::new(column, y, 0.0).start;
-    let mut sum = 0.0;
-    for (octave, doublings) in octaves.iter().zip(0..) {
+    let mut sum = column.form.start(terrace_wave(y));
+    let waves = column.form.waves.to_array();
+    for ((octave, wave), doublings) in octaves.iter().zip(waves).zip(0..) {
         let at = position.map(|p| (p << doublings) >> (64 - 8 - PART_BITS));
         let [x, y, z] = at.map(|p| fixed::part(p as u32));
         let cell = Cell::new(lattice, at.map(|p| (p >> PART_BITS) as u8));
         let corners = cell.corners(x, y, z, fade(z));
         let noise = blend([corners; 4], Vec4::splat(fade(x)), Vec4::splat(fade(y))).x;
         let half = octave.half_m();
-        sum += (noise * (half * SCALE)).clamp(-half, half);
+        sum += wave * (noise * (half * SCALE)).clamp(-half, half);
     }
     sum
 }
@@ -174,6 +188,7 @@ fn regions(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::form::Form;
     use crate::lattice::table_seed;
     use crate::relief::Relief;
     use noise::{NoiseFn, Perlin};
@@ -191,6 +206,7 @@ mod tests {
             Column {
                 base: base * octave.frequencies(),
                 slope: slope * octave.frequencies(),
+                form: Form::PLAIN,
             }
         };
         (0..400).map(column).collect()
@@ -227,12 +243,17 @@ mod tests {
             frequency: 0.0,
             amplitude_m,
         });
-        let relief = Relief::new(7.0, Some((9.0, 5.0)));
+        let relief = Relief::new([-7.0, 7.0], 0.0, Some((9.0, 5.0)));
         let far = columns();
         let near: Vec<_> = (0..30)
             .map(|n| Column {
                 base: DVec3::new(0.02, 0.4, -0.3) * f64::from(n),
                 slope: DVec3::new(0.03, 0.05, -0.01),
+                form: Form {
+                    waves: Vec4::new(0.4, 1.3, 0.02 * n as f32, 0.7),
+                    fall_m: 0.1 * n as f32 - 1.0,
+                    terraces: 0.5,
+                },
             })
             .collect();
         for columns in [far, near] {

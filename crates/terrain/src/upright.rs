@@ -8,9 +8,13 @@
 
 use glam::{DVec3, Mat4, Vec4};
 
+use crate::form::{Form, terrace_wave};
 use crate::fractal::Octave;
 use crate::lattice::{Lattice, LatticeCoord, SCALE, fade};
 use crate::relief::{BLOCK, Ground, Relief, Rows, VECTORS};
+
+/// Most octaves that a field has.
+const OCTAVES: usize = 4;
 
 /// Samples of constant x: rows of constant y, along z.
 type Slab = [[Vec4; VECTORS]; BLOCK];
@@ -45,12 +49,38 @@ pub(crate) struct Grid {
     pub counts: [usize; 3],
 }
 
-/// Fills a grid by `(i * counts[2] + k) * counts[1] + j`, at most [`BLOCK`] along y and z.
+/// What the columns of one slab make of the octaves, along z.
+struct Forms {
+    waves: [[Vec4; VECTORS]; OCTAVES],
+    fall_m: [Vec4; VECTORS],
+    terraces: [Vec4; VECTORS],
+}
+
+impl Forms {
+    fn new(forms: &[Form]) -> Self {
+        let lane = |number: &dyn Fn(&Form) -> f32| {
+            let mut lane = [0.0; BLOCK];
+            for (out, form) in lane.iter_mut().zip(forms) {
+                *out = number(form);
+            }
+            std::array::from_fn(|v| Vec4::from_slice(&lane[v * 4..v * 4 + 4]))
+        };
+        Self {
+            waves: std::array::from_fn(|n| lane(&|form| form.waves[n])),
+            fall_m: lane(&|form| form.fall_m),
+            terraces: lane(&|form| form.terraces),
+        }
+    }
+}
+
+/// Fills a grid by `(i * counts[2] + k) * counts[1] + j`, at most [`BLOCK`] along y and z; `forms` are those of its columns, by
+/// `i * counts[2] + k`.
 pub(crate) fn fill(
     lattice: &Lattice,
     octaves: &[Octave],
     Ground { relief, rows }: Ground<'_>,
     grid: &Grid,
+    forms: &[Form],
     out: &mut [f32],
 ) {
     let [_, height, depth] = grid.counts;
@@ -62,9 +92,18 @@ pub(crate) fn fill(
     for (i, out) in out.chunks_exact_mut((height * depth).max(1)).enumerate() {
         let x = grid.first.x + i as f64 * grid.step_m.x;
         let open = [4 * rows.open[0], height.min(4 * rows.open[1])];
-        slab[open[0]..open[1]].fill([Vec4::ZERO; VECTORS]);
-        for layer in &layers {
-            layer.add(lattice, x, open, &mut slab);
+        let forms = Forms::new(&forms[i * depth..][..depth]);
+        for (row, sums) in slab.iter_mut().enumerate().take(open[1]).skip(open[0]) {
+            let wave = rows.waves[row / 4][row % 4];
+            for (sum, (&terraces, &fall_m)) in sums
+                .iter_mut()
+                .zip(forms.terraces.iter().zip(&forms.fall_m))
+            {
+                *sum = terraces * wave + fall_m;
+            }
+        }
+        for (layer, shares) in layers.iter().zip(&forms.waves) {
+            layer.add(lattice, x, open, shares, &mut slab);
         }
         write(relief, rows, &slab, height, out);
     }
@@ -97,6 +136,7 @@ pub(crate) fn extremes(
                 lattice,
                 grid.first.x + i as f64 * grid.step_m.x,
                 [0, height],
+                &[Vec4::ONE; VECTORS],
                 &mut slab,
             );
         }
@@ -163,8 +203,15 @@ impl Layer {
         }
     }
 
-    /// Adds the octave to the rows `from..to` of the slab at `x`.
-    fn add(&self, lattice: &Lattice, x: f64, [from, to]: [usize; 2], slab: &mut Slab) {
+    /// Adds the octave to the rows `from..to` of the slab at `x`, so many times of each column.
+    fn add(
+        &self,
+        lattice: &Lattice,
+        x: f64,
+        [from, to]: [usize; 2],
+        shares: &[Vec4; VECTORS],
+        slab: &mut Slab,
+    ) {
         let place = LatticeCoord::new(x * self.octave.frequencies().x);
         let [least, most] = self.held_m.map(Vec4::splat);
         let vectors = self.depth.div_ceil(4);
@@ -183,8 +230,9 @@ impl Layer {
             }
             let (near, fade) = (self.ys.part[row], Vec4::splat(self.ys.fade[row]));
             let lines = low.lines(near).zip(high.lines(near - 1.0));
-            for (sum, (a, b)) in sums.iter_mut().zip(lines).take(vectors) {
-                *sum += (a + fade * (b - a)).clamp(least, most);
+            let sums = sums.iter_mut().zip(shares).take(vectors);
+            for ((sum, &share), (a, b)) in sums.zip(lines) {
+                *sum += share * (a + fade * (b - a)).clamp(least, most);
             }
         }
     }
@@ -248,9 +296,9 @@ fn between([a, b]: [[f32; 3]; 2], part: f32, fade: f32) -> (f32, f32) {
 }
 
 /// The sum of the octaves at a point: bit for bit what [`fill`] finds there.
-pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], point: DVec3) -> f32 {
-    let mut sum = 0.0;
-    for octave in octaves {
+pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], form: &Form, point: DVec3) -> f32 {
+    let mut sum = form.start(terrace_wave(point.y));
+    for (octave, wave) in octaves.iter().zip(form.waves.to_array()) {
         let at = point * octave.frequencies();
         let [x, y, z] = at.to_array().map(LatticeCoord::new);
         let half = octave.half_m();
@@ -261,7 +309,7 @@ pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], point: DVec3) -> f32
         };
         let ((a, low), (b, high)) = (plane(y.low), plane(y.low.wrapping_add(1)));
         let (a, b) = (a + low * y.part, b + high * (y.part - 1.0));
-        sum += (a + fade(y.part) * (b - a)).clamp(-half, half);
+        sum += wave * (a + fade(y.part) * (b - a)).clamp(-half, half);
     }
     sum
 }
@@ -312,13 +360,13 @@ mod tests {
                 };
                 let layer = Layer::new(OCTAVE, &grid);
                 let mut slab = [[Vec4::ZERO; VECTORS]; BLOCK];
-                layer.add(&lattice, first.x, [0, 35], &mut slab);
+                layer.add(&lattice, first.x, [0, 35], &[Vec4::ONE; VECTORS], &mut slab);
                 for (j, row) in slab.iter().enumerate().take(35) {
                     for k in 0..33 {
                         let p = first + DVec3::new(0.0, j as f64, k as f64) * step_m;
                         let expected = perlin.get((p * OCTAVE.frequencies()).to_array());
                         let found = row[k / 4][k % 4];
-                        assert_eq!(found, sum_at(&lattice, &[OCTAVE], p));
+                        assert_eq!(found, sum_at(&lattice, &[OCTAVE], &Form::PLAIN, p));
                         let found = f64::from(found);
                         assert!((found - expected).abs() < 2e-6, "{p}: {found} {expected}");
                     }

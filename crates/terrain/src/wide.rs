@@ -114,31 +114,31 @@ impl Width {
     }
 
     /// Adds the noise of samples in these cells, `weight` times and held to `most` on either side
-    /// of zero, to `sums`. All slices have the same length.
+    /// of zero, to `sums`, and each as many times as its share says. All slices have the same length.
     pub(crate) fn add(
         self,
         codes: &[u32],
         middles: [&[f32]; 3],
-        weight: f32,
-        most: f32,
+        weight: [f32; 2],
+        shares: &[f32],
         sums: &mut [f32],
     ) {
         match self {
-            Self::Plain => add(codes, middles, weight, most, sums),
+            Self::Plain => add(codes, middles, weight, shares, sums),
             #[cfg(target_arch = "x86_64")]
             #[expect(
                 unsafe_code,
                 reason = "calls of functions that not every processor can run"
             )]
             // SAFETY: this width is only made where the processor has been asked for AVX2.
-            Self::Eight => unsafe { add_8(codes, middles, weight, most, sums) },
+            Self::Eight => unsafe { add_8(codes, middles, weight, shares, sums) },
             #[cfg(target_arch = "x86_64")]
             #[expect(
                 unsafe_code,
                 reason = "calls of functions that not every processor can run"
             )]
             // SAFETY: this width is only made where the processor has been asked for AVX-512.
-            Self::Sixteen => unsafe { add_16(codes, middles, weight, most, sums) },
+            Self::Sixteen => unsafe { add_16(codes, middles, weight, shares, sums) },
         }
     }
 }
@@ -157,14 +157,14 @@ fn place_16(extent: &Extent, at: [&[u64]; 3], middles: [&mut [f32]; 3], slots: &
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn add_8(codes: &[u32], middles: [&[f32]; 3], weight: f32, most: f32, sums: &mut [f32]) {
-    add(codes, middles, weight, most, sums);
+fn add_8(codes: &[u32], at: [&[f32]; 3], weight: [f32; 2], shares: &[f32], sums: &mut [f32]) {
+    add(codes, at, weight, shares, sums);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
-fn add_16(codes: &[u32], middles: [&[f32]; 3], weight: f32, most: f32, sums: &mut [f32]) {
-    add(codes, middles, weight, most, sums);
+fn add_16(codes: &[u32], at: [&[f32]; 3], weight: [f32; 2], shares: &[f32], sums: &mut [f32]) {
+    add(codes, at, weight, shares, sums);
 }
 
 #[inline(always)]
@@ -200,14 +200,21 @@ fn place(extent: &Extent, at: [&[u64]; 3], middles: [&mut [f32]; 3], slots: &mut
 
 #[expect(clippy::inline_always, reason = "compiled for each width")]
 #[inline(always)]
-fn add(codes: &[u32], [x, y, z]: [&[f32]; 3], weight: f32, most: f32, sums: &mut [f32]) {
+fn add(
+    codes: &[u32],
+    [x, y, z]: [&[f32]; 3],
+    [weight, most]: [f32; 2],
+    shares: &[f32],
+    sums: &mut [f32],
+) {
     let count = sums.len();
     let (codes, x, y, z) = (&codes[..count], &x[..count], &y[..count], &z[..count]);
+    let shares = &shares[..count];
     let weight = weight * UNIT;
     for n in 0..count {
         let noise = noise(codes[n], [x[n], y[n], z[n]]) * weight;
         let noise = if noise < -most { -most } else { noise };
-        sums[n] += if noise > most { most } else { noise };
+        sums[n] += shares[n] * if noise > most { most } else { noise };
     }
 }
 
@@ -296,13 +303,14 @@ mod tests {
                     middles.collect::<Vec<_>>()
                 });
                 let mut sums = vec![3.0; count];
+                let shares: Vec<_> = (0..count).map(|n| 0.5 + n as f32).collect();
                 let slices = middles.each_ref().map(|axis| &axis[..]);
-                width.add(&codes, slices, weight, most, &mut sums);
+                width.add(&codes, slices, [weight, most], &shares, &mut sums);
                 for (n, low) in cells.enumerate() {
                     let [x, y, z] = [0, 1, 2].map(|axis| part(n, axis) as f32 * UNIT);
                     let corners = Cell::new(&lattice, low).corners(x, y, z, fade(z));
                     let noise = blend([corners; 4], Vec4::splat(fade(x)), Vec4::splat(fade(y))).x;
-                    let expected = 3.0 + (noise * weight).clamp(-most, most);
+                    let expected = 3.0 + shares[n] * (noise * weight).clamp(-most, most);
                     assert_eq!(sums[n], expected, "{width:?} {n} of {count}");
                 }
             }

@@ -26,6 +26,7 @@ fn seeded(geometry: Geometry, seed: u64) -> Scene {
         seed,
         geometry,
         radius_m,
+        generator: antipode_scene::Generator::default(),
         view_distance: 2,
     };
     let mut scene = Scene::open(setup, None).unwrap();

@@ -6,7 +6,7 @@
 pub enum Argument {
     /// A space: `euclidean`, `hyperbolic`, `spherical`.
     Geometry,
-    /// `seed=`, `name=` or `radius=`.
+    /// `seed=`, `name=`, `radius=` or `generator=`.
     Option,
     /// The name of a saved world.
     World,
@@ -89,7 +89,7 @@ pub static COMMANDS: [CommandInfo; 37] = {
     [
         command(
             "new",
-            "GEOMETRY [seed=N] [name=NAME] [radius=M]",
+            "GEOMETRY [seed=N] [name=NAME] [radius=M] [generator=N]",
             &[Geometry, Option],
         ),
         command("load", "NAME", &[World]),

@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::str::FromStr;
 
 use antipode_geometry::{ChartId, Geometry};
-use antipode_scene::{Item, NpcMode};
+use antipode_scene::{Generator, Item, NpcMode};
 use antipode_storage::SavesDir;
 use thiserror::Error;
 
@@ -291,22 +291,25 @@ fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
         name: None,
         seed: None,
         radius_m: None,
+        generator: None,
         start: Beginning::Middle,
     };
     for option in options {
         match option.split_once('=') {
             Some(("seed", value)) => {
-                wanted.seed = Some(
-                    value
-                        .parse()
-                        .map_err(|_| format!("{} is not a seed", quoted(value)))?,
-                );
+                let seed = value.parse().ok();
+                wanted.seed = Some(seed.ok_or_else(|| format!("{} is not a seed", quoted(value)))?);
+            }
+            Some(("generator", value)) => {
+                let number = value.parse().ok().and_then(Generator::of_number);
+                wanted.generator =
+                    Some(number.ok_or_else(|| format!("{} is no generator", quoted(value)))?);
             }
             Some(("name", value)) => wanted.name = Some(new_name(value)?),
             Some(("radius", value)) => wanted.radius_m = Some(number(value, 0.0, 1e6)?),
             _ => {
                 return Err(format!(
-                    "{} is none of seed=, name=, radius=",
+                    "{} is none of seed=, name=, radius=, generator=",
                     quoted(option)
                 ));
             }

@@ -118,6 +118,7 @@ impl Game {
                 name: Some(name),
                 seed,
                 radius_m,
+                generator: None,
                 start: Beginning::View,
             }))),
             Intent::Load { slug } => match self.menus.list.work_on(&self.menus.texts, &slug) {

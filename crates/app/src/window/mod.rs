@@ -142,6 +142,7 @@ fn first_request(start: Start, worlds: &Worlds) -> Result<Option<Request>, Failu
                 name: Some(name),
                 seed,
                 radius_m,
+                generator: None,
                 start: Beginning::View,
             }))
         }

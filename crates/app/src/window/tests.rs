@@ -79,6 +79,7 @@ fn begun(dir: &TempDir) -> Game {
         name: Some("x".to_owned()),
         seed: Some(7),
         radius_m: None,
+        generator: None,
         start: Beginning::Middle,
     });
     Game::new(worlds(dir.path()), None, Some(request))

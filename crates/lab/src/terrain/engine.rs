@@ -9,7 +9,7 @@ use antipode_geometry::{
 };
 use antipode_scene::{Scene, WorldSetup};
 use antipode_storage::WorldStore;
-use antipode_terrain::Field;
+use antipode_terrain::{Field, Generator};
 use glam::IVec3;
 
 use crate::LabError;
@@ -42,7 +42,10 @@ pub fn space(geometry: Geometry) -> Arc<dyn Strategy> {
 /// The ground, and the chunk at the middle of the world: its surface runs through it.
 pub fn surface_chunk(geometry: Geometry) -> (Field, ChunkCoord) {
     let coord = ChunkCoord::new(ChartId::FIRST, IVec3::ZERO);
-    (Field::new(SEED, space(geometry)), coord)
+    (
+        Field::made_by(Generator::OneBiome, SEED, space(geometry)),
+        coord,
+    )
 }
 
 /// A world as the game opens it.
@@ -76,6 +79,7 @@ pub fn setup(geometry: Geometry, view_distance: u32) -> WorldSetup {
         seed: SEED,
         geometry,
         radius_m: radius_m(geometry),
+        generator: Generator::OneBiome,
         view_distance,
     }
 }

@@ -2,7 +2,7 @@
 //! told from its bounds.
 
 use antipode_geometry::{ChartId, ChunkCoord, Geometry};
-use antipode_terrain::{Content, Field, SAMPLES};
+use antipode_terrain::{Content, Field, Generator, SAMPLES};
 use glam::IVec3;
 
 use super::clock::{Rival, race};
@@ -70,7 +70,7 @@ fn around(geometry: Geometry, effort: Effort) -> Vec<ChunkCoord> {
 }
 
 fn content_rows(geometry: Geometry, effort: Effort) -> [Row; 2] {
-    let field = Field::new(SEED, space(geometry));
+    let field = Field::made_by(Generator::OneBiome, SEED, space(geometry));
     let chunks = around(geometry, effort);
     let decide = || {
         let told = chunks.iter().map(|&coord| field.content(coord));
@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn no_chunk_with_a_surface_is_called_bare() {
         for geometry in Geometry::ALL {
-            let field = Field::new(SEED, space(geometry));
+            let field = Field::made_by(Generator::OneBiome, SEED, space(geometry));
             for coord in around(geometry, Effort { quick: true }) {
                 let surface = has_surface(&field, coord);
                 assert!(

@@ -5,7 +5,6 @@ use antipode_geometry::Geometry;
 use antipode_scene::drops::lying;
 use antipode_scene::frame::{Figure, ModelId};
 use antipode_scene::{Actions, Item, Scene, Stack};
-use antipode_terrain::Field;
 use glam::DVec3;
 
 fn shown(scene: &mut Scene, item: Item) -> Figure {
@@ -22,7 +21,7 @@ fn whatever_is_thrown_away_comes_to_lie_on_the_ground_and_lies_still() {
     for geometry in Geometry::ALL {
         let mut scene = scene(geometry);
         steps(&mut scene, 30, &Actions::default());
-        let field = Field::new(scene.setup().seed, scene.strategy().clone());
+        let field = scene.field().clone();
         for (turn, item) in (0..).zip(Item::ALL) {
             // No farther round: up the slope at the sphere's start, from where things roll back to the player.
             scene.aim(f64::from(turn % 6), 0.3);

@@ -5,7 +5,6 @@ use antipode_items::Item;
 use antipode_scene::flag::LONGEST_NAME;
 use antipode_scene::notice::Hint;
 use antipode_scene::{Actions, NpcMode, Scene};
-use antipode_terrain::Field;
 use glam::DVec3;
 
 use crate::common::{scene, steps};
@@ -126,7 +125,7 @@ fn a_flag_on_somebodys_shoulders_falls_to_the_ground() {
     scene.aim(0.0, -0.02);
     press(&mut scene, true);
     steps(&mut scene, 120, &Actions::default());
-    let field = Field::new(scene.setup().seed, scene.strategy().clone());
+    let field = scene.field().clone();
     for flag in scene.probe().flags {
         let foot = ChartPoint::a(DVec3::from_array(flag.pos));
         assert!(field.sample(foot).abs() < 0.3, "{flag:?} over the ground");

@@ -69,7 +69,7 @@ fn fire_hits(scene: &mut Scene, id: u32) -> bool {
 
 /// Places around a spectator, by golden angles, each at its own distance, on the ground of whatever chart it is in.
 fn places(scene: &Scene, around: ChartPoint, toward: impl Fn(usize) -> f64) -> Vec<ChartPoint> {
-    let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+    let field = scene.field().clone();
     (0..8 * TARGETS)
         .map(|n| {
             let angle = toward(n);
@@ -86,7 +86,7 @@ fn places(scene: &Scene, around: ChartPoint, toward: impl Fn(usize) -> f64) -> V
 /// Hovers at a place over the ground and shoots at one target after another; returns hits and shots.
 fn hits(scene: &mut Scene, at: ChartPoint, toward: impl Fn(usize) -> f64) -> (usize, usize) {
     scene.set_npcs(NpcMode::Still);
-    let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+    let field = scene.field().clone();
     let y = field.surface_height(at.chart, at.pos.x, at.pos.z) + 5.0;
     let stand = ChartPoint::new(at.chart, at.pos.with_y(y));
     scene.set_flying(true);

@@ -12,7 +12,7 @@ use glam::DVec3;
 fn world(geometry: Geometry) -> (Scene, f64) {
     let mut scene = scene(geometry);
     let sunset_s = if geometry == Geometry::Spherical {
-        let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+        let field = scene.field().clone();
         let y = field.surface_height(ChartId::SECOND, 1.0, 0.0) + 0.2;
         scene.teleport(ChartPoint::new(ChartId::SECOND, DVec3::new(1.0, y, 0.0)));
         0.0

@@ -38,3 +38,4 @@ mod sounds;
 mod survey;
 mod tiled;
 mod view;
+mod ways;

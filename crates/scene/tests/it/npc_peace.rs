@@ -38,8 +38,7 @@ fn peaceful_ones_walk_about_and_get_on_in_every_space_and_over_the_equator() {
                     "{geometry:?}: {id} is stuck at {view:?}"
                 );
                 assert!(!view.fights && scene.projectiles().is_empty());
-                let field =
-                    antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+                let field = scene.field().clone();
                 let middle = view.point.moved(DVec3::Y);
                 assert!(field.sample(middle) > 0.0, "{geometry:?}: {id} is in rock");
             }

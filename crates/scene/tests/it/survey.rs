@@ -23,7 +23,7 @@ fn share_at(plan: &SurveyMap, at: DVec2) -> f32 {
 }
 
 fn height_m(scene: &Scene, share: f32) -> f64 {
-    let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+    let field = scene.field().clone();
     let (low, high) = field.ground_range_m();
     low + f64::from(share) * (high - low)
 }

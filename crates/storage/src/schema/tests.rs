@@ -97,6 +97,7 @@ fn the_bytes_of_version_1_are_frozen() {
         last_played_unix_s: 2,
         played_s: 0.5,
         cheated: false,
+        generator: 1,
     };
     let today = codec::encode(&meta).unwrap();
     let (cheated, body) = today.split_last().unwrap();

@@ -44,6 +44,11 @@ const V8: &str = concat!(
     "/../../tests/saves/v8/v8.antipode-world"
 );
 
+const V9: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v9/v9.antipode-world"
+);
+
 const FAR: ChunkKey = ChunkKey {
     chart: 1,
     x: i32::MIN,
@@ -71,7 +76,7 @@ fn spike() -> Vec<i16> {
     samples
 }
 
-/// What versions 6 to 8 hold: everything.
+/// What versions 6 to 9 hold: everything.
 fn v6_state() -> WorldState {
     let lamp = SlotRecord {
         slot: 9,
@@ -137,6 +142,16 @@ fn laid() -> Vec<u8> {
     (0..CHUNK_SAMPLES).map(|i| [0, 3, 200][i / 8 % 3]).collect()
 }
 
+/// What version 9 was saved with: land of another generator.
+fn v9_meta() -> WorldMeta {
+    WorldMeta {
+        cheated: true,
+        generator: 2,
+        biome: String::new(),
+        ..meta("Żółw of v9")
+    }
+}
+
 /// What version 8 was saved with.
 fn v8_meta() -> WorldMeta {
     WorldMeta {
@@ -191,7 +206,7 @@ fn v3_meta() -> WorldMeta {
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&v8_meta()).unwrap();
+    let (slug, world) = saves.create(&v9_meta()).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
@@ -203,7 +218,7 @@ fn write_the_world_of_this_version() {
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V8)).unwrap();
+    saves.export(&slug, Path::new(V9)).unwrap();
 }
 
 #[test]
@@ -216,6 +231,7 @@ fn the_worlds_of_all_versions_open_with_their_values() {
     opens(V6, &v6_meta(), &v6_state());
     opens(V7, &v7_meta(), &v6_state());
     opens(V8, &v8_meta(), &v6_state());
+    opens(V9, &v9_meta(), &v6_state());
 }
 
 /// Through import, a commit beside it, a copy and a repair.

@@ -38,6 +38,7 @@ pub(super) fn meta() -> WorldMeta {
         last_played_unix_s: 2,
         played_s: 3.0,
         cheated: false,
+        generator: 1,
     }
 }
 

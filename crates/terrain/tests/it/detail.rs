@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::common::{Random, flat};
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
-use antipode_terrain::{Biome, ChunkMesh, Field, Level, Mesher};
+use antipode_terrain::{Biome, ChunkMesh, Field, Generator, Level, Mesher};
 use glam::{DVec3, IVec3, Vec3};
 
 /// Metres around a chunk in which nearest places are looked for.
@@ -160,12 +160,12 @@ fn spaces() -> Vec<(String, Arc<dyn Strategy>)> {
 #[test]
 fn levels_are_off_by_what_the_table_says() {
     for seed in 0..5 {
-        let field = Field::new(seed + 10, flat());
+        let field = Field::made_by(Generator::OneBiome, seed + 10, flat());
         assert_eq!(field.level_error_m(Level::FULL), 0.0);
         for level in &Level::ALL[1..] {
             let table = field.level_error_m(*level) as f32;
             let [near, _] = measure(&field, *level, 8, &mut Random(seed));
-            let name = field.biome().name();
+            let name = Biome::from_seed(seed + 10).name();
             assert!(
                 near.most <= 1.1 * table,
                 "{name} {level:?} {near:?} {table}"
@@ -185,11 +185,15 @@ fn levels_are_off_by_what_the_table_says() {
 #[test]
 fn levels_of_spheres_are_off_by_no_more_than_the_table_says() {
     for (seed, radius_m) in [(0, 16.0), (1, 32.0), (2, 64.0), (3, 128.0), (4, 256.0)] {
-        let field = Field::new(seed + 10, strategy(Geometry::Spherical, radius_m));
+        let field = Field::made_by(
+            Generator::OneBiome,
+            seed + 10,
+            strategy(Geometry::Spherical, radius_m),
+        );
         for level in &Level::ALL[1..] {
             let table = field.level_error_m(*level) as f32;
             let [near, _] = measure(&field, *level, 8, &mut Random(seed));
-            let name = field.biome().name();
+            let name = Biome::from_seed(seed + 10).name();
             assert!(
                 near.most <= 1.1 * table,
                 "{name} {radius_m} {near:?} {table}"
@@ -203,6 +207,21 @@ fn levels_of_spheres_are_off_by_no_more_than_the_table_says() {
 }
 
 #[test]
+fn levels_of_several_biomes_are_off_by_no_more_than_is_said() {
+    for (name, space) in spaces() {
+        for seed in [41, 44] {
+            let field = Field::made_by(Generator::Climates, seed, space.clone());
+            for level in &Level::ALL[1..] {
+                let said = field.level_error_m(*level) as f32;
+                let [near, _] = measure(&field, *level, 12, &mut Random(seed));
+                assert!(near.most <= 1.1 * said, "{name} {seed} {near:?} {said}");
+                assert!(near.most >= 0.05 * said, "{name} {seed} {near:?} {said}");
+            }
+        }
+    }
+}
+
+#[test]
 #[ignore = "prints what the table was made from; takes a minute"]
 fn print_the_errors_of_every_biome_and_level() {
     for (name, space) in spaces() {
@@ -210,7 +229,7 @@ fn print_the_errors_of_every_biome_and_level() {
             for level in &Level::ALL[1..] {
                 // Fields of several seeds: biomes repeat after five.
                 let mut random = Random(seed);
-                let field = Field::new(seed + 10, space.clone());
+                let field = Field::made_by(Generator::OneBiome, seed + 10, space.clone());
                 let [near, up] = measure(&field, *level, 40, &mut random);
                 let biome = Biome::from_seed(seed).name();
                 println!(

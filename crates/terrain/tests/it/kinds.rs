@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, strategy};
-use antipode_terrain::{ChunkEdits, Field, Kind, Level, Part, Samples, Shape, Stroke, march};
+use antipode_terrain::{
+    ChunkEdits, Field, Generator, Kind, Level, Part, Samples, Shape, Stroke, march,
+};
 use glam::{DVec3, IVec3, Vec3};
 
 use crate::common::{Random, World, chunk, flat, sphere};
@@ -91,7 +93,7 @@ fn at_the_surface(field: &Field) -> BTreeMap<Kind, usize> {
 fn ten_kinds_lie_at_the_surface_and_those_of_the_deep_do_not() {
     let mut seen = BTreeMap::new();
     for seed in 0..5 {
-        let counts = at_the_surface(&Field::new(seed, flat()));
+        let counts = at_the_surface(&Field::made_by(Generator::OneBiome, seed, flat()));
         assert!(counts.len() >= 4, "seed {seed}: {counts:?}");
         for (kind, count) in counts {
             assert!(!kind.is_deep(), "seed {seed}: {kind:?}");
@@ -129,7 +131,7 @@ fn below(field: &Field) -> Vec<(Kind, f64)> {
 fn the_deeper_an_ore_the_rarer_it_is() {
     for space in [flat(), sphere()] {
         for seed in 0..3 {
-            let all = below(&Field::new(seed, space.clone()));
+            let all = below(&Field::made_by(Generator::OneBiome, seed, space.clone()));
             let of = |kind: Kind| all.iter().filter(move |(it, _)| *it == kind);
             let ores = [Kind::Coal, Kind::Copper, Kind::Crystal];
             let counts = ores.map(|kind| of(kind).count());
@@ -149,7 +151,7 @@ fn the_deeper_an_ore_the_rarer_it_is() {
 /// Clay that patches do not explain lies over copper: in forests patches are of moss.
 #[test]
 fn what_lies_at_the_surface_tells_of_the_copper_below() {
-    let field = Field::new(2, flat());
+    let field = Field::made_by(Generator::OneBiome, 2, flat());
     let (mut with, mut without) = ([0_u32; 2], [0_u32; 2]);
     for n in 0..6400 {
         let (x, z) = (f64::from(n % 80 * 5 - 200), f64::from(n / 80 * 5 - 200));

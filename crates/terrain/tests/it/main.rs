@@ -6,11 +6,13 @@
     reason = "tests fail by panicking"
 )]
 
+mod climates;
 mod common;
 mod cone;
 mod detail;
 mod edits;
 mod field;
+mod golden;
 mod kinds;
 mod levels;
 mod mesh;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::common::{Random, chunk, flat, sphere};
 use antipode_geometry::ChartId;
-use antipode_terrain::{ChunkMesh, Field, Level, Samples, march};
+use antipode_terrain::{ChunkMesh, Field, Generator, Level, Samples, march};
 use glam::{DVec2, DVec3, Vec3};
 
 /// Asserts that every edge inside the chunk lies in exactly two triangles, which run along it
@@ -208,7 +208,7 @@ fn shapes_are_those_from_before_kinds() {
     let expected = [SHAPES_FLAT, SHAPES_SPHERE];
     for (space, expected) in [flat(), sphere()].into_iter().zip(expected) {
         let meshes = (0..5).flat_map(|seed| {
-            let field = Field::new(seed, space.clone());
+            let field = Field::made_by(Generator::OneBiome, seed, space.clone());
             let at = [(0, 0, 0), (-1, 0, 1), (0, 1, 0)];
             let chunks = at.map(|(x, y, z)| chunk(ChartId::FIRST, x, y, z));
             let meshes = chunks.map(|coord| {

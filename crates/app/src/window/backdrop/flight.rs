@@ -7,7 +7,7 @@ use std::time::Duration;
 use antipode_geometry::{ChartPoint, DEFAULT_HYPERBOLIC_RADIUS_M, Geometry, strategy};
 use antipode_scene::frame::{Frame, Quality};
 use antipode_scene::{Scene, SceneError, Viewpoint, WorldSetup};
-use antipode_terrain::Field;
+use antipode_terrain::{Field, Generator};
 use glam::DVec3;
 
 /// Vertical field of view, radians.
@@ -110,13 +110,18 @@ impl Flight {
             seed: world.seed,
             geometry: world.geometry,
             radius_m: world.radius_m,
+            generator: Generator::OneBiome,
             view_distance: if software {
                 VIEW_DISTANCE.0
             } else {
                 VIEW_DISTANCE.1
             },
         };
-        let field = Field::new(world.seed, strategy(world.geometry, world.radius_m));
+        let field = Field::made_by(
+            Generator::OneBiome,
+            world.seed,
+            strategy(world.geometry, world.radius_m),
+        );
         let mut scene = Scene::open(setup, None)?;
         scene.set_quality(quality);
         let mut view = Viewpoint::of(&scene);

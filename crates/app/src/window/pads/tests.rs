@@ -46,6 +46,7 @@ impl Play {
             name: Some("x".to_owned()),
             seed: Some(7),
             radius_m: None,
+            generator: None,
             start: Beginning::Middle,
         })));
         for _ in 0..1_000_000 {

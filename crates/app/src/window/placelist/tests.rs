@@ -26,6 +26,7 @@ fn three() -> (tempfile::TempDir, WorldList) {
             name: Some(name.to_owned()),
             seed: Some(1),
             radius_m: None,
+            generator: None,
             start: Beginning::Middle,
         });
         let mut session = made.unwrap();

@@ -12,6 +12,7 @@ fn over_the_far_side(dir: &TempDir) -> Game {
         name: Some("x".to_owned()),
         seed: Some(7),
         radius_m: Some(16.0),
+        generator: None,
         start: Beginning::Middle,
     });
     let mut game = Game::new(worlds(dir.path()), None, Some(request));

@@ -10,7 +10,6 @@ use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use antipode_scene::frame::{Frame, ModelId};
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, CameraMode, Scene};
-use antipode_terrain::Field;
 use glam::{DVec3, DVec4};
 
 use super::*;
@@ -37,6 +36,7 @@ impl Film {
             name: None,
             seed: Some(3),
             radius_m: (geometry == Geometry::Spherical).then_some(RADIUS_M),
+            generator: None,
             start: Beginning::Middle,
         });
         let mut game = Game::new(worlds(dir.path()), None, Some(request));
@@ -106,7 +106,7 @@ impl Film {
     /// Puts the player near the equator of a closed world, looking across it.
     fn go_to_equator(&mut self, before_m: f64) {
         let scene = self.scene();
-        let field = Field::new(scene.setup().seed, scene.strategy().clone());
+        let field = scene.field().clone();
         let x = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap() - before_m;
         let y = field.surface_height(ChartId::FIRST, x, 0.0) + 0.2;
         scene.teleport(ChartPoint::a(DVec3::new(x, y, 0.0)));
@@ -233,7 +233,7 @@ fn over_the_equator_a_car_its_driver_and_the_camera_behind_it_move_evenly() {
 /// The most level strip of land near the middle of a flat world: where it begins, along +x.
 fn level_strip(film: &mut Film, length_m: f64) -> DVec3 {
     let scene = film.scene();
-    let field = Field::new(scene.setup().seed, scene.strategy().clone());
+    let field = scene.field().clone();
     let mut best = (f64::MAX, DVec3::ZERO);
     for cell in 0..40 * 40 {
         let (x, z) = (f64::from(cell % 40) - 20.0, f64::from(cell / 40) - 20.0);

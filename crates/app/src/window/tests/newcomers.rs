@@ -33,6 +33,7 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         name: Some("y".to_owned()),
         seed: Some(7),
         radius_m: None,
+        generator: None,
         start: Beginning::Middle,
     })));
     tick_until(&mut game, |game| told(game).starts_with("Change how space"));
@@ -43,6 +44,7 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         name: Some("z".to_owned()),
         seed: Some(7),
         radius_m: Some(16.0),
+        generator: None,
         start: Beginning::Middle,
     })));
     for words in ["Look up", "Walk to the equator"] {
@@ -131,6 +133,7 @@ fn no_world_flies_behind_a_menu_with_less_motion_or_while_one_is_played() {
         name: Some("x".to_owned()),
         seed: Some(7),
         radius_m: None,
+        generator: None,
         start: Beginning::Middle,
     });
     game.play.open(request, &mut game.menus);

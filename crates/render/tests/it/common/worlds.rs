@@ -26,6 +26,7 @@ impl World {
             seed,
             geometry,
             radius_m,
+            generator: antipode_scene::Generator::default(),
             view_distance,
         };
         let mut scene = Scene::open(setup, None).unwrap();
@@ -65,8 +66,7 @@ impl World {
 
     /// Stands on the ground of a column; `None` in the chart of A.
     pub fn stand(&mut self, chart: ChartId, x: f64, z: f64) {
-        let field =
-            antipode_terrain::Field::new(self.scene.setup().seed, self.scene.strategy().clone());
+        let field = self.scene.field().clone();
         let y = field.surface_height(chart, x, z) + 0.2;
         let point = ChartPoint::new(chart, DVec3::new(x, y, z));
         self.scene.teleport(point);

@@ -3,7 +3,6 @@
 use antipode_geometry::{ChartId, ChartPoint, Doorway, Geometry, Leaf};
 use antipode_items::Item;
 use antipode_scene::{Actions, NpcMode, Scene};
-use antipode_terrain::Field;
 use glam::DVec3;
 
 use super::{LIMIT, scene, steps};
@@ -34,7 +33,7 @@ pub fn press(scene: &mut Scene, primary: bool) {
 
 /// The ground of a column.
 pub fn ground(scene: &Scene, chart: ChartId, x: f64, z: f64) -> ChartPoint {
-    let field = Field::new(scene.setup().seed, scene.strategy().clone());
+    let field = scene.field().clone();
     let at = |y: f64| ChartPoint::new(chart, DVec3::new(x, y, z));
     let limits = scene.strategy().limits();
     let highest_m = limits.map_or(100.0, |limits| limits.ceiling_m);

@@ -18,7 +18,7 @@ pub const SECOND: usize = 60;
 
 /// The ground at some metres from the player in the player's chart; over the rim in the other.
 pub fn beside(scene: &Scene, dx: f64, dz: f64) -> ChartPoint {
-    let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+    let field = scene.field().clone();
     let feet = scene.feet();
     let mut point = feet.moved(DVec3::new(dx, 0.0, dz));
     if let Some(crossing) = scene.strategy().cross(point) {
@@ -48,7 +48,7 @@ pub fn away_m(scene: &Scene, point: ChartPoint) -> f64 {
 /// Puts the player near the equator of a closed world, in hemisphere A.
 pub fn go_to_equator(scene: &mut Scene) {
     let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap();
-    let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+    let field = scene.field().clone();
     let x = rim_m - 4.0;
     let y = field.surface_height(ChartId::FIRST, x, 0.0) + 0.2;
     scene.teleport(ChartPoint::a(DVec3::new(x, y, 0.0)));

@@ -27,6 +27,7 @@ pub fn setup(geometry: Geometry) -> WorldSetup {
         seed: 3,
         geometry,
         radius_m,
+        generator: antipode_scene::Generator::default(),
         view_distance: 2,
     }
 }

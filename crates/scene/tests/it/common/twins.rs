@@ -50,12 +50,10 @@ impl Twins {
 
     /// Height of the untouched ground, metres.
     pub fn ground_m(&self, x: f64, z: f64) -> f64 {
-        let space = self.one.strategy().clone();
-        antipode_terrain::Field::new(self.one.setup().seed, space).surface_height(
-            ChartId::FIRST,
-            x,
-            z,
-        )
+        self.one
+            .field()
+            .clone()
+            .surface_height(ChartId::FIRST, x, z)
     }
 
     /// Does to each what can be said of a place and a heading.

@@ -208,8 +208,7 @@ fn arrange(scene: &mut Scene, step: usize) {
         1140 => look_at_car(scene),
         1740 => {
             if let Some(rim_m) = scene.strategy().domain(ChartId::FIRST).radius_m() {
-                let field =
-                    antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+                let field = scene.field().clone();
                 let height_m = field.surface_height(ChartId::FIRST, rim_m - 3.0, 0.0);
                 scene.teleport(ChartPoint::a(DVec3::new(rim_m - 3.0, height_m + 0.3, 0.0)));
                 scene.aim(0.0, -0.2);

@@ -20,6 +20,7 @@ pub fn meta(name: &str) -> WorldMeta {
         last_played_unix_s: 1_700_000_600,
         played_s: 600.25,
         cheated: false,
+        generator: 1,
     }
 }
 

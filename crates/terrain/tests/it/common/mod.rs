@@ -3,7 +3,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartId, ChunkCoord, Geometry, Strategy, strategy};
-use antipode_terrain::{ChunkEdits, Field, Level, Samples, Stroke, apply_edits};
+use antipode_terrain::{ChunkEdits, Field, Generator, Level, Samples, Stroke, apply_edits};
 use glam::IVec3;
 
 /// Radius of the tests' spherical world, metres.
@@ -41,7 +41,7 @@ impl Random {
     }
 }
 
-/// A world's ground with edits.
+/// A world's ground with edits, rough as that of one biome is.
 pub struct World {
     pub field: Field,
     pub edits: HashMap<ChunkCoord, Arc<ChunkEdits>>,
@@ -51,7 +51,7 @@ pub struct World {
 impl World {
     pub fn new(seed: u64, strategy: Arc<dyn Strategy>) -> Self {
         Self {
-            field: Field::new(seed, strategy),
+            field: Field::made_by(Generator::OneBiome, seed, strategy),
             edits: HashMap::new(),
             untouched: HashMap::new(),
         }

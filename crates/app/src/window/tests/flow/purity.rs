@@ -65,7 +65,7 @@ impl Film {
 
     fn beside(&mut self, (dx, dz): (f64, f64)) -> ChartPoint {
         let scene = self.scene();
-        let field = Field::new(scene.setup().seed, scene.strategy().clone());
+        let field = scene.field().clone();
         let mut point = scene.feet().moved(DVec3::new(dx, 0.0, dz));
         point.pos.y = field.surface_height(point.chart, point.pos.x, point.pos.z) + 0.3;
         point
