@@ -9,7 +9,7 @@ use antipode_rooms::files::ROOM_FILE;
 use antipode_scene::frame::Quality;
 use antipode_scene::{Shutter, SoundEvent};
 use antipode_terrain::Cover;
-use antipode_ui::workshop::WorkshopPanes;
+use antipode_ui::workshop::{BarModel, WorkshopPanes};
 use glam::DVec2;
 
 use super::devices::Devices;
@@ -51,6 +51,8 @@ pub struct Visit {
     pub(super) workshop: Option<Box<Workshop>>,
     /// Its panes while it is not: folds and scrolled lists are as they were left.
     pub(super) panes: Option<WorkshopPanes>,
+    /// Its tools while it is not.
+    pub(super) bar: Option<BarModel>,
     /// The lesson of that, if it is taken.
     pub(super) lesson: Option<Lesson>,
     /// What is asked of it and waits for the disk.
@@ -67,6 +69,7 @@ impl Visit {
             dir,
             workshop: None,
             panes: None,
+            bar: None,
             lesson: None,
             reading: Reading::default(),
             number,

@@ -178,7 +178,9 @@ impl Drag {
     fn sized(&self, axis: usize, times: f64, snap: &Snap) -> f64 {
         let times = times.max(SMALLEST);
         let size = 2.0 * self.held.half[axis];
-        if size <= 0.0 || snap.grid_m <= 0.0 {
+        // What grows about its own origin, as a group does, has no side that could come to the grid.
+        let has_side = self.held.stays_m[axis] > 0.0;
+        if size <= 0.0 || snap.grid_m <= 0.0 || !has_side {
             return times;
         }
         snap.length(size * times).max(snap.grid_m) / size

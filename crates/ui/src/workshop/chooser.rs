@@ -126,7 +126,10 @@ fn path(
     let label = model.texts.say("workshop-chooser-path");
     let response = named_line(ui, &mut typed, &label, "", LONGEST);
     let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-    if is_entered && !typed.trim().is_empty() {
+    let open = model.texts.say("workshop-chooser-open");
+    let is_other = typed.trim() != chooser.folder && !typed.trim().is_empty();
+    let is_opened = is_other && button(ui, &open).clicked();
+    if (is_entered || is_opened) && !typed.trim().is_empty() {
         asked.push(ChooserWish::Go(typed.clone()));
     }
     state.typed = Some((chooser.folder.clone(), typed));
@@ -140,6 +143,11 @@ fn entries(
     state: &mut ChooserState,
     asked: &mut Vec<ChooserWish>,
 ) {
+    // Another path is typed: what is in this folder says nothing of that.
+    let is_other = (state.typed.as_ref()).is_some_and(|(folder, typed)| folder != typed);
+    if chooser.entries.is_empty() && is_other && !chooser.is_reading {
+        return;
+    }
     if chooser.entries.is_empty() {
         let key = if chooser.is_reading {
             "workshop-chooser-reading"

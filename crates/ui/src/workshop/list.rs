@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::ops::Range;
 
-use egui::{Color32, Key, Response, RichText, ScrollArea, Sense, Ui, vec2};
+use egui::{Color32, Key, Response, RichText, ScrollArea, Sense, TextStyle, Ui, vec2};
 
 use super::keys::held_with_button;
 use super::lesson;
@@ -292,6 +292,13 @@ fn mark(
     response.on_hover_text(label)
 }
 
+/// How much of a row words take, with what stands about them, points.
+fn width(ui: &Ui, words: &str, style: TextStyle) -> f32 {
+    let font = style.resolve(ui.style());
+    let galley = ui.painter().layout_no_wrap(words.to_owned(), font, TEXT);
+    galley.size().x + 2.0 * ui.spacing().button_padding.x
+}
+
 fn name(ui: &mut Ui, row: &ObjectRow) -> Response {
     let colour = if row.hidden { WEAK } else { TEXT };
     let mut words = RichText::new(&row.name).color(colour);
@@ -299,12 +306,15 @@ fn name(ui: &mut Ui, row: &ObjectRow) -> Response {
         words = words.strong();
     }
     let size = vec2(ui.available_width(), ROW - 4.0);
-    let button = egui::Button::new(words)
+    let mut button = egui::Button::new(words)
         .selected(row.selected)
         .frame(row.selected)
-        .right_text(RichText::new(&row.kind).color(WEAK).small())
         .sense(Sense::click_and_drag())
         .truncate();
+    // The name comes first where there is no room for both.
+    if width(ui, &row.name, TextStyle::Button) + width(ui, &row.kind, TextStyle::Small) < size.x {
+        button = button.right_text(RichText::new(&row.kind).color(WEAK).small());
+    }
     let response = ui.add_sized(size, button);
     focus_ring(ui, &response);
     // Whole, where the list is too narrow for it.

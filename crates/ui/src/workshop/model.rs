@@ -314,6 +314,8 @@ pub struct ViewLine {
 pub enum ViewEvent {
     /// The pointer is there.
     Hover([f64; 2]),
+    /// The pointer is elsewhere.
+    Leave,
     /// The first button went down there.
     Grab([f64; 2]),
     /// The pointer has come there with the first button down. `free`: steps are not held.

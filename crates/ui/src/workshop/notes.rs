@@ -37,26 +37,35 @@ pub(super) fn history(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<W
     super::older::list(ui, model, wishes);
     let height = 22.0;
     let beginning = model.texts.say("workshop-beginning");
-    ScrollArea::vertical()
+    let mut area = ScrollArea::vertical()
         .auto_shrink(false)
-        .stick_to_bottom(true)
-        .show_rows(ui, height, model.history.len() + 1, |ui, range| {
-            for step in range {
-                let text = match step.checked_sub(1) {
-                    None => &beginning,
-                    Some(before) => &model.history[before].text,
-                };
-                let colour = if step > model.done { WEAK } else { TEXT };
-                let button = Button::new(RichText::new(text).color(colour))
-                    .selected(step == model.done)
-                    .frame(step == model.done)
-                    .truncate();
-                let size = vec2(ui.available_width(), height - 4.0);
-                let response = ui.add_sized(size, button);
-                focus_ring(ui, &response);
-                if response.clicked() {
-                    wishes.push(WorkshopWish::GoTo(step));
-                }
+        .stick_to_bottom(true);
+    // What holds after a step back comes into view.
+    let id = ui.scope_id().with("done");
+    let last = ui.data_mut(|data| data.get_temp::<usize>(id));
+    ui.data_mut(|data| data.insert_temp(id, model.done));
+    if last.is_some_and(|last| last != model.done) {
+        let above = model.done.saturating_sub(2) as f32;
+        area = area.vertical_scroll_offset(above * (height + ui.spacing().item_spacing.y));
+    }
+    area.show_rows(ui, height, model.history.len() + 1, |ui, range| {
+        for step in range {
+            let text = match step.checked_sub(1) {
+                None => &beginning,
+                Some(before) => &model.history[before].text,
+            };
+            let colour = if step > model.done { WEAK } else { TEXT };
+            let button = Button::new(RichText::new(text).color(colour))
+                .selected(step == model.done)
+                .frame(step == model.done)
+                .truncate();
+            let size = vec2(ui.available_width(), height - 4.0);
+            let response = ui.add_sized(size, button);
+            focus_ring(ui, &response);
+            // Whole, where the pane is too narrow for it.
+            if response.on_hover_text(text).clicked() {
+                wishes.push(WorkshopWish::GoTo(step));
             }
-        });
+        }
+    });
 }

@@ -19,6 +19,8 @@ pub(super) struct ViewState {
     is_held: bool,
     /// Whether the pointer has moved since.
     has_moved: bool,
+    /// Whether the pointer was over it last.
+    is_hovered: bool,
     /// Whether the view has been given the keyboard once.
     was_focused: bool,
 }
@@ -94,6 +96,9 @@ fn pointer(ui: &Ui, response: &Response, state: &mut ViewState, push: &mut impl 
         }
     } else if response.contains_pointer() && !down {
         push(ViewEvent::Hover(there));
+        state.is_hovered = true;
+    } else if !down && std::mem::take(&mut state.is_hovered) {
+        push(ViewEvent::Leave);
     }
     if state.is_held && (released || !down) {
         state.is_held = false;

@@ -231,6 +231,48 @@ fn a_handle_makes_a_wall_higher_that_stands_where_it_stood() {
 }
 
 #[test]
+fn a_house_grows_as_far_as_its_handle_is_dragged() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(
+        &mut game,
+        [put("house"), WorkshopWish::Tool(ToolChoice::Scale)],
+    );
+    let high = |game: &Game| match scene(game).room().find("house left").unwrap().1.what {
+        What::Box { size } => size.y,
+        _ => panic!("it is no box"),
+    };
+    let before = high(&game);
+    let visit = game.play.phase.visit().unwrap();
+    let workshop = visit.workshop.as_ref().unwrap();
+    let lines = workshop.lines(visit.scene(), &game.menus.texts);
+    let green = egui::Color32::from_rgb(0x7F, 0xD1, 0x6B);
+    let up = lines.iter().find(|it| it.knob && it.colour == green);
+    let at = |place: usize| up.unwrap().points[place].map(f64::from);
+    let (from, to) = (at(7), at(8));
+    drag(&mut game, from, to);
+    let times = high(&game) / before;
+    // From 0.8875 of its length to its end, seen in perspective.
+    assert!((1.02..1.4).contains(&times), "{times} times");
+    let said = words(&mut game);
+    assert!(said.contains("all of it grows"), "{said}");
+}
+
+#[test]
+fn tools_stay_while_one_walks() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    ask(
+        &mut game,
+        [put("box"), WorkshopWish::Tool(ToolChoice::Scale)],
+    );
+    press(&mut game, "F5");
+    press(&mut game, "F5");
+    let said = words(&mut game);
+    assert!(said.contains("the other side stays"), "{said}");
+}
+
+#[test]
 fn one_looks_from_the_start_again() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = building(&dir);

@@ -143,6 +143,12 @@ fn the_second_lesson_leads_to_a_tunnel_and_two_portals_and_through_one() {
     let walker = &mut game.play.phase.visit_mut().unwrap().room.scene;
     walker.teleport(tunnel - glam::DVec3::Y).unwrap();
     let _ = said(&mut game);
+    assert!(words(&mut game).contains("Walk through the tunnel"));
+    let walker = &mut game.play.phase.visit_mut().unwrap().room.scene;
+    walker
+        .teleport(tunnel - glam::DVec3::new(0.0, 1.0, 4.0))
+        .unwrap();
+    let _ = said(&mut game);
     assert!(words(&mut game).contains("That was the tunnel"));
     walk_into(&mut game, &pose);
     let _ = said(&mut game);

@@ -122,7 +122,22 @@ pub fn rotation_of(pose: &DAffine3) -> DMat3 {
     )
 }
 
-/// The same of an object of a room: a group is as large as what it carries, and stands on the lowest of that.
+/// Whether what was chosen last is a group.
+pub fn is_group(scene: &RoomScene) -> bool {
+    last(scene).is_some_and(|index| scene.room().objects[index].what == What::Group)
+}
+
+/// How long what was chosen last is along one of its axes, or all that it carries, metres.
+pub fn length_m(scene: &RoomScene, axis: usize) -> Option<f64> {
+    let object = &scene.room().objects[last(scene)?];
+    if object.what != What::Group {
+        return Some(2.0 * half(&object.what)[axis]);
+    }
+    let (low, high) = bounds_of_group(scene.room(), scene.poses(), &object.name)?;
+    Some((high - low)[axis])
+}
+
+/// Half sizes of an object of a room along its own axes, metres: a group is as large as what it carries, and stands on the lowest of that.
 fn half_of(scene: &RoomScene, object: &Object) -> DVec3 {
     if object.what != What::Group {
         return half(&object.what);

@@ -245,6 +245,8 @@ fn of_surface(rows: &mut Rows<'_>, surface: &Surface) {
         let file = FieldKind::Text(Some(picture.file.clone()));
         rows.add("texture-file", file, false);
         rows.numbers("texture-size", &[picture.size], sizes(), true);
+    } else if let Some(texts) = rows.texts {
+        rows.words("texture-none", texts.say("workshop-texture-none"), false);
     }
     let finish = match surface.finish {
         Finish::Matt => 0,

@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use super::keeping::NotKept;
 use super::wishes::{Bench, Outcome};
-use super::{Lesson, Workshop, findings, lines};
+use super::{Lesson, Workshop, chosen, findings, lines};
 use crate::bindings::Action;
 use crate::room_picture::Tile;
 use crate::window::game::Game;
@@ -381,6 +381,7 @@ impl Workshop {
             texts.say(match self.bar.tool {
                 ToolChoice::Move => "workshop-status-chosen",
                 ToolChoice::Turn => "workshop-status-turn",
+                ToolChoice::Scale if chosen::is_group(scene) => "workshop-status-scale-whole",
                 ToolChoice::Scale => "workshop-status-scale",
             })
         }

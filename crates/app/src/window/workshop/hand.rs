@@ -63,6 +63,7 @@ impl Workshop {
     pub fn view_event(&mut self, scene: &mut RoomScene, event: ViewEvent) -> Option<Deed> {
         match event {
             ViewEvent::Hover(at) => self.hover_at(scene, DVec2::from_array(at)),
+            ViewEvent::Leave => (self.pointer, self.hover) = (None, None),
             ViewEvent::Grab(at) if self.grab_link(scene, DVec2::from_array(at)) => {}
             ViewEvent::Grab(at) => self.grab(scene, DVec2::from_array(at)),
             ViewEvent::Pull { at, .. } if self.linking.is_some() => {

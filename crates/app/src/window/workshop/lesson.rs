@@ -28,6 +28,8 @@ enum Deed {
     Link,
     /// Who walks is in a space.
     Enter,
+    /// Who walks has been in a space, and is out of it.
+    Leave,
     /// Who walks has gone through a portal.
     Pass,
 }
@@ -48,7 +50,7 @@ const DOORS: &[Step] = &[
     ("portal", Deed::Put("portal")),
     ("portal-again", Deed::Put("portal")),
     ("link", Deed::Link),
-    ("through", Deed::Enter),
+    ("through", Deed::Leave),
     ("pass", Deed::Pass),
 ];
 
@@ -69,6 +71,8 @@ pub struct Lesson {
     /// What it is about: in which step it was put in, and its name.
     about: Vec<(usize, String)>,
     before: Before,
+    /// Whether who walks has been in a space.
+    was_inside: bool,
 }
 
 impl Lesson {
@@ -79,6 +83,7 @@ impl Lesson {
             step: 0,
             about: Vec::new(),
             before: Before::default(),
+            was_inside: false,
         };
         lesson.settle(room);
         lesson
@@ -162,7 +167,7 @@ impl Lesson {
             Deed::Stretch(_) => now.times > LARGER * self.before.times,
             Deed::Link => self.is_linked(room),
             // A walk ends these.
-            Deed::Enter | Deed::Pass => false,
+            Deed::Enter | Deed::Leave | Deed::Pass => false,
         };
         if is_done {
             self.skip(room);
@@ -205,11 +210,14 @@ impl Lesson {
     /// Goes on to the next deed, if who walks has done this one. Returns whether that was the last.
     pub fn walk(&mut self, scene: &RoomScene) -> bool {
         let place = scene.eye().place;
+        let is_inside = !place.stack.is_empty();
         let is_done = match self.current().1 {
-            Deed::Enter => !place.stack.is_empty(),
+            Deed::Enter => is_inside,
+            Deed::Leave => self.was_inside && !is_inside,
             Deed::Pass => place.passage.count > 0,
             _ => false,
         };
+        self.was_inside = is_inside;
         is_done && !self.skip(scene.room())
     }
 
@@ -235,7 +243,7 @@ impl Lesson {
                 .map_or(LessonTarget::View, LessonTarget::Object),
             Deed::Stretch(field) => LessonTarget::Field(field.to_owned()),
             Deed::Move | Deed::Link => LessonTarget::View,
-            Deed::Enter | Deed::Pass => LessonTarget::Do("play"),
+            Deed::Enter | Deed::Leave | Deed::Pass => LessonTarget::Do("play"),
         };
         let values = [
             ("name", last.unwrap_or_default().into()),

@@ -24,7 +24,7 @@ const CHOSEN: Color32 = Color32::from_rgb(0xF2, 0x99, 0x4A);
 /// Of what is under the pointer.
 const HOT: Color32 = Color32::from_rgb(0xFF, 0xF0, 0xC8);
 /// Of what no picture shows.
-const MARK: Color32 = Color32::from_rgb(0xC8, 0xA8, 0xFF);
+const MARK: Color32 = Color32::from_rgba_premultiplied(0x6E, 0x5C, 0x8C, 0x8C);
 /// Most of these that are drawn, and how large lamps are, metres.
 const MOST_MARKS: usize = 72;
 const LAMP_M: f64 = 0.15;
@@ -186,7 +186,11 @@ fn add_handles(
             points: line.points.iter().map(flat).collect(),
             colour,
             width: if is_hot { 4.0 } else { 2.5 },
-            label: is_felt.then(|| lengths(scene, texts)).flatten(),
+            label: match line.handle {
+                Handle::Felt(_) => lengths(scene, texts),
+                Handle::Size(axis) if is_hot => length(scene, texts, axis),
+                _ => None,
+            },
             knob,
         });
     }
@@ -197,6 +201,13 @@ fn add_handles(
             line.label = None;
         }
     }
+}
+
+/// How long what is chosen is along an axis, in words.
+fn length(scene: &RoomScene, texts: &Texts, axis: usize) -> Option<String> {
+    let length = chosen::length_m(scene, axis)?;
+    let values = [("value", Value::decimals(length, 2))];
+    Some(texts.say_with("workshop-unit-metres", &values))
 }
 
 /// How long the chosen aberration is outside and inside, in words.

@@ -213,6 +213,7 @@ impl Visit {
         let notes = std::mem::take(&mut self.room.notes);
         let mut workshop = Workshop::new(self.scene(), notes);
         workshop.panes = self.panes.take();
+        workshop.bar = self.bar.take().unwrap_or(workshop.bar);
         self.workshop = Some(Box::new(workshop));
         self.room.scene.leave_out_hidden(true);
     }
@@ -224,6 +225,7 @@ impl Visit {
         };
         self.room.notes = workshop.findings.unread();
         self.panes = workshop.panes.take();
+        self.bar = Some(workshop.bar);
         self.room.scene.document_mut().end_drag();
         self.room.scene.leave_out_hidden(false);
         self.room.scene.leave_out_walls(false);

@@ -39,6 +39,7 @@ impl Told {
             wish,
             WorkshopWish::View(
                 ViewEvent::Hover(_)
+                    | ViewEvent::Leave
                     | ViewEvent::Look(_)
                     | ViewEvent::Orbit(_)
                     | ViewEvent::Pan(_)
