@@ -56,7 +56,7 @@ mod tests {
             seed: 1,
             geometry: Geometry::Euclidean,
             radius_m: 32.0,
-            generator: antipode_scene::Generator::default(),
+            generator: antipode_scene::Generator::OneBiome,
             view_distance: 1,
         };
         let mut frame = Scene::open(setup, None).unwrap().frame(1.2, 1.5, 1);

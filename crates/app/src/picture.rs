@@ -243,7 +243,7 @@ mod tests {
             seed: 1,
             geometry: Geometry::Euclidean,
             radius_m: 32.0,
-            generator: antipode_scene::Generator::default(),
+            generator: antipode_scene::Generator::OneBiome,
             view_distance: 2,
         };
         Scene::open(setup, None).unwrap()

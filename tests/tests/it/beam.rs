@@ -20,7 +20,11 @@ const FIGURES: [(f64, f64); 5] = [
 /// Whether there is an adapter to draw with; the first picture tells.
 fn no_adapter(saves: &Path) -> bool {
     let options = ["--size", "64x64", "--view-distance", "1"];
-    let probe = run_with(saves, "new euclidean seed=4\nshot probe.png", &options);
+    let probe = run_with(
+        saves,
+        "new euclidean seed=4 generator=1\nshot probe.png",
+        &options,
+    );
     probe.status != Some(0) && may_skip(&format!("a graphics adapter ({})", probe.stderr.trim()))
 }
 

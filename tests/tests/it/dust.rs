@@ -6,9 +6,9 @@ use antipode_tests::program::{Run, number, run_with};
 
 const SIZE: [&str; 4] = ["--size", "64x64", "--view-distance", "2"];
 const WORLDS: [&str; 3] = [
-    "new euclidean seed=11",
-    "new hyperbolic seed=12",
-    "new spherical seed=13 radius=48",
+    "new euclidean seed=11 generator=1",
+    "new hyperbolic seed=12 generator=1",
+    "new spherical seed=13 radius=48 generator=1",
 ];
 
 fn played(script: &str) -> Run {
@@ -43,7 +43,7 @@ fn snow_flies_in_soft_puffs_and_rock_in_hard_chips_in_every_space() {
 
 #[test]
 fn a_car_leaves_prints_and_dust_on_sand_and_who_jumps_down_a_puff() {
-    let begin = "new euclidean seed=6\nset npcs off\nwait 2\n";
+    let begin = "new euclidean seed=6 generator=1\nset npcs off\nwait 2\n";
     let asked = played(&format!("{begin}probe"));
     let asked = asked.probe(0);
     let yaw = number(asked, "car.yaw").to_radians();

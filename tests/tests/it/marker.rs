@@ -26,7 +26,7 @@ fn seeded(geometry: Geometry, seed: u64) -> Scene {
         seed,
         geometry,
         radius_m,
-        generator: antipode_scene::Generator::default(),
+        generator: antipode_scene::Generator::OneBiome,
         view_distance: 2,
     };
     let mut scene = Scene::open(setup, None).unwrap();

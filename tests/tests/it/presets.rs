@@ -22,10 +22,10 @@ const GAMMA: f64 = 2.2;
 
 /// Spaces, hours of the day as seconds, and where one looks.
 const WORLDS: [&str; 4] = [
-    "new euclidean seed=11",
-    "new hyperbolic seed=12",
-    "new spherical seed=13 radius=48",
-    "new spherical seed=14 radius=160",
+    "new euclidean seed=11 generator=1",
+    "new hyperbolic seed=12 generator=1",
+    "new spherical seed=13 radius=48 generator=1",
+    "new spherical seed=14 radius=160 generator=1",
 ];
 const VIEWS: [(u32, &str); 5] = [
     (75, "40 -10"),
@@ -38,7 +38,7 @@ const VIEWS: [(u32, &str); 5] = [
 #[test]
 fn the_preset_is_the_adapters_until_it_is_chosen() {
     let saves = tempfile::tempdir().unwrap();
-    let script = "new euclidean seed=4\nshot a.png\nprobe\nset preset card\nshot b.png\nprobe\nset preset software\n\
+    let script = "new euclidean seed=4 generator=1\nshot a.png\nprobe\nset preset card\nshot b.png\nprobe\nset preset software\n\
                   shot c.png\nprobe\nset preset auto\nshot d.png\nprobe";
     let small = ["--size", "64x64", "--view-distance", "1"];
     let run = run_with(saves.path(), script, &small);
@@ -52,7 +52,7 @@ fn the_preset_is_the_adapters_until_it_is_chosen() {
         let options = [small.as_slice(), &["--preset", preset]].concat();
         let run = run_with(
             saves.path(),
-            "new euclidean seed=4\nshot e.png\nprobe",
+            "new euclidean seed=4 generator=1\nshot e.png\nprobe",
             &options,
         );
         assert_eq!(field(field(run.probe(0), "picture"), "preset"), name);

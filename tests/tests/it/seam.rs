@@ -12,7 +12,7 @@ const RADIUS_M: f64 = 32.0;
 /// The line is left this far beyond the equator, so that a body standing on it does not flip.
 const HYSTERESIS_M: f64 = 0.2;
 const EYE_M: f64 = 1.62;
-const WORLD: &str = "new spherical seed=4 radius=32";
+const WORLD: &str = "new spherical seed=4 radius=32 generator=1";
 
 /// Whether there is an adapter to draw with; the first picture tells.
 fn no_adapter(saves: &Path) -> bool {

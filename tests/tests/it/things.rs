@@ -93,7 +93,7 @@ fn a_lamp_on_a_dug_wall_hangs_there_until_the_wall_is_dug_away() {
     let saves = tempfile::tempdir().unwrap();
     let run = run(
         saves.path(),
-        "new euclidean seed=21\nset npcs off\nsettle\naim 180 -38\nwait 0.2\ntap Digit4\nhold LEFT 2.5\nhold KeyW 1.2\n\
+        "new euclidean seed=21 generator=1\nset npcs off\nsettle\naim 180 -38\nwait 0.2\ntap Digit4\nhold LEFT 2.5\nhold KeyW 1.2\n\
          aim 180 -10\nhold LEFT 2.5\nwait 1\ntap Digit6\naim 180 5\nwait 0.1\nclick LEFT\nwait 0.5\nprobe\n\
          tap Digit4\naim 60 -10\nhold LEFT 1\nwait 1\nprobe\naim 180 5\nhold LEFT 3\nwait 2\nprobe",
     );

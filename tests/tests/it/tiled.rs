@@ -34,7 +34,7 @@ impl Twins {
             seed: 3,
             geometry: Geometry::Euclidean,
             radius_m: 20.0,
-            generator: antipode_scene::Generator::default(),
+            generator: antipode_scene::Generator::OneBiome,
             view_distance: 3,
         };
         let twins = Self {

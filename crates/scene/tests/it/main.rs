@@ -6,6 +6,7 @@
     reason = "tests fail by panicking"
 )]
 
+mod biomes;
 mod bodies;
 mod car;
 mod car_equator;

@@ -34,7 +34,7 @@ impl Detail for Flat {
 
 fn request(geometry: Geometry, radius_m: f64, flat: Flat, distance: u32) -> (Request, Field) {
     let space = strategy(geometry, radius_m);
-    let field = Field::new(11, space.clone());
+    let field = Field::made_by(antipode_terrain::Generator::OneBiome, 11, space.clone());
     let eye = ChartPoint::a(flat.eye);
     let request = Request {
         range: Range::wished(&*space, eye, distance, 0),

@@ -165,7 +165,7 @@ fn the_camera_crosses_the_equator_of_a_closed_world() {
         name: Some("ball".to_owned()),
         seed: Some(7),
         radius_m: Some(16.0),
-        generator: None,
+        generator: Some(antipode_scene::Generator::OneBiome),
         start: Beginning::Middle,
     });
     let mut game = Game::new(worlds(dir.path()), None, Some(request));

@@ -90,7 +90,7 @@ impl Run {
             name: Some("x".to_owned()),
             seed: Some(SEED),
             radius_m: None,
-            generator: None,
+            generator: Some(antipode_scene::Generator::OneBiome),
             start: Beginning::View,
         });
         let path = dir.path().to_str().unwrap();

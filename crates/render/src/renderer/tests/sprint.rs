@@ -84,7 +84,7 @@ fn player() -> Scene {
         seed: 4,
         geometry: Geometry::Hyperbolic,
         radius_m: antipode_geometry::DEFAULT_HYPERBOLIC_RADIUS_M,
-        generator: antipode_scene::Generator::default(),
+        generator: antipode_scene::Generator::OneBiome,
         view_distance: 4,
     };
     let mut scene = Scene::open(setup, None).unwrap();

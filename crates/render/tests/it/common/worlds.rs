@@ -26,7 +26,7 @@ impl World {
             seed,
             geometry,
             radius_m,
-            generator: antipode_scene::Generator::default(),
+            generator: antipode_scene::Generator::OneBiome,
             view_distance,
         };
         let mut scene = Scene::open(setup, None).unwrap();

@@ -27,7 +27,7 @@ pub fn setup(geometry: Geometry) -> WorldSetup {
         seed: 3,
         geometry,
         radius_m,
-        generator: antipode_scene::Generator::default(),
+        generator: antipode_scene::Generator::OneBiome,
         view_distance: 2,
     }
 }

@@ -245,7 +245,7 @@ fn world(geometry: Geometry) -> Scene {
         seed: 3,
         geometry,
         radius_m: RADIUS_M,
-        generator: antipode_scene::Generator::default(),
+        generator: antipode_scene::Generator::OneBiome,
         view_distance: 1,
     };
     let mut scene = Scene::open(setup, None).unwrap();
