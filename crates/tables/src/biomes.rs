@@ -12,6 +12,7 @@ pub(crate) struct Biome {
     id: String,
     alone: Option<Alone>,
     climate: [f32; 3],
+    begins: bool,
     rise_m: f32,
     waves_m: [f32; 4],
     terraces: f32,
@@ -176,11 +177,12 @@ impl Source for Biome {
             .map_or("None".to_owned(), Alone::expression);
         let covers = self.covers.map(|cover| format!("Cover::{cover:?}"));
         format!(
-            "Row {{ name: {:?}, alone: {}, climate: {:?}, rise_m: {:?}, waves_m: {:?}, terraces: {:?}, levels_m: {:?}, \
+            "Row {{ name: {:?}, alone: {}, climate: {:?}, begins: {:?}, rise_m: {:?}, waves_m: {:?}, terraces: {:?}, levels_m: {:?}, \
              covers: [{}], kinds: {}, palette: {:?} }}",
             self.id,
             alone,
             self.climate,
+            self.begins,
             self.rise_m,
             self.waves_m,
             self.terraces,
@@ -209,7 +211,7 @@ mod tests {
       level_errors_m: (0.8, 2.2, 4.3), kinds: (low: Rock, middle: Ash, high: Gravel, cap: Snow, patch: Moss, under: Soil, stone: Rock),
     )),
     climate: (0.1, -0.4, 0),
-    rise_m: 1,
+    rise_m: 1, begins: true,
     waves_m: (8, 4, 2, 1),
     terraces: 0.5,
     levels_m: (-3, 5),

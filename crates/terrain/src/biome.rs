@@ -69,6 +69,8 @@ pub struct Biome {
     alone: Option<Alone>,
     /// Heat, humidity and how high land lies.
     pub(crate) climate: [f32; 3],
+    /// Whether worlds may begin in it.
+    pub(crate) begins: bool,
     rise_m: f32,
     waves_m: [f32; 4],
     terraces: f32,

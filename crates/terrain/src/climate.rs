@@ -7,7 +7,7 @@
 //! In a closed world climates are odd: what is warm here is as cold on the other side. So however small it is, each of its
 //! two or three biomes, which the seed chooses, has land.
 
-use antipode_geometry::{Atlas, ChartId, NoiseFrame};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, NoiseFrame};
 use glam::{DVec3, Vec3, Vec4};
 
 use crate::biome::Biome;
@@ -29,6 +29,11 @@ const BLEND: f32 = 0.15;
 const COLOUR_BLEND: f32 = 0.03;
 /// Closed worlds of this radius have three biomes, smaller ones two.
 const OF_THREE_M: f64 = 100.0;
+/// How often climates are laid out for a world to begin well, and what the seed grows by from one to the next.
+const TRIES: u64 = 64;
+const ANEW: u64 = 0x9e37_79b9_7f4a_7c15;
+/// Another biome is in reach if it is so near to the start along an axis, metres.
+const IN_REACH_M: f64 = 150.0;
 /// Where the noise of each is looked for, so that none is that of another or of the ground.
 const APART: DVec3 = DVec3::new(37.31, 71.57, 53.93);
 
@@ -51,7 +56,30 @@ pub(crate) struct Climate {
 }
 
 impl Climate {
+    /// A world begins well where its seed's climates, laid out once or anew, let it: so the first look of a player shows land
+    /// that one likes to go on from, and another biome in reach.
     pub(crate) fn new(seed: u64, space: &dyn Atlas) -> Self {
+        let start = space.noise_point(ChartPoint::new(ChartId::FIRST, DVec3::ZERO));
+        let laid_out = |n: u64| Self::laid_out(seed.wrapping_add(n.wrapping_mul(ANEW)), space);
+        let mut all = (0..TRIES).map(laid_out);
+        let found = all.find(|it| it.begins_well(start));
+        found.unwrap_or_else(|| laid_out(0))
+    }
+
+    /// Whether a world may begin at a place of noise space.
+    fn begins_well(&self, start: DVec3) -> bool {
+        let land = |place: DVec3| self.nearest(self.at(place));
+        let first = land(start);
+        let is_varied = || {
+            let about = [DVec3::X, DVec3::NEG_X, DVec3::Z, DVec3::NEG_Z];
+            about
+                .iter()
+                .any(|way| land(start + *way * IN_REACH_M) != first)
+        };
+        self.lands[first].biome.begins && (self.is_closed || is_varied())
+    }
+
+    fn laid_out(seed: u64, space: &dyn Atlas) -> Self {
         let closed_m = match space.noise_frame(ChartId::FIRST) {
             NoiseFrame::Radial { radius_m } => Some(radius_m),
             NoiseFrame::Square(_) | NoiseFrame::Upright => None,

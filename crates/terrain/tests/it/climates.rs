@@ -52,6 +52,26 @@ fn a_square_kilometre_has_four_biomes_and_the_world_all_nine() {
 }
 
 #[test]
+fn worlds_begin_where_one_likes_to_go_on_and_open_ones_with_another_biome_near() {
+    let closed = |radius_m| strategy(Geometry::Spherical, radius_m);
+    for seed in 500..540 {
+        for space in [flat(), closed(32.0), closed(128.0)] {
+            let is_open = space.globe().is_none();
+            let field = land(seed, space);
+            let of = |x: f64, z: f64| name(&field, ChartId::FIRST, x, z);
+            let first = of(0.0, 0.0);
+            assert!(
+                !["tundra", "wetland", "crags"].contains(&first),
+                "{seed}: {first}"
+            );
+            let about = [[150.0, 0.0], [-150.0, 0.0], [0.0, 150.0], [0.0, -150.0]];
+            let is_varied = about.iter().any(|[x, z]| of(*x, *z) != first);
+            assert!(!is_open || is_varied, "{seed}: {first} all about");
+        }
+    }
+}
+
+#[test]
 fn a_walk_of_ten_minutes_crosses_three_biomes() {
     let mut least = Vec::new();
     for seed in 100..120 {
