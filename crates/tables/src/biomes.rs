@@ -285,7 +285,11 @@ mod tests {
                     "15: terraces of \"tundra\" is to be 0 to 0.8",
                 ),
                 ("(-3, 5)", "(6, 5)", "16: levels_m of \"tundra\" is to rise"),
-                ("Gravel", "Lava", "17: covers of \"tundra\": Unexpected "),
+                (
+                    "Rock, Gravel",
+                    "Rock, Lava",
+                    "17: covers of \"tundra\": Unexpected ",
+                ),
                 (
                     "high: Grass",
                     "high: Coal",

@@ -165,7 +165,7 @@ fn a_frame_sends_a_budget_of_new_land_but_every_edit_and_a_single_picture_everyt
     let space = space(Geometry::Euclidean);
     let stand = standing(&space, ChartId::FIRST, 5.0, 3.0);
     let mut frame = frame(&space, stand, ASPECT);
-    let made = land(&space, stand, 3);
+    let made = land(&space, stand, 4);
     let meshes = made.meshes().filter(|(_, mesh)| !mesh.is_empty());
     let put =
         |(coord, mesh): (ChunkCoord, &Arc<ChunkMesh>)| ChunkChange::Put(coord, Arc::clone(mesh));

@@ -73,9 +73,8 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    fn say(&self, [kind, word]: [&str; 2]) -> String {
-        let say = |texts: &Texts| texts.say(&["workshop", kind, word].join("-"));
-        self.texts.map_or_else(String::new, say)
+    fn say(&self, key: &str) -> String {
+        self.texts.map_or_else(String::new, |texts| texts.say(key))
     }
 
     fn add(&mut self, key: &str, kind: FieldKind, is_default: bool) {
@@ -84,12 +83,14 @@ impl Rows<'_> {
         let about = match (word, &kind) {
             // A portal has sides, too, which its words explain.
             ("sides", FieldKind::Choice(options, _)) if options.len() == 2 => String::new(),
-            ("sides" | "ways" | "outline" | "lengths" | "thesis", _) => self.say(["hover", word]),
+            ("sides" | "ways" | "outline" | "lengths" | "thesis", _) => {
+                self.say(&format!("workshop-hover-{word}"))
+            }
             _ => String::new(),
         };
         self.all.push(FieldRow {
             key: key.to_owned(),
-            label: self.say(["field", word]),
+            label: self.say(&format!("workshop-field-{word}")),
             about,
             kind,
             is_default,
@@ -113,7 +114,8 @@ impl Rows<'_> {
 
     fn choice(&mut self, key: &str, words: &[&str], chosen: usize, is_default: bool) {
         let option = |word: &&str| {
-            let label = self.say(["choice", &[key, word].join("-")]);
+            let id = [key, word].join("-");
+            let label = self.say(&format!("workshop-choice-{id}"));
             ((*word).to_owned(), label)
         };
         let options = words.iter().map(option).collect();
@@ -150,7 +152,7 @@ fn of_object(rows: &mut Rows<'_>, scene: &RoomScene, index: usize, alone: bool) 
         rows.add("name", FieldKind::Text(Some(object.name.clone())), true);
     }
     rows.numbers("at", &object.at.to_array(), far(), object.at == DVec3::ZERO);
-    let label = rows.say(["field", "at-group"]);
+    let label = rows.say("workshop-field-at-group");
     if let Some(row) = rows.all.last_mut().filter(|_| object.group.is_some()) {
         row.label = label;
     }
@@ -170,7 +172,7 @@ fn of_object(rows: &mut Rows<'_>, scene: &RoomScene, index: usize, alone: bool) 
 /// Which group carries something; none where there is no group that could.
 fn of_group(rows: &mut Rows<'_>, groups: &[&str], object: &Object) {
     let others = groups.iter().filter(|it| **it != object.name);
-    let none = (String::new(), rows.say(["choice", "group-none"]));
+    let none = (String::new(), rows.say("workshop-choice-group-none"));
     let named = others.map(|it| ((*it).to_owned(), (*it).to_owned()));
     let options: Vec<_> = std::iter::once(none).chain(named).collect();
     if options.len() == 1 {
