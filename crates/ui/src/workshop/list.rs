@@ -293,7 +293,7 @@ fn mark(
 }
 
 /// How much of a row words take, with what stands about them, points.
-fn width(ui: &Ui, words: &str, style: TextStyle) -> f32 {
+fn width(ui: &Ui, words: &str, style: &TextStyle) -> f32 {
     let font = style.resolve(ui.style());
     let galley = ui.painter().layout_no_wrap(words.to_owned(), font, TEXT);
     galley.size().x + 2.0 * ui.spacing().button_padding.x
@@ -312,7 +312,7 @@ fn name(ui: &mut Ui, row: &ObjectRow) -> Response {
         .sense(Sense::click_and_drag())
         .truncate();
     // The name comes first where there is no room for both.
-    if width(ui, &row.name, TextStyle::Button) + width(ui, &row.kind, TextStyle::Small) < size.x {
+    if width(ui, &row.name, &TextStyle::Button) + width(ui, &row.kind, &TextStyle::Small) < size.x {
         button = button.right_text(RichText::new(&row.kind).color(WEAK).small());
     }
     let response = ui.add_sized(size, button);
