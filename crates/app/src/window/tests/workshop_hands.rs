@@ -250,12 +250,48 @@ fn a_house_grows_as_far_as_its_handle_is_dragged() {
     let up = lines.iter().find(|it| it.knob && it.colour == green);
     let at = |place: usize| up.unwrap().points[place].map(f64::from);
     let (from, to) = (at(7), at(8));
-    drag(&mut game, from, to);
+    // By steps of the grid, of which a group has none.
+    let events = [
+        ViewEvent::Hover(from),
+        ViewEvent::Grab(from),
+        ViewEvent::Pull {
+            at: to,
+            free: false,
+        },
+        ViewEvent::Let {
+            at: to,
+            adds: false,
+            is_click: false,
+        },
+    ];
+    ask(&mut game, events.map(WorkshopWish::View));
     let times = high(&game) / before;
     // From 0.8875 of its length to its end, seen in perspective.
     assert!((1.02..1.4).contains(&times), "{times} times");
     let said = words(&mut game);
     assert!(said.contains("all of it grows"), "{said}");
+}
+
+#[test]
+fn copies_come_into_view_and_of_a_floor_a_part_is_looked_at() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let paste = || WorkshopWish::Paste;
+    ask(
+        &mut game,
+        [put("house"), WorkshopWish::Copy, paste(), paste(), paste()],
+    );
+    let visit = game.play.phase.visit().unwrap();
+    let workshop = visit.workshop.as_ref().unwrap();
+    let at = workshop.seen_in_view(visit.scene(), &chosen(&game)[0]);
+    assert!(at.unwrap().abs().max_element() < 0.95, "{at:?}");
+    let floor = WorkshopWish::Choose {
+        name: "floor".to_owned(),
+        adds: false,
+    };
+    ask(&mut game, [floor, WorkshopWish::Focus]);
+    let eye = game.room_view(1.5).unwrap().moment.eye.place.point;
+    assert!(eye.length() < 100.0, "{eye}");
 }
 
 #[test]

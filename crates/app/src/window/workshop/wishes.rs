@@ -15,6 +15,10 @@ use crate::window::reading::{Asked, Reading};
 
 /// How far about the place of a finding one looks, metres.
 const FINDING_M: f64 = 2.0;
+/// What is seen smaller than this is looked at from nearer, half heights of the view.
+const SPECK: f64 = 0.12;
+/// Of what reaches farther a part is looked at, metres: all of a floor would be seen edge-on from far off.
+const FARTHEST_REACH_M: f64 = 25.0;
 /// How many copies an array makes.
 const ARRAY: u32 = 4;
 
@@ -118,7 +122,10 @@ impl Workshop {
         let names = bench.scene.document().selection().to_vec();
         if let Some(edit) = self.edit_of(bench.scene, &names, &wish) {
             bench.make(&edit)?;
-            if matches!(wish, WorkshopWish::Put(_)) {
+            if matches!(
+                wish,
+                WorkshopWish::Put(_) | WorkshopWish::Paste | WorkshopWish::Duplicate
+            ) {
                 self.choose_made(bench.scene);
             }
             return Ok(());
@@ -316,15 +323,17 @@ impl Workshop {
         }
     }
 
-    /// Whether the whole of some things is well in the view, as far as boxes about them tell.
+    /// Whether the whole of some things is well in the view and no mere speck, as far as boxes about them tell.
     fn sees(&self, scene: &RoomScene, all: &[usize]) -> bool {
-        let is_within = |at: DVec2| at.abs().max_element() < 0.9;
         let view = self.viewpoint(scene);
         all.iter().all(|index| {
             let own = chosen::own_spaces(scene.room(), *index);
-            chosen::ends(scene, *index).into_iter().all(|point| {
-                let seen = scene.way_to(&view, point, &own);
-                seen.is_some_and(|(_, at)| is_within(at))
+            let ends = chosen::ends(scene, *index).into_iter();
+            let seen = ends.map(|point| scene.way_to(&view, point, &own).map(|(_, at)| at));
+            let seen: Option<Vec<DVec2>> = seen.collect();
+            seen.is_some_and(|seen| {
+                let is_within = seen.iter().all(|at| at.abs().max_element() < 0.9);
+                is_within && view.apart(seen[0], seen[1]) > SPECK
             })
         })
     }
@@ -334,7 +343,7 @@ impl Workshop {
             return;
         };
         self.forget_chain();
-        let reach_m = chosen::reach_m(scene, all, middle);
+        let reach_m = chosen::reach_m(scene, all, middle).min(FARTHEST_REACH_M);
         let fov_y_rad = self.fov_y_rad(scene);
         self.camera.focus(scene.space(), middle, reach_m, fov_y_rad);
     }
