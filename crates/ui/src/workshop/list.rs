@@ -292,11 +292,11 @@ fn mark(
     response.on_hover_text(label)
 }
 
-/// How much of a row words take, with what stands about them, points.
+/// How wide words are, points.
 fn width(ui: &Ui, words: &str, style: &TextStyle) -> f32 {
     let font = style.resolve(ui.style());
     let galley = ui.painter().layout_no_wrap(words.to_owned(), font, TEXT);
-    galley.size().x + 2.0 * ui.spacing().button_padding.x
+    galley.size().x
 }
 
 fn name(ui: &mut Ui, row: &ObjectRow) -> Response {
@@ -306,15 +306,24 @@ fn name(ui: &mut Ui, row: &ObjectRow) -> Response {
         words = words.strong();
     }
     let size = vec2(ui.available_width(), ROW - 4.0);
-    let mut button = egui::Button::new(words)
+    // The name comes first where there is no room for both.
+    let both = [
+        (&row.name, TextStyle::Button),
+        (&row.kind, TextStyle::Small),
+    ];
+    let wide: f32 = both.iter().map(|(it, style)| width(ui, it, style)).sum();
+    let gaps = 3.0 * ui.spacing().button_padding.x;
+    let kind = if wide + gaps < size.x {
+        row.kind.as_str()
+    } else {
+        ""
+    };
+    let button = egui::Button::new(words)
         .selected(row.selected)
         .frame(row.selected)
+        .right_text(RichText::new(kind).color(WEAK).small())
         .sense(Sense::click_and_drag())
         .truncate();
-    // The name comes first where there is no room for both.
-    if width(ui, &row.name, &TextStyle::Button) + width(ui, &row.kind, &TextStyle::Small) < size.x {
-        button = button.right_text(RichText::new(&row.kind).color(WEAK).small());
-    }
     let response = ui.add_sized(size, button);
     focus_ring(ui, &response);
     // Whole, where the list is too narrow for it.
