@@ -16,7 +16,7 @@ use crate::day;
 use crate::drops::Drop;
 use crate::fixture::{self, Fixture};
 use crate::persist::fixture_kind;
-use crate::player::wrap_angle;
+use crate::player::{Player, wrap_angle};
 use crate::presentation::Presentation;
 use crate::probe::{
     BotProbe, CameraProbe, CarProbe, ChunkProbe, DoorProbe, DropProbe, FixtureProbe, FlagProbe,
@@ -82,12 +82,7 @@ pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
             .zip(player.inventory.slots())
             .filter_map(|(slot, stack)| stack.map(|stack| SlotProbe { slot, stack }))
             .collect(),
-        marker: MarkerProbe {
-            pos: player.tool.map(|mark| mark.point.pos.to_array()),
-            radius: player.brush_radius_m,
-            shape: player.brush.shape.name(),
-            kind: player.brush.kind.map(Kind::name),
-        },
+        marker: marker_probe(player),
         flashlight: player.flashlight,
         car: near_car(now, &cars).map(|it| car_probe(now, it)),
         cars: cars.iter().map(|it| car_probe(now, it)).collect(),
@@ -110,6 +105,15 @@ pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
             edited: world.streamer.edited_count(),
         },
         terrain: terrain_probe(now),
+    }
+}
+
+fn marker_probe(player: &Player) -> MarkerProbe {
+    MarkerProbe {
+        pos: player.tool.map(|mark| mark.point.pos.to_array()),
+        radius: player.brush_radius_m,
+        shape: player.brush.shape.name(),
+        kind: player.brush.kind.map(Kind::name),
     }
 }
 

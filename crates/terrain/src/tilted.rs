@@ -48,11 +48,7 @@ pub(crate) fn fill(
         return rows.fill_closed(height, out);
     };
     let mut batch = Batch::new(open);
-    let most = columns
-        .iter()
-        .fold(Vec4::ZERO, |most, column| most.max(column.form.waves));
-    let octaves = regions.iter().zip(most.to_array()).skip(1);
-    let rest = octaves.map(|(region, wave)| region.half_m() * wave).sum();
+    let rest = rest_m(&regions, columns);
     for (columns, out) in columns
         .chunks(together)
         .zip(out.chunks_mut(together * height))
@@ -60,8 +56,7 @@ pub(crate) fn fill(
         let form = |four: usize| &columns[four / open].form;
         let start = |four| form(four).starts(rows.waves[from + four % open]);
         let [x, y, z] = batch.restart(columns.len() * open, start);
-        let parts = [x, y, z].map(|axis| axis.chunks_exact_mut(4 * open));
-        let [x, y, z] = parts;
+        let [x, y, z] = [x, y, z].map(|axis| axis.chunks_exact_mut(4 * open));
         for (column, ((x, y), z)) in columns.iter().zip(x.zip(y).zip(z)) {
             Ray::new(column, first_m, step_m).fill(from, [x, y, z]);
         }
@@ -83,6 +78,14 @@ pub(crate) fn fill(
             out.copy_from_slice(&values[..height]);
         }
     }
+}
+
+/// How far from zero all octaves but the first are together at most, in any of some columns, metres.
+fn rest_m(regions: &[Region], columns: &[Column]) -> f32 {
+    let waves = columns.iter().map(|column| column.form.waves);
+    let most = waves.fold(Vec4::ZERO, Vec4::max);
+    let octaves = regions.iter().zip(most.to_array()).skip(1);
+    octaves.map(|(region, wave)| region.half_m() * wave).sum()
 }
 
 /// [`fill`] of columns that no regions hold.

@@ -205,6 +205,18 @@ fn what_is_pasted_twice_stands_free_and_the_history_has_its_own_name() {
     assert_eq!(said(&game), "Add “portal frame 2”");
 }
 
+/// That of nine points of the handle upwards, and its end.
+fn upwards(game: &Game, point: usize) -> ([f64; 2], [f64; 2]) {
+    let visit = game.play.phase.visit().unwrap();
+    let workshop = visit.workshop.as_ref().unwrap();
+    let lines = workshop.lines(visit.scene(), &game.menus.texts);
+    // Of those that have knobs it is green.
+    let green = egui::Color32::from_rgb(0x7F, 0xD1, 0x6B);
+    let up = lines.iter().find(|it| it.knob && it.colour == green);
+    let at = |place: usize| up.unwrap().points[place].map(f64::from);
+    (at(point), at(8))
+}
+
 #[test]
 fn a_handle_makes_a_wall_higher_that_stands_where_it_stood() {
     let dir = tempfile::tempdir().unwrap();
@@ -213,14 +225,7 @@ fn a_handle_makes_a_wall_higher_that_stands_where_it_stood() {
         &mut game,
         [put("wall"), WorkshopWish::Tool(ToolChoice::Scale)],
     );
-    let visit = game.play.phase.visit().unwrap();
-    let workshop = visit.workshop.as_ref().unwrap();
-    let lines = workshop.lines(visit.scene(), &game.menus.texts);
-    // The handle upwards, of those that have knobs: green.
-    let green = egui::Color32::from_rgb(0x7F, 0xD1, 0x6B);
-    let up = lines.iter().find(|it| it.knob && it.colour == green);
-    let at = |place: usize| up.unwrap().points[place].map(f64::from);
-    let (from, to) = (at(5), at(8));
+    let (from, to) = upwards(&game, 5);
     drag(&mut game, from, to);
     let What::Box { size } = scene(&game).room().find("wall").unwrap().1.what else {
         panic!("it is no wall")
@@ -243,13 +248,7 @@ fn a_house_grows_as_far_as_its_handle_is_dragged() {
         _ => panic!("it is no box"),
     };
     let before = high(&game);
-    let visit = game.play.phase.visit().unwrap();
-    let workshop = visit.workshop.as_ref().unwrap();
-    let lines = workshop.lines(visit.scene(), &game.menus.texts);
-    let green = egui::Color32::from_rgb(0x7F, 0xD1, 0x6B);
-    let up = lines.iter().find(|it| it.knob && it.colour == green);
-    let at = |place: usize| up.unwrap().points[place].map(f64::from);
-    let (from, to) = (at(7), at(8));
+    let (from, to) = upwards(&game, 7);
     // By steps of the grid, of which a group has none.
     let events = [
         ViewEvent::Hover(from),

@@ -122,10 +122,7 @@ impl Workshop {
         let names = bench.scene.document().selection().to_vec();
         if let Some(edit) = self.edit_of(bench.scene, &names, &wish) {
             bench.make(&edit)?;
-            if matches!(
-                wish,
-                WorkshopWish::Put(_) | WorkshopWish::Paste | WorkshopWish::Duplicate
-            ) {
+            if edit.puts_in() {
                 self.choose_made(bench.scene);
             }
             return Ok(());
