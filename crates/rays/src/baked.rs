@@ -1,5 +1,6 @@
 //! Triangles and hierarchies ready for the adapter: of all that stays where it is together, and of each mesh that moves.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::Vec3;
@@ -56,7 +57,7 @@ impl Baked {
             .map(|(.., corners)| bounds(*corners))
             .collect();
         let (tree, order, starts, ends) = if sorted {
-            by_triangles(&boxes)
+            by_triangles(&boxes, &whole)
         } else {
             by_instances(&boxes, &whole)
         };
@@ -83,16 +84,16 @@ impl Baked {
 type Sorted = (Tree, Vec<u32>, Vec<u32>, Vec<bool>);
 
 /// The order of triangles, where the leaf begins that a place in the order is in, and where leaves end.
-fn by_triangles(boxes: &[(Vec3, Vec3)]) -> Sorted {
-    let tree = Tree::new(boxes, LEAF);
+fn by_triangles(boxes: &[(Vec3, Vec3)], whole: &[Range<usize>]) -> Sorted {
+    let tree = Tree::with_groups(boxes, whole, LEAF);
     let order = tree.order().to_vec();
     let mut ends = vec![false; order.len()];
     tree.ends().for_each(|end| ends[end] = true);
     (tree, order, (0..boxes.len() as u32).collect(), ends)
 }
 
-fn by_instances(boxes: &[(Vec3, Vec3)], whole: &[std::ops::Range<usize>]) -> Sorted {
-    let of_all = |range: &std::ops::Range<usize>| {
+fn by_instances(boxes: &[(Vec3, Vec3)], whole: &[Range<usize>]) -> Sorted {
+    let of_all = |range: &Range<usize>| {
         let empty = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let grown = |(low, high): (Vec3, Vec3), (l, h): &(Vec3, Vec3)| (low.min(*l), high.max(*h));
         boxes[range.clone()].iter().fold(empty, grown)

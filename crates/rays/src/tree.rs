@@ -1,6 +1,8 @@
 //! Hierarchies of boxes as the shaders walk them: a node has the boxes of both of its children, so that one place is read for
 //! each step down. What a child is stands in one number: another node, triangles, or an instance of a mesh.
 
+use std::ops::Range;
+
 use antipode_deformation::{Bvh, BvhNode};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -41,7 +43,15 @@ pub struct Tree {
 impl Tree {
     /// Over boxes, each by its least and its greatest corner, with at most `most` of them in a leaf.
     pub fn new(boxes: &[(Vec3, Vec3)], most: u32) -> Self {
-        let bvh = Bvh::with_leaves(boxes, most);
+        Self::of(Bvh::with_leaves(boxes, most))
+    }
+
+    /// Over boxes that stand in groups ([`Bvh::with_groups`]).
+    pub fn with_groups(boxes: &[(Vec3, Vec3)], groups: &[Range<usize>], most: u32) -> Self {
+        Self::of(Bvh::with_groups(boxes, groups, most))
+    }
+
+    fn of(bvh: Bvh) -> Self {
         let mut inner = 0;
         let numbers = bvh.nodes().iter().map(|node| {
             inner += u32::from(node.count == 0);
@@ -174,7 +184,10 @@ mod tests {
         let along = (0..100).map(|n| (Vec3::splat(n as f32), Vec3::splat(n as f32 + 0.5)));
         let mut refitted = Tree::new(&along.collect::<Vec<_>>(), 1);
         refitted.refit(&moved);
-        for tree in [Tree::new(&moved, 1), refitted] {
+        // The second group lies across the others.
+        let groups = [60..100, 0..20, 20..60];
+        let grouped = Tree::with_groups(&moved, &groups, 2);
+        for tree in [Tree::new(&moved, 1), refitted, grouped] {
             let (root, nodes) = tree.packed(0, |first| TRIANGLES + first);
             let mut found = Vec::new();
             reached(&nodes, tree.order(), root, &mut found);
