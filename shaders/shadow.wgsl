@@ -146,29 +146,51 @@ fn gathered(corner: vec2<f32>, layer: f32, own: f32, away: vec2<f32>, placed: Pl
     return select(vec4<f32>(0.0), vec4<f32>(1.0), free);
 }
 
+// A square of texels round a point, and what is known of the point.
+struct Square {
+    first: vec2<f32>,   // the texel below on the left
+    layer: f32,
+    away: vec2<f32>,    // where the point is from that texel's middle
+    here: f32,          // depth of the point's plane there
+    placed: Placed,
+}
+
+// Of four texels, so many from the first, those that let light through: each counts by its share along both sides.
+fn four_of(square: Square, step: vec2<f32>, wx: vec2<f32>, wy: vec2<f32>) -> f32 {
+    let own = square.here + dot(square.placed.slope, step);
+    let free = gathered(square.first + step + 1.0, square.layer, own, square.away - step, square.placed);
+    return dot(free, vec4<f32>(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x));
+}
+
+// Six texels beside each other, in two rows, and whole but for what a side cuts off.
+fn twelve_of(square: Square, up: f32, part: f32, wy: vec2<f32>) -> f32 {
+    return four_of(square, vec2<f32>(0.0, up), vec2<f32>(1.0 - part, 1.0), wy)
+        + four_of(square, vec2<f32>(2.0, up), vec2<f32>(1.0, 1.0), wy)
+        + four_of(square, vec2<f32>(4.0, up), vec2<f32>(1.0, part), wy);
+}
+
 // Share of the light that a map lets through to a point: each texel is compared with the plane of the point's own
-// surface where the texel's middle is, and counts by its share of a square round the point.
+// surface where the texel's middle is, and counts by its share of a square round the point: over one texel along each side at
+// low quality, over five at high.
 fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
     let placed = placed_on(point, map);
     let base = floor(placed.texel - 0.5);
     let part = placed.texel - 0.5 - base;
-    // Low: two texels along each side; high: six, of which the inner ones count whole.
-    let gathers = select(3u, 1u, SHADOWS == 1u);
-    let first = base - f32(gathers - 1u);
+    let first = base - select(2.0, 0.0, SHADOWS == 1u);
     let away = placed.texel - 0.5 - first;
-    let here = placed.depth - dot(placed.slope, away);
-    var lit = 0.0;
-    for (var j = 0u; j < gathers; j++) {
-        for (var i = 0u; i < gathers; i++) {
-            let step = vec2<f32>(f32(2u * i), f32(2u * j));
-            let free = gathered(first + step + 1.0, map.layer, here + dot(placed.slope, step), away - step, placed);
-            let wx = vec2<f32>(select(1.0, 1.0 - part.x, i == 0u), select(1.0, part.x, i == gathers - 1u));
-            let wy = vec2<f32>(select(1.0, 1.0 - part.y, j == 0u), select(1.0, part.y, j == gathers - 1u));
-            lit += dot(free, vec4<f32>(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x));
+    let square = Square(first, map.layer, away, placed.depth - dot(placed.slope, away), placed);
+    var lit: f32;
+    // No loop: adapters hardly unroll those that a guard is put into.
+    if SHADOWS == 1u {
+        lit = four_of(square, vec2<f32>(0.0), vec2<f32>(1.0 - part.x, part.x), vec2<f32>(1.0 - part.y, part.y));
+    } else {
+        lit = 0.0;
+        for (var row = 0u; row < 3u; row++) {
+            let wy = vec2<f32>(select(1.0, 1.0 - part.y, row == 0u), select(1.0, part.y, row == 2u));
+            lit += twelve_of(square, f32(2u * row), part.x, wy) * (1.0 / 25.0);
         }
     }
-    let width = f32(2u * gathers - 1u);
-    return mix(1.0, lit / (width * width) * (1.0 - placed.turned), map.weight);
+    return mix(1.0, lit * (1.0 - placed.turned), map.weight);
 }
 
 // Which pixels show the next map where one ends, by a fixed noise from 0 to 1 (Jimenez, 2014).

@@ -78,6 +78,28 @@ struct Cell {
 // About the mean of all.
 const NO_CELL: Cell = Cell(vec3<f32>(0.0), 0.55, 0.75, 0.5, 0.0);
 
+// With the middle in one more cell.
+fn nearer_of(cell: Cell, at: vec3<f32>, q: vec3<f32>, mask: vec3<u32>) -> Cell {
+    let c = vec3<u32>(vec3<i32>(at)) & mask;
+    let h = (c.x * 0x9e3779b1u) ^ (c.y * 0x85ebca77u) ^ (c.z * 0xc2b2ae3du);
+    let a = (h ^ (h >> 15u)) * 0x2c1b3c6du;
+    let b = (a ^ (a >> 12u)) * 0x297a2d39u;
+    let jitter = vec3<f32>(vec3<u32>(b, b >> 8u, b >> 16u) & vec3<u32>(255u)) * (1.0 / 255.0);
+    let way = q - at - 0.14 - 0.72 * jitter;
+    let far = dot(way, way);
+    if far < cell.near {
+        return Cell(way, far, cell.near, f32((a >> 9u) & 1023u) * (1.0 / 1023.0), cell.left);
+    }
+    return Cell(cell.way, cell.near, min(cell.next, far), cell.own, cell.left);
+}
+
+fn nearest_of_four(start: Cell, corner: vec3<f32>, q: vec3<f32>, mask: vec3<u32>) -> Cell {
+    var cell = nearer_of(start, corner, q, mask);
+    cell = nearer_of(cell, corner + vec3<f32>(1.0, 0.0, 0.0), q, mask);
+    cell = nearer_of(cell, corner + vec3<f32>(0.0, 1.0, 0.0), q, mask);
+    return nearer_of(cell, corner + vec3<f32>(1.0, 1.0, 0.0), q, mask);
+}
+
 // So many cells a metre along each axis. Only the eight cells about the nearest corner are looked at, which jitter of less
 // than half keeps from showing.
 fn cell_at(place: vec3<f32>, frequency: f32, left: f32) -> Cell {
@@ -88,20 +110,8 @@ fn cell_at(place: vec3<f32>, frequency: f32, left: f32) -> Cell {
     let mask = vec3<u32>(u32(256.0 * frequency) - 1u);
     let corner = floor(q - 0.5);
     var cell = Cell(vec3<f32>(0.0), 9.0, 9.0, 0.0, left);
-    for (var n = 0u; n < 8u; n++) {
-        let at = corner + vec3<f32>(vec3<u32>(n & 1u, (n >> 1u) & 1u, n >> 2u));
-        let c = vec3<u32>(vec3<i32>(at)) & mask;
-        let h = (c.x * 0x9e3779b1u) ^ (c.y * 0x85ebca77u) ^ (c.z * 0xc2b2ae3du);
-        let a = (h ^ (h >> 15u)) * 0x2c1b3c6du;
-        let b = (a ^ (a >> 12u)) * 0x297a2d39u;
-        let jitter = vec3<f32>(vec3<u32>(b, b >> 8u, b >> 16u) & vec3<u32>(255u)) * (1.0 / 255.0);
-        let way = q - at - 0.14 - 0.72 * jitter;
-        let far = dot(way, way);
-        if far < cell.near {
-            cell = Cell(way, far, cell.near, f32((a >> 9u) & 1023u) * (1.0 / 1023.0), left);
-        } else {
-            cell.next = min(cell.next, far);
-        }
+    for (var n = 0u; n < 2u; n++) {
+        cell = nearest_of_four(cell, corner + vec3<f32>(0.0, 0.0, f32(n)), q, mask);
     }
     cell.near = sqrt(cell.near);
     cell.next = sqrt(cell.next);

@@ -113,19 +113,30 @@ struct Most {
     weights: vec2<f32>,
 }
 
-fn most_of(weights: mat4x4<f32>) -> Most {
-    var most = Most(vec2<u32>(SOIL), vec2<f32>(0.0));
-    var rows = weights;
-    for (var n = 0u; n < 14u; n++) {
-        let weight = rows[n >> 2u][n & 3u];
-        if weight > most.weights.x {
-            most = Most(vec2<u32>(n + 1u, most.kinds.x), vec2<f32>(weight, most.weights.x));
-        } else if weight > most.weights.y {
-            most.kinds.y = n + 1u;
-            most.weights.y = weight;
-        }
+fn more_of(most: Most, kind: u32, weight: f32) -> Most {
+    if weight > most.weights.x {
+        return Most(vec2<u32>(kind, most.kinds.x), vec2<f32>(weight, most.weights.x));
+    }
+    if weight > most.weights.y {
+        return Most(vec2<u32>(most.kinds.x, kind), vec2<f32>(most.weights.x, weight));
     }
     return most;
+}
+
+fn more_of_four(most: Most, before: u32, weights: vec4<f32>) -> Most {
+    let x = more_of(most, before + 1u, weights.x);
+    let y = more_of(x, before + 2u, weights.y);
+    let z = more_of(y, before + 3u, weights.z);
+    return more_of(z, before + 4u, weights.w);
+}
+
+// Not by a loop: what a number says where to read, a card keeps in memory and not in registers, and a pixel takes a sixth longer.
+fn most_of(weights: mat4x4<f32>) -> Most {
+    var most = Most(vec2<u32>(SOIL), vec2<f32>(0.0));
+    most = more_of_four(most, 0u, weights[0]);
+    most = more_of_four(most, 4u, weights[1]);
+    most = more_of_four(most, 8u, weights[2]);
+    return more_of_four(most, 12u, weights[3]);
 }
 
 // How far heights reach into each other where kinds blend: near, and where a pixel is so wide that nothing of their detail is
