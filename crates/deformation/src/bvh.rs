@@ -4,8 +4,6 @@
 //! hierarchies, 2007): boxes are counted in bins along each axis, and of all cuts between bins that with the least sum of
 //! area times count is taken. It is our own because it is small and its numbers go to the adapter as they are.
 
-use std::ops::Range;
-
 use glam::{DVec3, Vec3};
 
 /// Bins along an axis, and at most so many for each thing: most nodes hold few, and empty bins are all there is to look at then.
@@ -67,60 +65,24 @@ impl Bvh {
             nodes: Vec::with_capacity(2 * boxes.len().div_ceil(most.clamp(1, 2) as usize)),
             order: (0..boxes.len() as u32).collect(),
         };
-        if !boxes.is_empty() {
-            bvh.nodes.push(bvh.leaf(boxes, 0, boxes.len()));
-            bvh.part(boxes, most, vec![(0, 1)]);
+        if boxes.is_empty() {
+            return bvh;
         }
-        bvh
-    }
-
-    /// Of boxes that stand in groups: groups are parted from each other as wholes, and then each by itself. It is sooner done, and
-    /// hardly worse where the groups are small beside what they stand in.
-    ///
-    /// # Panics
-    /// When a group is empty or has a box that is not there.
-    pub fn with_groups(boxes: &[(Vec3, Vec3)], groups: &[Range<usize>], most: u32) -> Self {
-        let around = |group: &Range<usize>| {
-            let mut extent = Extent::NONE;
-            let all = boxes[group.clone()].iter();
-            all.for_each(|(low, high)| extent.grow(*low, *high));
-            (extent.low, extent.high)
-        };
-        let mut bvh = Self::with_leaves(&groups.iter().map(around).collect::<Vec<_>>(), 1);
-        bvh.nodes.reserve(boxes.len());
-        let of_groups = std::mem::take(&mut bvh.order);
-        let mut levels = vec![1; bvh.nodes.len()];
-        let mut waiting = Vec::with_capacity(groups.len());
-        for (at, node) in bvh.nodes.iter_mut().enumerate() {
-            let first = node.first as usize;
-            if node.count == 0 {
-                let below = levels[at] + 1;
-                levels[first..first + 2].fill(below);
-                continue;
-            }
-            let group = &groups[of_groups[first] as usize];
-            (node.first, node.count) = (bvh.order.len() as u32, group.len() as u32);
-            bvh.order.extend(group.clone().map(|it| it as u32));
-            waiting.push((at, levels[at]));
-        }
-        bvh.part(boxes, most, waiting);
-        bvh
-    }
-
-    /// Parts leaves, each by its number and its level, and what comes of them.
-    fn part(&mut self, boxes: &[(Vec3, Vec3)], most: u32, mut waiting: Vec<(usize, usize)>) {
+        bvh.nodes.push(bvh.leaf(boxes, 0, boxes.len()));
+        let mut waiting = vec![(0, 1)];
         while let Some((number, level)) = waiting.pop() {
-            let BvhNode { count, first, .. } = self.nodes[number];
+            let BvhNode { count, first, .. } = bvh.nodes[number];
             let (begin, end) = (first as usize, (first + count) as usize);
-            let Some(middle) = self.cut(boxes, (begin, end), most, level) else {
+            let Some(middle) = bvh.cut(boxes, (begin, end), most, level) else {
                 continue;
             };
-            let child = self.nodes.len();
-            self.nodes.push(self.leaf(boxes, begin, middle));
-            self.nodes.push(self.leaf(boxes, middle, end));
-            (self.nodes[number].count, self.nodes[number].first) = (0, child as u32);
+            let child = bvh.nodes.len();
+            bvh.nodes.push(bvh.leaf(boxes, begin, middle));
+            bvh.nodes.push(bvh.leaf(boxes, middle, end));
+            (bvh.nodes[number].count, bvh.nodes[number].first) = (0, child as u32);
             waiting.extend([(child + 1, level + 1), (child, level + 1)]);
         }
+        bvh
     }
 
     /// The nodes.

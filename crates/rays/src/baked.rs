@@ -1,6 +1,5 @@
 //! Triangles and hierarchies ready for the adapter: of all that stays where it is together, and of each mesh that moves.
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use glam::Vec3;
@@ -8,7 +7,7 @@ use glam::Vec3;
 use crate::error::RaysError;
 use crate::mesh::{Mesh, TRIANGLE_TEXELS, bounds, triangle};
 use crate::scene::{Instance, RayScene};
-use crate::tree::{Node, TRIANGLES, Tree};
+use crate::tree::{NOTHING, Node, TRIANGLES, Tree};
 use crate::trees::Trees;
 
 /// Triangles in a leaf at most.
@@ -30,87 +29,102 @@ pub struct Baked {
 }
 
 impl Baked {
-    /// All instances that stay, in metres of the scene. Without sorting, each is a single leaf. Nodes are numbered from
-    /// `node_base`, triangles from 0.
+    /// All instances that stay, in metres of the scene: a hierarchy of them, and below it that of the mesh of each, which is made
+    /// once for all of them. Without sorting, each is a single leaf. Nodes are numbered from `node_base`, triangles from 0.
     pub fn room(scene: &RayScene, sorted: bool, node_base: u32) -> Result<Self, RaysError> {
         for (number, mesh) in scene.meshes.iter().enumerate() {
             mesh.check(number)?;
         }
-        let of_instance = |it: &Instance| scene.meshes.get(it.mesh).map(|it| it.triangles.len());
-        let count: usize = scene.instances.iter().filter_map(of_instance).sum();
-        let mut listed = Vec::with_capacity(count);
-        let mut whole = Vec::new();
+        let (mut standing, mut around) = (Vec::new(), Vec::new());
         for (number, instance) in scene.instances.iter().enumerate() {
             let mesh = checked(instance, scene)?;
-            let first = listed.len();
-            listed.extend((0..mesh.triangles.len() as u32).map(|one| {
-                let corners = mesh.corners(one, &mesh.positions);
-                let corners = corners.map(|corner| instance.pose.transform_point3(corner));
-                (number as u32, one, corners)
-            }));
-            if listed.len() > first {
-                whole.push(first..listed.len());
+            if !mesh.triangles.is_empty() {
+                standing.push(number);
+                around.push(box_about(&places_of(mesh, instance)));
             }
         }
-        let boxes: Vec<_> = listed
-            .iter()
-            .map(|(.., corners)| bounds(*corners))
-            .collect();
-        let (tree, order, starts, ends) = if sorted {
-            by_triangles(&boxes, &whole)
-        } else {
-            by_instances(&boxes, &whole)
-        };
-        let (root, nodes) = tree.packed(node_base, |first| TRIANGLES + starts[first as usize]);
+        let top = Tree::new(&around, 1);
         let mut baked = Self {
-            nodes,
-            root,
-            bounds: tree.bounds(),
-            triangles: Vec::with_capacity(count * TRIANGLE_TEXELS),
-            attributes: Vec::with_capacity(count * TRIANGLE_TEXELS),
+            bounds: top.bounds(),
+            ..Self::default()
         };
-        for (at, number) in order.iter().enumerate() {
-            let (instance, one, corners) = listed[*number as usize];
-            let mesh = &scene.meshes[scene.instances[instance as usize].mesh];
-            let texels = triangle(corners, one, ends[at], instance);
-            baked.triangles.extend(texels);
-            let attributes = mesh.attributes(one, &mesh.positions, &mesh.normals);
-            baked.attributes.extend(attributes);
+        let mut forms: Vec<_> = (scene.meshes.iter().map(|mesh| Form::new(mesh, sorted))).collect();
+        let mut roots = vec![NOTHING; around.len()];
+        let base = node_base + top.node_count() as u32;
+        for at in top.order() {
+            let number = standing[*at as usize];
+            let instance = &scene.instances[number];
+            let form = &mut forms[instance.mesh];
+            let places = places_of(form.mesh, instance);
+            roots[*at as usize] = baked.put(form, &places, (number as u32, base));
         }
-        Ok(baked)
+        let root = |first| roots[top.order()[first as usize] as usize];
+        let (root, mut nodes) = top.packed(node_base, root);
+        nodes.append(&mut baked.nodes);
+        Ok(Self {
+            root,
+            nodes,
+            ..baked
+        })
+    }
+
+    /// Appends an instance of a form, whose corners are there and whose number is this; nodes are numbered from `base`. Returns the
+    /// number of its root.
+    fn put(&mut self, form: &mut Form<'_>, places: &[Vec3], (number, base): (u32, u32)) -> u32 {
+        form.tree.refit(&boxes(form.mesh, places));
+        let first = (self.triangles.len() / TRIANGLE_TEXELS) as u32;
+        let next = base + self.nodes.len() as u32;
+        let (root, nodes) = form.tree.packed(next, |at| TRIANGLES + first + at);
+        self.nodes.extend(nodes);
+        for (one, ends) in form.tree.order().iter().zip(&form.ends) {
+            let corners = form.mesh.corners(*one, places);
+            self.triangles
+                .extend(triangle(corners, *one, *ends, number));
+        }
+        self.attributes.extend_from_slice(&form.attributes);
+        root
     }
 }
 
-type Sorted = (Tree, Vec<u32>, Vec<u32>, Vec<bool>);
-
-/// The order of triangles, where the leaf begins that a place in the order is in, and where leaves end.
-fn by_triangles(boxes: &[(Vec3, Vec3)], whole: &[Range<usize>]) -> Sorted {
-    let tree = Tree::with_groups(boxes, whole, LEAF);
-    let order = tree.order().to_vec();
-    let mut ends = vec![false; order.len()];
-    tree.ends().for_each(|end| ends[end] = true);
-    (tree, order, (0..boxes.len() as u32).collect(), ends)
+/// A mesh of which instances stay.
+struct Form<'a> {
+    mesh: &'a Mesh,
+    tree: Tree,
+    /// Of each place in the tree's order whether a leaf ends there.
+    ends: Vec<bool>,
+    /// In the tree's order.
+    attributes: Vec<[u32; 4]>,
 }
 
-fn by_instances(boxes: &[(Vec3, Vec3)], whole: &[Range<usize>]) -> Sorted {
-    let of_all = |range: &Range<usize>| {
-        let empty = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let grown = |(low, high): (Vec3, Vec3), (l, h): &(Vec3, Vec3)| (low.min(*l), high.max(*h));
-        boxes[range.clone()].iter().fold(empty, grown)
-    };
-    let boxes: Vec<_> = whole.iter().map(of_all).collect();
-    let tree = Tree::new(&boxes, 1);
-    let (mut order, mut starts, mut ends) = (Vec::new(), Vec::new(), Vec::new());
-    for number in tree.order() {
-        let range = &whole[*number as usize];
-        starts.push(order.len() as u32);
-        order.extend(range.clone().map(|one| one as u32));
-        ends.resize(order.len(), false);
-        if let Some(last) = ends.last_mut() {
-            *last = true;
+impl<'a> Form<'a> {
+    fn new(mesh: &'a Mesh, sorted: bool) -> Self {
+        let boxes = boxes(mesh, &mesh.positions);
+        let tree = if sorted {
+            Tree::new(&boxes, LEAF)
+        } else {
+            Tree::leaf(&boxes)
+        };
+        let attributes = (tree.order().iter())
+            .flat_map(|one| mesh.attributes(*one, &mesh.positions, &mesh.normals));
+        Self {
+            mesh,
+            ends: tree.ends(),
+            attributes: attributes.collect(),
+            tree,
         }
     }
-    (tree, order, starts, ends)
+}
+
+/// Where the corners of an instance are, metres of the scene.
+fn places_of(mesh: &Mesh, instance: &Instance) -> Vec<Vec3> {
+    let all = mesh.positions.iter();
+    all.map(|it| instance.pose.transform_point3(*it)).collect()
+}
+
+fn box_about(places: &[Vec3]) -> (Vec3, Vec3) {
+    let empty = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    let grown = |(low, high): (Vec3, Vec3), it: &Vec3| (low.min(*it), high.max(*it));
+    places.iter().fold(empty, grown)
 }
 
 /// The mesh of an instance that can be drawn.
@@ -203,9 +217,7 @@ impl Movable {
             bounds: self.tree.bounds(),
             ..Baked::default()
         };
-        let mut ends = vec![false; self.tree.order().len()];
-        self.tree.ends().for_each(|end| ends[end] = true);
-        for (number, end) in self.tree.order().iter().zip(ends) {
+        for (number, end) in self.tree.order().iter().zip(self.tree.ends()) {
             let corners = self.mesh.corners(*number, places);
             baked.triangles.extend(triangle(corners, *number, end, 0));
             let attributes = self.mesh.attributes(*number, places, normals);

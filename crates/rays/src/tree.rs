@@ -1,8 +1,6 @@
 //! Hierarchies of boxes as the shaders walk them: a node has the boxes of both of its children, so that one place is read for
 //! each step down. What a child is stands in one number: another node, triangles, or an instance of a mesh.
 
-use std::ops::Range;
-
 use antipode_deformation::{Bvh, BvhNode};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -43,15 +41,7 @@ pub struct Tree {
 impl Tree {
     /// Over boxes, each by its least and its greatest corner, with at most `most` of them in a leaf.
     pub fn new(boxes: &[(Vec3, Vec3)], most: u32) -> Self {
-        Self::of(Bvh::with_leaves(boxes, most))
-    }
-
-    /// Over boxes that stand in groups ([`Bvh::with_groups`]).
-    pub fn with_groups(boxes: &[(Vec3, Vec3)], groups: &[Range<usize>], most: u32) -> Self {
-        Self::of(Bvh::with_groups(boxes, groups, most))
-    }
-
-    fn of(bvh: Bvh) -> Self {
+        let bvh = Bvh::with_leaves(boxes, most);
         let mut inner = 0;
         let numbers = bvh.nodes().iter().map(|node| {
             inner += u32::from(node.count == 0);
@@ -67,6 +57,27 @@ impl Tree {
         }
     }
 
+    /// A single leaf of all boxes.
+    pub fn leaf(boxes: &[(Vec3, Vec3)]) -> Self {
+        let Some((low, high)) = boxes.first().copied() else {
+            return Self::default();
+        };
+        let leaf = BvhNode {
+            low,
+            high,
+            count: boxes.len() as u32,
+            first: 0,
+        };
+        let mut tree = Self {
+            nodes: vec![leaf],
+            order: (0..leaf.count).collect(),
+            numbers: vec![0],
+            inner: 0,
+        };
+        tree.refit(boxes);
+        tree
+    }
+
     /// Numbers of the boxes in the order of the leaves.
     pub fn order(&self) -> &[u32] {
         &self.order
@@ -77,10 +88,13 @@ impl Tree {
         self.inner
     }
 
-    /// Where in the order each leaf ends.
-    pub fn ends(&self) -> impl Iterator<Item = usize> + '_ {
-        let leaves = self.nodes.iter().filter(|node| node.count > 0);
-        leaves.map(|leaf| (leaf.first + leaf.count) as usize - 1)
+    /// Of each place in the order whether a leaf ends there.
+    pub fn ends(&self) -> Vec<bool> {
+        let mut ends = vec![false; self.order.len()];
+        for leaf in self.nodes.iter().filter(|node| node.count > 0) {
+            ends[(leaf.first + leaf.count) as usize - 1] = true;
+        }
+        ends
     }
 
     /// The box of all.
@@ -184,10 +198,7 @@ mod tests {
         let along = (0..100).map(|n| (Vec3::splat(n as f32), Vec3::splat(n as f32 + 0.5)));
         let mut refitted = Tree::new(&along.collect::<Vec<_>>(), 1);
         refitted.refit(&moved);
-        // The second group lies across the others.
-        let groups = [60..100, 0..20, 20..60];
-        let grouped = Tree::with_groups(&moved, &groups, 2);
-        for tree in [Tree::new(&moved, 1), refitted, grouped] {
+        for tree in [Tree::new(&moved, 1), refitted] {
             let (root, nodes) = tree.packed(0, |first| TRIANGLES + first);
             let mut found = Vec::new();
             reached(&nodes, tree.order(), root, &mut found);
@@ -204,6 +215,10 @@ mod tests {
             one.packed(5, |first| TRIANGLES + first),
             (TRIANGLES, vec![])
         );
-        assert!(one.ends().eq([0]));
+        assert_eq!(one.ends(), [true]);
+        assert_eq!(
+            Tree::leaf(&[place(1), place(2), place(3)]).ends(),
+            [false, false, true]
+        );
     }
 }
