@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use antipode_rooms::{Object, Room, read_so_far, write_so_far};
+use antipode_rooms::{Object, Room, What, read_so_far, write_so_far};
 
 use crate::copies::{carried, into_room};
 use crate::error::WorkshopError;
@@ -37,6 +37,19 @@ impl Clip {
     /// The objects in it.
     pub fn objects(&self) -> &[Arc<Object>] {
         &self.objects
+    }
+
+    /// The same under other names.
+    pub fn renamed(&self, called: impl Fn(&str) -> String) -> Self {
+        let mut objects = self.objects.clone();
+        for object in objects.iter_mut().map(Arc::make_mut) {
+            object.name = called(&object.name);
+            object.group = object.group.as_deref().map(&called);
+            if let What::Portal(portal) = &mut object.what {
+                portal.to = called(&portal.to);
+            }
+        }
+        Self { objects }
     }
 
     /// It as text, the file of a room with these objects only.

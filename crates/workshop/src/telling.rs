@@ -1,8 +1,10 @@
 //! What is told of edits in the list of history.
 
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use antipode_rooms::{Object, Room};
+use antipode_rooms::bounds::MOST_DEEP;
+use antipode_rooms::{Object, Room, What};
 use glam::DVec3;
 
 use crate::edit::{Edit, Field, Placed};
@@ -41,18 +43,20 @@ pub const STEPS: [&str; 25] = [
 
 /// What is told of a change of these fields.
 fn of_fields(fields: &[Field]) -> &'static str {
-    let mut ids = fields.iter().map(|it| of_field(&it.key));
-    let Some(first) = ids.next() else {
-        return "change";
-    };
-    ids.fold(first, |so_far, id| match (so_far, id) {
+    both(fields.iter().map(|it| of_field(&it.key)))
+}
+
+/// What is told of several changes as one.
+fn both(ids: impl Iterator<Item = &'static str>) -> &'static str {
+    let all = ids.reduce(|so_far, id| match (so_far, id) {
         (a, b) if a == b => a,
         ("rename", _) | (_, "rename") => "rename",
         ("move" | "turn" | "pose", "move" | "turn" | "pose") => "pose",
         ("resize" | "move", "resize" | "move") => "resize",
         ("stretch" | "resize" | "move", "stretch" | "resize" | "move") => "stretch",
         _ => "change",
-    })
+    });
+    all.unwrap_or("change")
 }
 
 fn of_field(key: &str) -> &'static str {
@@ -79,7 +83,7 @@ pub(crate) fn told(room: &Room, edit: &Edit) -> Said {
     match edit {
         Edit::Insert(object) => Said::of("add", std::slice::from_ref(&object.name)),
         Edit::Remove(names) => Said::of("remove", names),
-        Edit::Change(name, fields) => changed(&[(name, fields.as_slice())]),
+        Edit::Change(name, fields) => changed(room, &[(name, fields.as_slice())]),
         Edit::Place(placed) => self::placed(placed),
         Edit::Group { name, members, .. } => group(name, members),
         Edit::Carry {
@@ -131,16 +135,16 @@ fn placed(placed: &[Placed]) -> Said {
         .with_number("count", placed.len() as f64)
 }
 
-/// Of changes of several objects: what is told of all of them, if that is the same.
-fn changed(changes: &[(&String, &[Field])]) -> Said {
-    let names: Vec<_> = changes.iter().map(|(name, _)| (*name).clone()).collect();
-    let mut ids = changes.iter().map(|(_, fields)| of_fields(fields));
-    let first = ids.next().unwrap_or("change");
-    let id = if ids.all(|it| it == first) {
-        first
-    } else {
-        "change"
-    };
+/// Of changes of several objects: what is told of all of them. What grows with all that a group
+/// carries is the group.
+fn changed(room: &Room, changes: &[(&String, &[Field])]) -> Said {
+    let mut names: Vec<_> = changes.iter().map(|(name, _)| (*name).clone()).collect();
+    let id = both(changes.iter().map(|(_, fields)| of_fields(fields)));
+    if matches!(id, "resize" | "stretch")
+        && let Some(group) = group_of_all(room, &names)
+    {
+        names = vec![group];
+    }
     let said = Said::of(id, &names);
     let new_name = changes
         .iter()
@@ -149,6 +153,45 @@ fn changed(changes: &[(&String, &[Field])]) -> Said {
         Some(field) if id == "rename" => said.with("new", field.value.clone()),
         _ => said,
     }
+}
+
+/// The group that carries all of these, and nothing else but groups.
+fn group_of_all(room: &Room, names: &[String]) -> Option<String> {
+    let named: HashSet<_> = names.iter().map(String::as_str).collect();
+    if named.len() < 2 {
+        return None;
+    }
+    let groups = room.objects.iter().filter(|it| it.what == What::Group);
+    let outer: HashMap<_, _> = groups
+        .map(|it| (it.name.as_str(), it.group.as_deref()))
+        .collect();
+    let outermost = |object: &Object| {
+        let mut found = None;
+        let mut next = object.group.as_deref();
+        for _ in 0..=MOST_DEEP {
+            let Some(group) = next else { break };
+            found = outer.get_key_value(group).map(|(name, _)| *name);
+            next = outer.get(group).copied().flatten();
+        }
+        found
+    };
+    let first = room
+        .objects
+        .iter()
+        .find(|it| named.contains(it.name.as_str()))?;
+    let group = outermost(first)?;
+    let mut carried = 0;
+    for object in &room.objects {
+        let is_named = named.contains(object.name.as_str());
+        if outermost(object) == Some(group) {
+            if !is_named && object.what != What::Group {
+                return None;
+            }
+            carried += usize::from(is_named);
+        }
+    }
+    let itself = usize::from(named.contains(group));
+    (carried + itself == named.len()).then(|| group.to_owned())
 }
 
 fn several(room: &Room, edits: &[Edit]) -> Said {
@@ -160,7 +203,7 @@ fn several(room: &Room, edits: &[Edit]) -> Said {
         })
         .collect();
     if changes.len() == edits.len() && !changes.is_empty() {
-        return changed(&changes);
+        return changed(room, &changes);
     }
     let inserted: Vec<_> = edits
         .iter()

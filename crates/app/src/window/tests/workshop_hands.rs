@@ -184,6 +184,13 @@ fn a_copy_stands_free_of_what_it_is_of() {
     assert!(way > 0.0 && way < 2.0, "{way}");
 }
 
+/// What the history says of the last step.
+fn said(game: &Game) -> String {
+    let mut told = Told::default();
+    told.renew(&game.menus.texts, scene(game));
+    told.history.pop().unwrap().text
+}
+
 #[test]
 fn what_is_pasted_twice_stands_free_and_the_history_has_its_own_name() {
     let dir = tempfile::tempdir().unwrap();
@@ -195,11 +202,6 @@ fn what_is_pasted_twice_stands_free_and_the_history_has_its_own_name() {
     );
     let x = |name: &str| place(&game, name).x - place(&game, "box").x;
     assert_eq!((x("box 2"), x("box 3")), (1.0, 2.0));
-    let said = |game: &Game| {
-        let mut told = Told::default();
-        told.renew(&game.menus.texts, scene(game));
-        told.history.pop().unwrap().text
-    };
     assert_eq!(said(&game), "Paste “box 3”");
     ask(&mut game, [put("portal"), put("portal")]);
     assert_eq!(said(&game), "Add “portal frame 2”");
@@ -267,8 +269,9 @@ fn a_house_grows_as_far_as_its_handle_is_dragged() {
     let times = high(&game) / before;
     // From 0.8875 of its length to its end, seen in perspective.
     assert!((1.02..1.4).contains(&times), "{times} times");
-    let said = words(&mut game);
-    assert!(said.contains("all of it grows"), "{said}");
+    let told = words(&mut game);
+    assert!(told.contains("all of it grows"), "{told}");
+    assert_eq!(said(&game), "Size “house”");
 }
 
 #[test]

@@ -13,10 +13,10 @@ use antipode_ui::workshop::ChooserWish;
 use antipode_workshop::{Edit, Field};
 use glam::DVec3;
 
-use super::Workshop;
 use super::choosing::Choosing;
 use super::rows::free_name;
 use super::wishes::Bench;
+use super::{Workshop, names};
 use crate::window::background::{Progress, Task};
 use crate::window::game::Game;
 use crate::window::phase::Phase;
@@ -85,7 +85,8 @@ impl Workshop {
                 let (at, _) = self.before_camera(bench.scene);
                 let at = at.map(|one| (one * 1e3).round() / 1e3 + 0.0);
                 let what = What::Model { file, scale: 1.0 };
-                Edit::Insert(Object::new(&free_name(room, "model"), at, what))
+                let name = free_name(room, &names::word(bench.texts, "model"));
+                Edit::Insert(Object::new(&name, at, what))
             }
             Imported::Texture(file) => {
                 let names = bench.scene.document().selection().to_vec();
@@ -184,6 +185,7 @@ impl Game {
                 dir: &dir,
                 slug: &slug,
                 reading: &mut visit.reading,
+                texts: &self.menus.texts,
             };
             workshop.put_in(&mut bench, brought)
         });

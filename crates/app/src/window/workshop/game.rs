@@ -223,6 +223,7 @@ impl Game {
             dir: &dir,
             slug: &slug,
             reading: &mut visit.reading,
+            texts: &self.menus.texts,
         };
         let (mut plays, mut keeps, mut leaves) = (false, false, false);
         let mut refused = None;

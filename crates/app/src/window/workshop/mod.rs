@@ -17,6 +17,7 @@ mod kits;
 mod lesson;
 mod lines;
 mod link;
+mod names;
 mod older;
 mod part_pictures;
 mod parts;

@@ -1,5 +1,6 @@
 //! What the player asks for in the workshop, done.
 
+use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::{Facing, FreeCamera};
 use antipode_rooms::{Assets, Room, RoomsDir};
@@ -10,7 +11,7 @@ use glam::{DVec2, DVec3};
 use super::hand::{Deed, nudge};
 use super::kits::Site;
 use super::rows::free_name;
-use super::{Workshop, chosen, parts, set};
+use super::{Workshop, chosen, names, parts, set};
 use crate::window::reading::{Asked, Reading};
 
 /// How far about the place of a finding one looks, metres.
@@ -45,6 +46,8 @@ pub struct Bench<'a> {
     pub slug: &'a str,
     /// What waits for the disk.
     pub reading: &'a mut Reading,
+    /// The player's language.
+    pub texts: &'a Texts,
 }
 
 impl Bench<'_> {
@@ -120,7 +123,7 @@ impl Workshop {
         }
         self.field = None;
         let names = bench.scene.document().selection().to_vec();
-        if let Some(edit) = self.edit_of(bench.scene, &names, &wish) {
+        if let Some(edit) = self.edit_of(bench, &names, &wish) {
             bench.make(&edit)?;
             if edit.puts_in() {
                 self.choose_made(bench.scene);
@@ -170,7 +173,8 @@ impl Workshop {
     }
 
     /// The edit that is asked for, if it is one.
-    fn edit_of(&self, scene: &RoomScene, names: &[String], wish: &WorkshopWish) -> Option<Edit> {
+    fn edit_of(&self, bench: &Bench<'_>, names: &[String], wish: &WorkshopWish) -> Option<Edit> {
+        let (scene, texts) = (&*bench.scene, bench.texts);
         let room = scene.room();
         let all = || (!names.is_empty()).then(|| names.to_vec());
         let step = self.bar.grid_m.max(0.25);
@@ -192,7 +196,7 @@ impl Workshop {
                     snap: &|metres| snap.length(metres),
                     ground: &|point| scene.ground_below(point),
                 };
-                parts::put(room, id, &site)?
+                names::in_language(parts::put(room, id, &site)?, room, texts)
             }
             WorkshopWish::Paste if !scene.document().clipboard().is_empty() => {
                 let clip = scene.document().clipboard().clone();
@@ -219,7 +223,7 @@ impl Workshop {
                 })
             }
             WorkshopWish::Group => Edit::Group {
-                name: free_name(room, "group"),
+                name: free_name(room, &names::word(texts, "group")),
                 at: chosen::middle(scene, &chosen::indices(scene))?,
                 members: all()?,
             },
