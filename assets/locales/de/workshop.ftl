@@ -402,7 +402,7 @@ workshop-hover-sides = Was an den Seiten ist, durch die niemand gehen soll: Wän
 workshop-hover-ways = Wer vom anderen Ende kommt, findet den Raum auf Wunsch so lang, wie er aussieht.
 workshop-hover-outline = Die Kanten des Kastens sind auch im Spiel zu sehen, nicht nur hier.
 workshop-hover-lengths = Eine Achse macht einen Tunnel länger oder kürzer; alle Achsen machen einen Raum innen größer oder kleiner.
-workshop-hover-thesis = Die Dehnung andersherum: Ein Meter innen nimmt außen 1 + d Meter ein. 0 ändert nichts, 2 ist innen ein Drittel so lang, −0,8 fünfmal so lang.
+workshop-hover-thesis = So zählt eine Abschlussarbeit, das erste Programm solcher Räume, die Dehnung, andersherum: Ein Meter innen nimmt außen 1 + d Meter ein. 0 ändert nichts, 2 ist innen ein Drittel so lang, −0,8 fünfmal so lang.
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = Lektion: Tunnel und Portale

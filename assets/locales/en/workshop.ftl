@@ -402,7 +402,7 @@ workshop-hover-sides = What is at the faces through which nobody is meant to wal
 workshop-hover-ways = Who comes from the other end may find the space as long as it looks.
 workshop-hover-outline = The edges of the box are drawn in the game, too, not only here.
 workshop-hover-lengths = One axis makes a tunnel longer or shorter; all axes make a room larger or smaller inside.
-workshop-hover-thesis = The stretch the other way round: a metre inside takes up 1 + d metres outside. 0 changes nothing, 2 is a third as long inside, −0.8 five times as long.
+workshop-hover-thesis = How a thesis, the first program of such rooms, counts stretch, the other way round: a metre inside takes up 1 + d metres outside. 0 changes nothing, 2 is a third as long inside, −0.8 five times as long.
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = Lesson: tunnel and portals

@@ -402,7 +402,7 @@ workshop-hover-sides = Qué hay en las caras por las que nadie debe pasar: pared
 workshop-hover-ways = Quien llega por el otro extremo puede hallar el espacio tan largo como parece.
 workshop-hover-outline = Los bordes de la caja se ven también en el juego, no solo aquí.
 workshop-hover-lengths = Un eje hace un túnel más largo o más corto; todos los ejes hacen una sala mayor o menor por dentro.
-workshop-hover-thesis = El estiramiento al revés: un metro dentro ocupa 1 + d metros fuera. 0 no cambia nada, 2 es dentro un tercio de largo, −0,8 cinco veces más largo.
+workshop-hover-thesis = Así cuenta el estiramiento una tesis, el primer programa de salas así, al revés: un metro dentro ocupa 1 + d metros fuera. 0 no cambia nada, 2 es dentro un tercio de largo, −0,8 cinco veces más largo.
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = Lección: túnel y portales

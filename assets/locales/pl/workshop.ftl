@@ -442,7 +442,7 @@ workshop-hover-sides = Co jest na bokach, przez które nikt nie ma przechodzić:
 workshop-hover-ways = Kto przyjdzie z drugiego końca, może zastać przestrzeń tak długą, na jaką wygląda.
 workshop-hover-outline = Krawędzie pudła widać także w grze, nie tylko tutaj.
 workshop-hover-lengths = Jedna oś wydłuża lub skraca tunel; wszystkie osie powiększają lub zmniejszają wnętrze.
-workshop-hover-thesis = Rozciągnięcie odwrotnie: metr w środku zajmuje na zewnątrz 1 + d metrów. 0 nic nie zmienia, 2 to w środku jedna trzecia, −0,8 to pięć razy dłużej.
+workshop-hover-thesis = Tak liczy rozciągnięcie praca dyplomowa, pierwszy program takich pokoi, odwrotnie: metr w środku zajmuje na zewnątrz 1 + d metrów. 0 nic nie zmienia, 2 to w środku jedna trzecia, −0,8 to pięć razy dłużej.
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = Lekcja: tunel i portale

@@ -344,7 +344,7 @@ workshop-hover-sides = 不该有人穿过的侧面上有什么：墙、什么也
 workshop-hover-ways = 从另一端来的人，可以感到空间和看上去一样长。
 workshop-hover-outline = 盒子的边线在游戏中也看得到，不只在这里。
 workshop-hover-lengths = 一条轴让隧道变长或变短；所有轴让房间内部变大或变小。
-workshop-hover-thesis = 反过来表示的拉伸：里面的一米在外面占 1 + d 米。0 没有变化，2 使里面缩为三分之一，−0.8 使里面长五倍。
+workshop-hover-thesis = 一篇论文（最早做出这种房间的程序）计算拉伸的方式，方向相反：里面的一米在外面占 1 + d 米。0 没有变化，2 使里面缩为三分之一，−0.8 使里面长五倍。
 
 # The second lesson, and a portal alone.
 workshop-do-lesson-doors = 课程：隧道和传送门
