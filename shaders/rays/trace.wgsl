@@ -146,12 +146,19 @@ fn next_event(path: ptr<function, Path>, v: vec3<f32>, longest: f32) -> Next {
     return next;
 }
 
-// Whether a point of a face of a box lies within `width` of one of its edges.
-fn is_at_edge(number: u32, axis: u32, x: vec3<f32>, width: f32) -> bool {
-    var room = half_of(number) - abs(local_place(number, x));
+// Whether a path on a face of a box is within `width` felt metres of one of its edges. A felt way u leads by <K u, a> along an
+// axis a of the box, so by |K^T a| at most.
+fn is_at_edge(number: u32, axis: u32, path: ptr<function, Path>, width: f32) -> bool {
+    let box = space.boxes[number];
+    let k = (*path).k;
+    let felt = vec3<f32>(length(box.x_axis * k), length(box.y_axis * k), length(box.z_axis * k));
+    var room = half_of(number) - abs(local_place(number, (*path).x)) - width * felt;
     room[axis] = 1.0e9;
-    return -greatest(-room) < width;
+    return -greatest(-room) < 0.0;
 }
+
+// Felt metres that an outline is wide at least.
+const THINNEST: f32 = 0.002;
 
 // Goes on for at most `longest` felt metres. Outlines of boxes are told where a pixel is `width` felt metres wide for each
 // metre; none for 0. Light of the eye passes what it does not see.
@@ -193,7 +200,7 @@ fn trace(start: Path, longest: f32, any_will_do: bool, of_eye: bool, width: f32)
             pass_portal(&path, next.number - PORTAL, next.enters);
             continue;
         }
-        if HAS_OUTLINES && width > 0.0 && ended.outline < 0.0 && (space.boxes[next.number].flags & ways.outlined) != 0u && is_at_edge(next.number, next.axis, path.x, 0.002 + width * ended.length * length(v)) {
+        if HAS_OUTLINES && width > 0.0 && ended.outline < 0.0 && (space.boxes[next.number].flags & ways.outlined) != 0u && is_at_edge(next.number, next.axis, &path, THINNEST + width * ended.length) {
             ended.outline = ended.length;
         }
         ended.events += 1u;

@@ -1,5 +1,6 @@
 //! Pictures of rooms: rays into the light of a picture, the tone map of worlds after it, and the writing on signs.
 
+use std::borrow::Cow;
 use std::ops::Range;
 use std::time::Instant;
 
@@ -215,6 +216,20 @@ pub struct RoomView {
     pub tile: Option<Tile>,
 }
 
+impl RoomView {
+    /// In a window of that size, which may have become smaller since it was laid out.
+    pub fn within(&self, window: (u32, u32)) -> Cow<'_, Self> {
+        let tile = self.tile.and_then(|tile| tile.within(window));
+        if tile == self.tile {
+            return Cow::Borrowed(self);
+        }
+        Cow::Owned(Self {
+            tile,
+            ..self.clone()
+        })
+    }
+}
+
 /// A part of the window, pixels.
 pub type Tile = antipode_render::MirrorPlace;
 
@@ -299,6 +314,17 @@ mod tests {
         assert!(places(&before).iter().all(|it| it.stack.is_empty()));
         let back = placed_anew(scene.space(), &before);
         assert_eq!(places(&back), places(&moment));
+    }
+
+    #[test]
+    fn a_picture_that_was_laid_out_in_a_larger_window_is_cut_to_the_smaller() {
+        let tile = |corner, size| Tile { corner, size };
+        let within = |it: Tile| it.within((800, 600));
+        let part = tile((270, 62), (500, 510));
+        assert_eq!(within(part), Some(part));
+        let wide = tile((270, 62), (685, 610));
+        assert_eq!(within(wide), Some(tile((270, 62), (530, 538))));
+        assert_eq!(within(tile((800, 62), (10, 10))), None);
     }
 
     #[test]

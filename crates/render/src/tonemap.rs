@@ -129,6 +129,18 @@ pub struct MirrorPlace {
     pub size: (u32, u32),
 }
 
+impl MirrorPlace {
+    /// What of it lies in a target of that size; none where nothing does.
+    pub fn within(self, target: (u32, u32)) -> Option<Self> {
+        let cut = |from: u32, length: u32, end: u32| length.min(end.saturating_sub(from));
+        let size = (
+            cut(self.corner.0, self.size.0, target.0),
+            cut(self.corner.1, self.size.1, target.1),
+        );
+        (size.0 > 0 && size.1 > 0).then_some(Self { size, ..self })
+    }
+}
+
 fn begin<'e>(
     encoder: &'e mut CommandEncoder,
     target: &TextureView,

@@ -25,6 +25,7 @@ mod workshop_lists;
 mod workshop_newcomers;
 mod workshop_pictures;
 mod workshop_reading;
+mod workshop_views;
 
 use std::fs;
 use std::path::{Path, PathBuf};

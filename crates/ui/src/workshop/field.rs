@@ -1,7 +1,7 @@
 //! Fields of the inspector: numbers with their units that are dragged or typed, words that are chosen, colours.
 
 use antipode_language::{Texts, Value};
-use egui::{ComboBox, DragValue, Response, Slider, Ui, WidgetInfo, vec2};
+use egui::{ComboBox, DragValue, Response, Slider, SliderClamping, Ui, WidgetInfo, vec2};
 
 use super::model::{Amount, FieldKind, FieldRow, FieldValue, Unit, WorkshopWish};
 use crate::entry::{entry, parse_number};
@@ -160,6 +160,8 @@ fn stretch(
         }
         octaves
     });
+    // Only what is dragged goes by steps: a number that was typed stays.
+    let slider = slider.clamping(SliderClamping::Edits);
     let response = ui.add(slider.step_by(OCTAVE_STEP).show_value(false));
     response.widget_info(|| {
         let label = format!(

@@ -97,8 +97,18 @@ pub(super) fn shortcut_label(texts: &Texts, id: &str) -> Option<String> {
             said.push_str(" + ");
         }
     }
-    said.push_str(known.key.name());
+    said.push_str(&name_of(texts, known.key));
     Some(said)
+}
+
+/// What stands on a key, in the language of the keyboard where that has words.
+fn name_of(texts: &Texts, key: Key) -> String {
+    match key {
+        Key::Delete => texts.say("key-Delete"),
+        Key::PageUp => texts.say("key-PageUp"),
+        Key::PageDown => texts.say("key-PageDown"),
+        other => other.name().to_owned(),
+    }
 }
 
 /// All that keys do in the workshop, a line for each.

@@ -78,7 +78,7 @@ pub(super) fn show(
 ) {
     let texts = model.texts;
     let hint = texts.say("workshop-search");
-    entry(ui, &mut state.search, &hint, &hint);
+    let is_sought_anew = entry(ui, &mut state.search, &hint, &hint).changed();
     if let Some(name) = state.shows.clone() {
         state.unfold_around(model.objects, &name);
     }
@@ -96,6 +96,9 @@ pub(super) fn show(
     let chosen = chosen.as_deref().filter(|_| is_new).and_then(of);
     let chosen = chosen.filter(|place| !state.in_view.contains(place));
     let mut area = ScrollArea::vertical();
+    if is_sought_anew {
+        area = area.vertical_scroll_offset(0.0);
+    }
     let wanted = state.shows.as_deref().and_then(of);
     if let Some(place) = wanted.or(chosen) {
         state.shows = state.shows.take().filter(|_| wanted.is_none());

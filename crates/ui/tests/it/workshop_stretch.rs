@@ -9,6 +9,17 @@ use egui_kittest::kittest::Queryable as _;
 
 use crate::workshop::{Bench, asked, bench, field, harness, wide};
 
+#[test]
+fn a_number_that_was_typed_stays_though_it_is_between_steps_of_the_slider() {
+    let mut harness = wide();
+    let fields = &mut harness.state_mut().fields;
+    let row = fields.iter_mut().find(|it| it.key == "times").unwrap();
+    row.kind = FieldKind::Stretch(Some(10.0));
+    harness.run();
+    harness.run();
+    assert_eq!(follow(&mut harness), []);
+}
+
 /// What the slider asks for is done, and told: each value, and whether it is the last of a drag.
 fn follow(harness: &mut Harness<'static, Bench>) -> Vec<(f64, bool)> {
     let all = asked(harness).into_iter();

@@ -151,9 +151,10 @@ impl Stage {
         encoder: &mut wgpu::CommandEncoder,
     ) -> Painted {
         let size = (self.size(), self.options.scale);
+        let view = view.within(size.0);
         let drawn = self
             .rooms
-            .draw(&self.gpu, encoder, view, sheets.target, size);
+            .draw(&self.gpu, encoder, &view, sheets.target, size);
         Painted {
             room: drawn.unwrap_or_else(|why| {
                 tracing::error!("the room could not be drawn: {why}");

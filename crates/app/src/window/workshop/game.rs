@@ -109,6 +109,9 @@ impl Game {
         };
         let scene = &mut visit.room.scene;
         workshop.findings.pass(scene);
+        if workshop.findings.rest() && workshop.findings.gravest(&self.menus.texts).is_none() {
+            workshop.unsaved = None;
+        }
         if let Some(lesson) = &mut visit.lesson
             && lesson.pass(scene)
         {
@@ -128,8 +131,13 @@ impl Game {
                 }
                 (NotKept::Unsound(why), None) => ("workshop-not-saved-yet", why),
             };
-            let values = [("reason", reason.into())];
+            // Every edit that follows finds the same.
+            if workshop.unsaved.as_ref() == Some(&reason) {
+                return;
+            }
+            let values = [("reason", reason.as_str().into())];
             self.menus.toast(ToastKind::Problem, words, &values);
+            workshop.unsaved = Some(reason);
         }
     }
 
@@ -245,6 +253,9 @@ impl Game {
         visit.workshop = Some(workshop);
         // A drag that goes on is kept when it ends.
         if keeps && !visit.room.scene.document().is_dragging() {
+            if let Some(workshop) = &mut visit.workshop {
+                workshop.unsaved = None;
+            }
             visit.keep_at_last();
             self.menus.toast(ToastKind::Info, "workshop-kept", &[]);
         }
@@ -261,6 +272,8 @@ impl Game {
             if let Some(visit) = self.play.phase.visit_mut() {
                 visit.keep_at_last();
             }
+            // The list gets a picture, as it does by the menu.
+            self.pause();
             self.follow(Intent::SaveAndQuitToMenu);
         }
     }

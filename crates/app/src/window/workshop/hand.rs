@@ -244,23 +244,31 @@ impl Workshop {
         }
     }
 
-    /// Chooses all whose middles are seen within a frame.
+    /// Chooses all that are seen whole within a frame, and so not the ground that others stand on.
     fn choose_within(&mut self, scene: &mut RoomScene, [a, b]: [DVec2; 2], adds: bool) {
         self.forget_chain();
         let view = self.viewpoint(scene);
         let (low, high) = (a.min(b), a.max(b));
         let (room, marked) = (scene.room(), scene.document().marked());
-        let is_within = |(index, point): (usize, DVec3)| {
-            let seen = scene.way_to(&view, point, &[index]);
-            seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
+        let is_within = |index: usize| {
+            let own = chosen::own_spaces(room, index);
+            // Two corners, far apart: all of many things takes its time.
+            let [one, other, ..] = chosen::ends(scene, index);
+            [scene.poses()[index].translation, one, other]
+                .into_iter()
+                .all(|point| {
+                    let seen = scene.way_to(&view, point, &own);
+                    seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
+                })
         };
         let found: Vec<usize> = room
             .objects
             .iter()
-            .zip(scene.poses().iter().enumerate())
-            .filter(|(it, _)| !marked.is_locked(it) && !marked.is_hidden(it))
-            .filter(|(_, (index, pose))| is_within((*index, pose.translation)))
-            .map(|(_, (index, _))| outermost(room, index))
+            .enumerate()
+            .filter(|(_, it)| it.what != What::Group)
+            .filter(|(_, it)| !marked.is_locked(it) && !marked.is_hidden(it))
+            .filter(|(index, _)| is_within(*index))
+            .map(|(index, _)| outermost(room, index))
             .collect();
         let mut names: Vec<String> = Vec::new();
         for index in found {

@@ -89,9 +89,7 @@ pub fn put_alone(room: &Room, object: Object, site: &Site<'_>) -> Option<Edit> {
 
 /// Finds a place for things whose middles are so far over the ground.
 fn place(room: &Room, kit: &[Arc<Object>], lift_m: f64, site: &Site<'_>) -> Option<Edit> {
-    // Yaw f takes +z to (-sin f, 0, cos f), which is to be against where one looks.
-    let quarter = (site.front.x.atan2(-site.front.z).to_degrees() / 90.0).round() * 90.0;
-    let turn = DVec3::new(quarter, 0.0, 0.0);
+    let turn = DVec3::new(quarter(site.front), 0.0, 0.0);
     let depth = reach(kit);
     let out = DVec3::new(site.normal.x, 0.0, site.normal.z) * depth;
     let mut before = poses_of(room);
@@ -125,6 +123,11 @@ fn place(room: &Room, kit: &[Arc<Object>], lift_m: f64, site: &Site<'_>) -> Opti
         .or_else(|| first(&is_free))
         .or_else(|| first(&|_| true));
     Some(paste(&found?))
+}
+
+/// The yaw, in quarter turns, by which +z comes to be against where one looks: yaw f takes it to (-sin f, 0, cos f).
+pub fn quarter(front: DVec3) -> f64 {
+    (front.x.atan2(-front.z).to_degrees() / 90.0).round() * 90.0
 }
 
 /// Whether its groups stand equally high.

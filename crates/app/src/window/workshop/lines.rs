@@ -49,8 +49,8 @@ pub fn lines(workshop: &Workshop, scene: &RoomScene, texts: &Texts) -> Vec<ViewL
         let corners = [a, DVec2::new(b.x, a.y), b, DVec2::new(a.x, b.y), a];
         all.push(ViewLine {
             points: corners.iter().map(flat).collect(),
-            colour: HOT,
-            width: 1.0,
+            colour: CHOSEN,
+            width: 2.0,
             label: None,
             knob: false,
         });

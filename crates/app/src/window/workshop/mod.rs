@@ -75,6 +75,8 @@ pub struct Workshop {
     /// The field that is being dragged.
     field: Option<String>,
     keeping: Keeping,
+    /// Why the room's file waits, as it was told last.
+    unsaved: Option<String>,
     findings: Findings,
     older: OlderList,
     bringing: Bringing,
@@ -125,6 +127,7 @@ impl Workshop {
             linking: None,
             field: None,
             keeping: Keeping::of(scene),
+            unsaved: None,
             findings: Findings::begin(notes),
             older: OlderList::default(),
             bringing: Bringing::default(),

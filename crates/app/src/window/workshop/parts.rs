@@ -47,18 +47,32 @@ pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
         object.surface = surface(id);
         return kits::put_alone(room, object, site);
     }
-    let on_grid = |at: DVec3| DVec3::new(snap(at.x), at.y, snap(at.z));
-    let out = normal.abs().dot(half(&what));
-    let at = tidy(
-        on_grid(point) * (DVec3::ONE - normal.abs().round())
-            + point * normal.abs().round()
-            + normal * out,
-    );
-    let mut object = Object::new(&free_name(room, id), at, what);
-    object.surface = surface(id);
-    if id == "sign" {
-        object.turn.x = 90.0;
+    let mut half = half(&what);
+    let mut turn = DVec3::ZERO;
+    if matches!(id, "sign" | "arch") {
+        // Its front is +x, which is turned to who looks.
+        turn.x = 90.0 + kits::quarter(site.front);
+        if (turn.x / 90.0).round() as i64 % 2 != 0 {
+            half = DVec3::new(half.z, half.y, half.x);
+        }
     }
+    let on_grid = |at: DVec3| DVec3::new(snap(at.x), at.y, snap(at.z));
+    let out = normal.abs().dot(half);
+    let mut at = on_grid(point) * (DVec3::ONE - normal.abs().round())
+        + point * normal.abs().round()
+        + normal * out;
+    // By a wall it stands on the ground, and hangs where it is light.
+    let hangs = matches!(id, "sign" | "light");
+    if normal.y.abs() < 0.5
+        // No ceiling just above is meant.
+        && let Some(ground) = (site.ground)(at - DVec3::Y)
+    {
+        let lowest = ground.y + half.y;
+        at.y = if hangs { at.y.max(lowest) } else { lowest };
+    }
+    let mut object = Object::new(&free_name(room, id), tidy(at), what);
+    object.surface = surface(id);
+    object.turn = turn;
     Some(Edit::Insert(object))
 }
 

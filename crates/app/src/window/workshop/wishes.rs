@@ -20,6 +20,9 @@ const FINDING_M: f64 = 2.0;
 const SPECK: f64 = 0.12;
 /// Of what reaches farther a part is looked at, metres: all of a floor would be seen edge-on from far off.
 const FARTHEST_REACH_M: f64 = 25.0;
+/// Who would look from lower over the ground than this, metres, looks down by so much, degrees.
+const OVER_GROUND_M: f64 = 0.2;
+const OVER_GROUND_DEG: f64 = -20.0;
 /// How many copies an array makes.
 const ARRAY: u32 = 4;
 
@@ -312,9 +315,19 @@ impl Workshop {
         };
         self.forget_chain();
         scene.document_mut().select(finding.objects);
+        self.focus_over_ground(scene, finding.at, FINDING_M);
+    }
+
+    /// Looks at a point from as far off as shows so much about it, and not from below the ground that it is over.
+    fn focus_over_ground(&mut self, scene: &RoomScene, point: DVec3, reach_m: f64) {
         let fov_y_rad = self.fov_y_rad(scene);
-        self.camera
-            .focus(scene.space(), finding.at, FINDING_M, fov_y_rad);
+        self.camera.focus(scene.space(), point, reach_m, fov_y_rad);
+        let ground = scene.ground_below(point);
+        let is_below = ground.is_some_and(|it| self.camera.point.y < it.y + OVER_GROUND_M);
+        if is_below && self.camera.parallel.is_none() {
+            self.camera.aim_deg.y = OVER_GROUND_DEG;
+            self.camera.focus(scene.space(), point, reach_m, fov_y_rad);
+        }
     }
 
     /// Looks at things, if they are not in view already.
@@ -345,8 +358,7 @@ impl Workshop {
         };
         self.forget_chain();
         let reach_m = chosen::reach_m(scene, all, middle).min(FARTHEST_REACH_M);
-        let fov_y_rad = self.fov_y_rad(scene);
-        self.camera.focus(scene.space(), middle, reach_m, fov_y_rad);
+        self.focus_over_ground(scene, middle, reach_m);
     }
 }
 
