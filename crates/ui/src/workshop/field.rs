@@ -16,6 +16,8 @@ const OCTAVE_STEP: f64 = 0.0625;
 const DIGITS: i32 = 2;
 const FINE_DIGITS: i32 = 3;
 const FINE: f64 = 0.1;
+/// Numbers stand below each other where there is less room for each, points: what they say would be cut off.
+const NARROWEST: f32 = 66.0;
 /// What is shown where those that are chosen differ.
 const DIFFER: &str = "…";
 
@@ -30,13 +32,19 @@ pub(super) fn show(ui: &mut Ui, texts: &Texts, row: &FieldRow, wishes: &mut Vec<
     };
     match &row.kind {
         FieldKind::Numbers(amounts, unit) => {
-            ui.horizontal_top(|ui| {
-                let gaps = ui.spacing().item_spacing.x * amounts.len().saturating_sub(1) as f32;
-                let width = (ui.available_width() - gaps) / amounts.len().max(1) as f32;
+            let gaps = ui.spacing().item_spacing.x * amounts.len().saturating_sub(1) as f32;
+            let width = (ui.available_width() - gaps) / amounts.len().max(1) as f32;
+            let mut all = |ui: &mut Ui, width: f32| {
                 for (place, amount) in amounts.iter().enumerate() {
                     number(ui, texts, row, (place, *amount, *unit), width, &mut set);
                 }
-            });
+            };
+            if width < NARROWEST {
+                let width = ui.available_width();
+                all(ui, width);
+            } else {
+                ui.horizontal_top(|ui| all(ui, width));
+            }
         }
         FieldKind::Stretch(value) => stretch(ui, texts, row, *value, &mut set),
         FieldKind::Colour(colour) => {
@@ -199,7 +207,7 @@ pub(super) fn times(
     texts: &Texts,
     row: &FieldRow,
     value: Option<f64>,
-    wishes: &mut Vec<WorkshopWish>,
+    (width, wishes): (f32, &mut Vec<WorkshopWish>),
 ) {
     let amount = Amount {
         value,
@@ -212,7 +220,7 @@ pub(super) fn times(
             done,
         });
     };
-    number(ui, texts, row, (0, amount, Unit::Times), 64.0, &mut set);
+    number(ui, texts, row, (0, amount, Unit::Times), width, &mut set);
 }
 
 /// A number of so many digits.

@@ -9,6 +9,10 @@ use super::model::{FieldKind, FieldRow, LessonTarget, Unit, WorkshopModel, Works
 use crate::theme::{ACCENT, TEXT, WEAK};
 use crate::widgets::focus_ring;
 
+/// How wide the number beside a slider's name is, and from which width of the pane on it has a line of its own, points.
+const TIMES: f32 = 64.0;
+const NARROW: f32 = 220.0;
+
 /// Draws it.
 pub(super) fn show(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWish>) {
     ui.add(Label::new(RichText::new(model.chosen).color(TEXT).strong()).truncate());
@@ -34,19 +38,30 @@ fn row(ui: &mut Ui, model: &WorkshopModel<'_>, row: &FieldRow, wishes: &mut Vec<
         ui.add(Label::new(RichText::new(words).color(colour).small()).wrap());
         return;
     }
-    ui.horizontal(|ui| {
-        let FieldKind::Stretch(value) = &row.kind else {
+    let stretch = match &row.kind {
+        FieldKind::Stretch(value) => Some(*value),
+        _ => None,
+    };
+    let is_narrow = ui.available_width() < NARROW;
+    if let Some(value) = stretch.filter(|_| !is_narrow) {
+        // A number stands at the right end, and a long name in two lines before it.
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                field::times(ui, model.texts, row, value, (TIMES, wishes));
+                reset(ui, model, row, wishes);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| name(ui, row));
+            });
+        });
+    } else {
+        ui.horizontal_wrapped(|ui| {
             name(ui, row);
             reset(ui, model, row, wishes);
-            return;
-        };
-        // A number stands at the right end, and a long name in two lines before it.
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            field::times(ui, model.texts, row, *value, wishes);
-            reset(ui, model, row, wishes);
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| name(ui, row));
         });
-    });
+    }
+    if let Some(value) = stretch.filter(|_| is_narrow) {
+        let width = ui.available_width();
+        field::times(ui, model.texts, row, value, (width, wishes));
+    }
     field::show(ui, model.texts, row, wishes);
     ui.add_space(2.0);
 }

@@ -2,7 +2,7 @@
 //! with Shift.
 
 use antipode_language::{Language, Texts};
-use antipode_ui::workshop::{FieldKind, FieldValue, WorkshopWish};
+use antipode_ui::workshop::{Amount, FieldKind, FieldValue, Unit, WorkshopWish};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -157,6 +157,53 @@ fn a_long_name_leaves_its_button_and_its_number_free_in_every_language() {
                 !rect.shrink(0.5).intersects(reset),
                 "{language:?}: {rect} {reset}"
             );
+        }
+    }
+}
+
+#[test]
+fn in_a_narrow_window_all_fields_of_a_tunnel_are_whole_in_every_language() {
+    for language in Language::ALL {
+        let mut bench = bench(language, 1280.0);
+        let say = |words: &str| Texts::new(language).say(words);
+        let metres = |value: f64| Amount {
+            value: Some(value),
+            range: (-1000.0, 1000.0),
+        };
+        let choice = |id: &str| FieldKind::Choice(vec![(id.to_owned(), say(id))], Some(0));
+        let named =
+            |key: &str, kind: FieldKind| field(key, &say(&format!("workshop-field-{key}")), kind);
+        let place = [1.5, 2.0, -3.25].map(metres).to_vec();
+        bench.fields = vec![
+            named("name", FieldKind::Text(Some("tunnel".to_owned()))),
+            named("at", FieldKind::Numbers(place.clone(), Unit::Metres)),
+            named("turn", FieldKind::Numbers(place.clone(), Unit::Degrees)),
+            named("half", FieldKind::Numbers(place, Unit::Metres)),
+            named("colour", FieldKind::Colour(Some([1, 2, 3]))),
+            named("outline", FieldKind::Switch(Some(true))),
+            named("lengths", choice("workshop-choice-lengths-felt")),
+            named("sides", choice("workshop-choice-sides-walls")),
+            named("felt", FieldKind::Numbers(vec![metres(39.6)], Unit::Metres)),
+            named("times", FieldKind::Stretch(Some(9.9))),
+            named(
+                "thesis",
+                FieldKind::Numbers(vec![metres(-0.899)], Unit::Plain),
+            ),
+        ];
+        let mut harness = harness(bench, vec2(800.0, 600.0));
+        for _ in 0..4 {
+            harness.run();
+        }
+        let place = say("workshop-field-at");
+        let last = harness.get_by_label(&format!("{place} z")).rect();
+        let stretch = say("workshop-field-times");
+        let times = harness.query_all_by_label(&stretch).last().unwrap().rect();
+        for (what, rect) in [
+            ("place", last),
+            ("stretch", times),
+            ("slider", slider(&harness)),
+        ] {
+            assert!(rect.right() <= 792.0, "{language:?}, {what}: {rect}");
         }
     }
 }
