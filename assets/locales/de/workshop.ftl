@@ -475,3 +475,4 @@ workshop-name-light = Licht
 workshop-name-sign = Schild
 workshop-name-group = Gruppe
 workshop-name-model = Modell
+workshop-told-carried = Alles, was sie trägt, ist { $x } m breit, { $y } m hoch und { $z } m tief.

@@ -475,3 +475,4 @@ workshop-name-light = light
 workshop-name-sign = sign
 workshop-name-group = group
 workshop-name-model = model
+workshop-told-carried = All that it carries is { $x } m wide, { $y } m high and { $z } m deep.

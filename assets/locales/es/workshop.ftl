@@ -475,3 +475,4 @@ workshop-name-light = luz
 workshop-name-sign = letrero
 workshop-name-group = grupo
 workshop-name-model = modelo
+workshop-told-carried = Todo lo que lleva mide { $x } m de ancho, { $y } m de alto y { $z } m de fondo.

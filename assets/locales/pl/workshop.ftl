@@ -515,3 +515,4 @@ workshop-name-light = światło
 workshop-name-sign = znak
 workshop-name-group = grupa
 workshop-name-model = model
+workshop-told-carried = Wszystko, co niesie, ma { $x } m szerokości, { $y } m wysokości i { $z } m głębokości.

@@ -417,3 +417,4 @@ workshop-name-light = 灯
 workshop-name-sign = 牌子
 workshop-name-group = 组
 workshop-name-model = 模型
+workshop-told-carried = 其中的全部宽 { $x } 米，高 { $y } 米，深 { $z } 米。

@@ -62,8 +62,8 @@ impl Baked {
         let (root, mut nodes) = top.packed(node_base, root);
         nodes.append(&mut baked.nodes);
         Ok(Self {
-            root,
             nodes,
+            root,
             ..baked
         })
     }

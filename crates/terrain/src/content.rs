@@ -14,7 +14,7 @@
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, NoiseFrame};
 use glam::{DVec2, DVec3, Vec4};
 
-use crate::field::{Field, RIM_REACH_M};
+use crate::field::{FIELD_BAND_M, Field, RIM_REACH_M};
 use crate::form::Form;
 use crate::fractal::Octave;
 use crate::upright::{self, Grid};
@@ -40,11 +40,10 @@ pub(crate) const BEND: f64 = 14.0;
 const OVERSHOOT: f32 = 1.25;
 /// From the first to the last sample of a chunk's block, metres.
 const SPAN_M: f64 = 34.0;
+/// Parts along x and z that a chunk is looked at in where columns differ in their forms.
+const PARTS: u32 = 4;
 /// Nodes along x and z that a chunk is looked at in, coarse ones first; whole vectors along z.
 const STAGES: [[usize; 2]; 2] = [[8, 8], [18, 12]];
-/// A chunk's extreme sums of noise are seldom nearer to zero than this share of the greatest sum.
-/// A stage that could not decide there is left out.
-const USUAL: f32 = 0.3;
 
 impl Field {
     /// What the chunk holds before any edit, its border of one sample included. Decided from
@@ -74,18 +73,18 @@ impl Field {
             };
             return self.looked_at(&span, ends);
         };
-        // Forms differ less in a quarter.
-        let edge_m = 0.5 * SPAN_M;
-        let quarters = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
-        let mut quarters = quarters.into_iter().map(|[x, z]| {
+        // Forms differ less in a part.
+        let edge_m = SPAN_M / f64::from(PARTS);
+        let mut parts = (0..PARTS * PARTS).map(|n| {
+            let (x, z) = (f64::from(n % PARTS), f64::from(n / PARTS));
             let corner = corner + DVec3::new(x, 0.0, z) * edge_m;
             let forms = climate.forms(corner, edge_m);
             let span = Span::of(self.octaves(), &forms, corner, edge_m);
             let known = self.known(span.sums, ends);
             known.unwrap_or_else(|| self.looked_at(&span, ends))
         });
-        let first = quarters.next().unwrap_or(Content::Surface);
-        if first != Content::Surface && quarters.all(|other| other == first) {
+        let first = parts.next().unwrap_or(Content::Surface);
+        if first != Content::Surface && parts.all(|other| other == first) {
             first
         } else {
             Content::Surface
@@ -120,11 +119,12 @@ impl Field {
     fn is_all(&self, solid: bool, span: &Span, mut heights: [f64; 2]) -> bool {
         let end = if solid { heights[1] } else { heights[0] };
         let middle = (span.corner + span.edge_m / 2.0).with_y(end);
-        if (self.sample_square(middle) < 0.0) != solid {
+        let sample = self.sample_square(middle);
+        if (sample < 0.0) != solid {
             return false;
         }
         for stage in STAGES {
-            match self.doubtful(solid, span, heights, stage) {
+            match self.doubtful((solid, sample.abs()), span, heights, stage) {
                 Doubt::None => return true,
                 Doubt::Between(low, high) => heights = [low, high],
                 Doubt::Lost => return false,
@@ -139,10 +139,11 @@ impl Field {
         point(corner).min(point(corner + SPAN_M))
     }
 
-    /// Where between two heights samples may not all be as asked, by nodes of a stage.
+    /// Where between two heights samples may not all be as asked, by nodes of a stage. `clear_m` says how surely the middle of
+    /// the end next to the surface is as asked: a stage that could not even tell that is left out.
     fn doubtful(
         &self,
-        solid: bool,
+        (solid, clear_m): (bool, f32),
         span: &Span,
         [low, high]: [f64; 2],
         [width, depth]: [usize; 2],
@@ -155,9 +156,7 @@ impl Field {
         let (coarse, strays_m, unknown_m) = span.coarse(step_m);
         let sign = if solid { -1.0 } else { 1.0 };
         let relief = self.relief();
-        let usual = span.most_m() * USUAL + strays_m + unknown_m;
-        let end = if solid { high } else { low };
-        if sign * relief.value(end, span.middle_m - sign * usual) <= 0.0 {
+        if clear_m <= (strays_m + unknown_m).min(0.99 * FIELD_BAND_M) {
             return Doubt::Between(low, high);
         }
         let held = if solid {
@@ -252,11 +251,6 @@ impl Span {
         let strays: f64 = coarse.iter().map(strays_m).sum();
         let unknown: f32 = fine.iter().map(|octave| octave.half_m()).sum();
         (coarse, strays as f32, unknown + self.unsure_m)
-    }
-
-    /// How far from the middle sums are at most.
-    fn most_m(&self) -> f32 {
-        self.octaves.iter().map(|octave| octave.half_m()).sum()
     }
 }
 

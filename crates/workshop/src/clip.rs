@@ -40,6 +40,7 @@ impl Clip {
     }
 
     /// The same under other names.
+    #[must_use]
     pub fn renamed(&self, called: impl Fn(&str) -> String) -> Self {
         let mut objects = self.objects.clone();
         for object in objects.iter_mut().map(Arc::make_mut) {

@@ -17,7 +17,7 @@ use crate::upright::Grid;
 
 /// Frequency of the longest wave of the ground that biomes by climate have in common; frequencies double from octave to
 /// octave.
-const FIRST_FREQUENCY: f64 = 0.1;
+const FIRST_FREQUENCY: f64 = 0.05;
 /// No flat ground of those is lower, metres: just over the border between two layers of chunks and their borders.
 pub(super) const LOWEST_M: f64 = 1.5;
 /// How many there are.

@@ -272,6 +272,7 @@ fn a_house_grows_as_far_as_its_handle_is_dragged() {
     let told = words(&mut game);
     assert!(told.contains("all of it grows"), "{told}");
     assert_eq!(said(&game), "Size “house”");
+    assert!(told.contains("All that it carries is"), "{told}");
 }
 
 #[test]

@@ -27,7 +27,15 @@ fn a_frame_takes_what_is_whole_in_it_and_not_the_ground_below() {
             WorkshopWish::ChooseAll(false),
         ],
     );
-    // The ground's middle is in the frame, and the box.
+    let far = WorkshopWish::View(ViewEvent::Zoom(-12.0));
+    ask(&mut game, [far]);
+    let visit = game.play.phase.visit().unwrap();
+    let workshop = visit.workshop.as_ref().unwrap();
+    let middle = workshop.seen_in_view(visit.scene(), "floor").unwrap();
+    assert!(
+        middle.abs().max_element() < 0.9,
+        "the ground's is in the frame: {middle}"
+    );
     drag(&mut game, [-0.95, 0.95], [0.95, -0.95]);
     assert_eq!(chosen(&game), ["box"]);
 }

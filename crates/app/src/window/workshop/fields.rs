@@ -1,6 +1,6 @@
 //! What can be changed of what is chosen, as rows of the inspector; of the room itself where nothing is chosen.
 
-use antipode_language::Texts;
+use antipode_language::{Texts, Value};
 use antipode_room_scene::RoomScene;
 use antipode_rooms::aberration::{Aberration, Axis, Lengths, Sides, Ways, thesis_of_stretch};
 use antipode_rooms::bounds::{
@@ -13,6 +13,7 @@ use antipode_ui::workshop::{Amount, FieldKind, FieldRow, Unit};
 use glam::{DVec2, DVec3};
 
 use super::bent;
+use super::kits::bounds_of_group;
 
 mod joined;
 
@@ -162,10 +163,23 @@ fn of_object(rows: &mut Rows<'_>, scene: &RoomScene, index: usize, alone: bool) 
     match &object.what {
         What::Aberration(it) => of_aberration(rows, it, alone),
         What::Portal(it) => of_portal(rows, scene, (object, it), alone),
+        What::Group if alone => carried(rows, scene, &object.name),
         what => of_solid(rows, what),
     }
     if has_surface(&object.what) {
         of_surface(rows, &object.surface);
+    }
+}
+
+/// How large all is that a group carries.
+fn carried(rows: &mut Rows<'_>, scene: &RoomScene, group: &str) {
+    let bounds = bounds_of_group(scene.room(), scene.poses(), group);
+    if let (Some(texts), Some((low, high))) = (rows.texts, bounds) {
+        let size = high - low;
+        let values = [("x", size.x), ("y", size.y), ("z", size.z)];
+        let values = values.map(|(key, metres)| (key, Value::decimals(metres, 2)));
+        let words = texts.say_with("workshop-told-carried", &values);
+        rows.words("carried", words, false);
     }
 }
 
