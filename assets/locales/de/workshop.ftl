@@ -476,3 +476,11 @@ workshop-name-sign = Schild
 workshop-name-group = Gruppe
 workshop-name-model = Modell
 workshop-told-carried = Alles, was sie trägt, ist { $x } m breit, { $y } m hoch und { $z } m tief.
+
+# The form of how something is repeated in a row.
+workshop-array-count = Wie oft
+workshop-array-axis = Entlang
+workshop-array-gap = Frei dazwischen
+workshop-array-turn = Gedreht, je
+workshop-array-make = Anlegen
+workshop-array-close = Schließen

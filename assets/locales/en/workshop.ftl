@@ -476,3 +476,11 @@ workshop-name-sign = sign
 workshop-name-group = group
 workshop-name-model = model
 workshop-told-carried = All that it carries is { $x } m wide, { $y } m high and { $z } m deep.
+
+# The form of how something is repeated in a row.
+workshop-array-count = How many
+workshop-array-axis = Along
+workshop-array-gap = Free between
+workshop-array-turn = Turned, each
+workshop-array-make = Make them
+workshop-array-close = Close

@@ -476,3 +476,11 @@ workshop-name-sign = letrero
 workshop-name-group = grupo
 workshop-name-model = modelo
 workshop-told-carried = Todo lo que lleva mide { $x } m de ancho, { $y } m de alto y { $z } m de fondo.
+
+# The form of how something is repeated in a row.
+workshop-array-count = Cuántas veces
+workshop-array-axis = A lo largo de
+workshop-array-gap = Libre entre medias
+workshop-array-turn = Giro de cada una
+workshop-array-make = Crear
+workshop-array-close = Cerrar

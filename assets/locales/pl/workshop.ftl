@@ -516,3 +516,11 @@ workshop-name-sign = znak
 workshop-name-group = grupa
 workshop-name-model = model
 workshop-told-carried = Wszystko, co niesie, ma { $x } m szerokości, { $y } m wysokości i { $z } m głębokości.
+
+# The form of how something is repeated in a row.
+workshop-array-count = Ile razy
+workshop-array-axis = Wzdłuż
+workshop-array-gap = Odstęp
+workshop-array-turn = Obrót każdej
+workshop-array-make = Utwórz
+workshop-array-close = Zamknij

@@ -418,3 +418,11 @@ workshop-name-sign = 牌子
 workshop-name-group = 组
 workshop-name-model = 模型
 workshop-told-carried = 其中的全部宽 { $x } 米，高 { $y } 米，深 { $z } 米。
+
+# The form of how something is repeated in a row.
+workshop-array-count = 数量
+workshop-array-axis = 方向
+workshop-array-gap = 间隔
+workshop-array-turn = 每个转动
+workshop-array-make = 创建
+workshop-array-close = 关闭

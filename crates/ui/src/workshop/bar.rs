@@ -151,7 +151,7 @@ fn edit_menu(ui: &mut Ui, model: &WorkshopModel<'_>, wishes: &mut Vec<WorkshopWi
         ("cut", chosen, WorkshopWish::Cut),
         ("paste", bar.has_copied, WorkshopWish::Paste),
         ("duplicate", chosen, WorkshopWish::Duplicate),
-        ("array", chosen, WorkshopWish::Array),
+        ("array", chosen, WorkshopWish::AskArray),
         ("group", chosen, WorkshopWish::Group),
         ("ungroup", chosen, WorkshopWish::Ungroup),
         ("delete", chosen, WorkshopWish::Delete),

@@ -209,7 +209,7 @@ fn wish_of(id: &str, model: &WorkshopModel<'_>) -> Option<WorkshopWish> {
         "group" => WorkshopWish::Group,
         "ungroup" => WorkshopWish::Ungroup,
         "choose-all" => WorkshopWish::ChooseAll(true),
-        "array" => WorkshopWish::Array,
+        "array" if bar.has_chosen => WorkshopWish::AskArray,
         "from-file" => WorkshopWish::ChooseFile,
         "keep" => WorkshopWish::Keep,
         "move" => WorkshopWish::Tool(ToolChoice::Move),

@@ -3,6 +3,7 @@
 //! The panes are tiles that can be moved and sized, and come back as they were left. The view is the only one through which the
 //! picture of the room is seen: the game draws it where [`WorkshopPanes::view_rect`] says.
 
+mod array;
 mod bar;
 mod chooser;
 mod colour;
@@ -20,6 +21,7 @@ mod panes;
 mod parts;
 mod view;
 
+pub use array::ArrayForm;
 pub use chooser::{ChooserEntry, ChooserModel, ChooserWish};
 pub(crate) use keys::told_keys;
 pub use keys::{SHORTCUTS, Shortcut};

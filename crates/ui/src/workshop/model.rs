@@ -3,6 +3,7 @@
 use antipode_language::Texts;
 use egui::Color32;
 
+use super::array::ArrayForm;
 use super::chooser::{ChooserModel, ChooserWish};
 use super::lesson::LessonChoice;
 
@@ -419,8 +420,10 @@ pub enum WorkshopWish {
     Paste,
     /// What is chosen is doubled.
     Duplicate,
+    /// The form comes up that says how what is chosen is repeated.
+    AskArray,
     /// What is chosen is repeated in a row.
-    Array,
+    Array(ArrayForm),
     /// What is chosen is carried by a new group.
     Group,
     /// Groups that are chosen are taken away, and what they carried stays.

@@ -6,7 +6,7 @@ use egui_tiles::{Behavior, SimplificationOptions, TileId, Tiles, Tree, UiRespons
 use super::layout::{Pane, text, tree, usual};
 use super::list::ListState;
 use super::model::{LessonTarget, WorkshopModel, WorkshopWish};
-use super::{bar, chooser, examples, inspector, keys, lesson, list, notes, parts, view};
+use super::{array, bar, chooser, examples, inspector, keys, lesson, list, notes, parts, view};
 use crate::layout::inset;
 use crate::theme::{ACCENT, FOCUS, GRID, LINE, PANEL, TEXT, WEAK};
 
@@ -21,6 +21,8 @@ pub struct WorkshopPanes {
     is_changed: bool,
     /// Whether the page of what is possible is up.
     examples: bool,
+    /// The form of how something is repeated, while it is up.
+    array: Option<array::ArrayForm>,
     chooser: chooser::ChooserState,
     /// The step of the lesson for which panes were brought to the front.
     shown_for: Option<(usize, LessonTarget)>,
@@ -44,6 +46,7 @@ impl WorkshopPanes {
             first: None,
             is_changed: false,
             examples: false,
+            array: None,
             chooser: chooser::ChooserState::default(),
             shown_for: None,
         }
@@ -51,7 +54,7 @@ impl WorkshopPanes {
 
     /// Whether a page lies over the panes, which Esc closes.
     pub fn has_page(&self) -> bool {
-        self.examples
+        self.examples || self.array.is_some()
     }
 
     /// Brings what the lesson is done with to the front, once for each of its steps.
@@ -113,7 +116,8 @@ impl WorkshopPanes {
         self.show_target(model);
         // Of a click and a key in one slow frame the first is done first.
         let late = keys::come_after_button(&ui);
-        let is_elsewhere = self.list.renaming.is_some() || self.examples || model.chooser.is_some();
+        let is_elsewhere =
+            self.list.renaming.is_some() || self.has_page() || model.chooser.is_some();
         let mut asked = Vec::new();
         keys::read(&ui, model, is_elsewhere, &mut asked);
         if !late {
@@ -133,8 +137,13 @@ impl WorkshopPanes {
         self.rect = panes.rect;
         lesson::show(&ui, self.rect, model, &mut wishes);
         examples::show(&ui, model, &mut self.examples, &mut wishes);
+        array::show(&ui, model, &mut self.array, &mut wishes);
         chooser::show(&ui, model, &mut self.chooser, &mut wishes);
         wishes.append(&mut asked);
+        if wishes.contains(&WorkshopWish::AskArray) {
+            wishes.retain(|it| *it != WorkshopWish::AskArray);
+            self.array = Some(array::ArrayForm::default());
+        }
         // What was typed is of what was chosen until now, whatever a click chooses in the same pass.
         wishes.sort_by_key(|it| !matches!(it, WorkshopWish::Set { .. }));
         let now = self.layout();

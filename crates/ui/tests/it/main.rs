@@ -27,6 +27,7 @@ mod sizes;
 mod speech;
 mod toasts;
 mod workshop;
+mod workshop_array;
 mod workshop_fields;
 mod workshop_newcomers;
 mod workshop_stretch;

@@ -1,7 +1,9 @@
 //! Where things come to lie in the workshop, and what is said of what is kept.
 
 use antipode_rooms::What;
-use antipode_ui::workshop::{LessonChoice, ToolChoice, ViewEvent, ViewSide, WorkshopWish};
+use antipode_ui::workshop::{
+    ArrayForm, LessonChoice, ToolChoice, ViewEvent, ViewSide, WorkshopWish,
+};
 
 use super::workshop::{ask, building, chosen, drag, press, put, scene};
 use super::*;
@@ -375,4 +377,24 @@ fn a_lesson_that_is_begun_inside_a_house_begins_before_it() {
     assert!(is_inside(&mut game));
     ask(&mut game, [WorkshopWish::BeginLesson(LessonChoice::Doors)]);
     assert!(!is_inside(&mut game));
+}
+
+#[test]
+fn what_is_repeated_stands_as_far_apart_as_the_form_says() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let form = ArrayForm {
+        count: 3,
+        axis: 2,
+        gap_m: 0.5,
+        turn_deg: 15.0,
+    };
+    ask(&mut game, [put("box"), WorkshopWish::Array(form)]);
+    let first = place(&game, "box");
+    for (number, name) in ["box 2", "box 3", "box 4"].into_iter().enumerate() {
+        let copy = scene(&game).room().find(name).unwrap().1;
+        let times = number as f64 + 1.0;
+        assert!(copy.at.distance(first + glam::DVec3::Z * 1.5 * times) < 1e-9);
+        assert!((copy.turn.x - 15.0 * times).abs() < 1e-9);
+    }
 }

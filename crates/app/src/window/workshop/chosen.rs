@@ -221,21 +221,31 @@ pub fn free_aside(room: &Room, clip: &Clip, step_m: f64) -> Option<DVec3> {
     steps.find(is_free)
 }
 
-fn width_of((room, poses): (&Room, &[DAffine3]), all: &[usize], step_m: f64) -> Option<f64> {
+fn width_of(stands: (&Room, &[DAffine3]), all: &[usize], step_m: f64) -> Option<f64> {
+    let width_m = extent_of(stands, all, 0)?;
+    // What rounding adds is no step.
+    let steps = (width_m / step_m - 1e-6).ceil();
+    Some(steps.max(1.0) * step_m).filter(|it| *it <= WIDEST_M)
+}
+
+/// How far all that is chosen reaches along an axis of the room, metres.
+pub fn extent_m(scene: &RoomScene, axis: usize) -> Option<f64> {
+    extent_of((scene.room(), scene.poses()), &indices(scene), axis)
+}
+
+fn extent_of((room, poses): (&Room, &[DAffine3]), all: &[usize], axis: usize) -> Option<f64> {
     let spans = all.iter().map(|index| {
         let (object, pose) = (&room.objects[*index], &poses[*index]);
         let is_group = object.what == What::Group;
         let bounds = is_group.then(|| bounds_of_group(room, poses, &object.name));
         let half = half(&object.what);
         let (low, high) = bounds.flatten().unwrap_or((-half, half));
-        let middle = pose.transform_point3((low + high) / 2.0).x;
-        let out = pose.matrix3.row(0).abs().dot((high - low) / 2.0);
+        let middle = pose.transform_point3((low + high) / 2.0)[axis];
+        let out = pose.matrix3.row(axis).abs().dot((high - low) / 2.0);
         (middle - out, middle + out)
     });
     let both = spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
-    // What rounding adds is no step.
-    let steps = ((both.1 - both.0) / step_m - 1e-6).ceil();
-    Some(steps.max(1.0) * step_m).filter(|it| *it <= WIDEST_M)
+    Some(both.1 - both.0)
 }
 
 /// The lowest and highest corner of the box about a thing, or about what a group carries, and the others of its front.

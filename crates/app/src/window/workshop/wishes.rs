@@ -23,8 +23,6 @@ const FARTHEST_REACH_M: f64 = 25.0;
 /// Who would look from lower over the ground than this, metres, looks down by so much, degrees.
 const OVER_GROUND_M: f64 = 0.2;
 const OVER_GROUND_DEG: f64 = -20.0;
-/// How many copies an array makes.
-const ARRAY: u32 = 4;
 
 /// What is left for the game to do.
 #[derive(Debug, PartialEq)]
@@ -214,14 +212,13 @@ impl Workshop {
                 names: all()?,
                 by: chosen::width_m(scene, step).map_or(aside, |it| DVec3::X * it),
             },
-            WorkshopWish::Array => {
-                let held = chosen::held(scene, false)?;
+            WorkshopWish::Array(form) => {
+                let reach_m = chosen::extent_m(scene, form.axis)? + form.gap_m;
                 Edit::Array(Array {
                     names: all()?,
-                    count: ARRAY,
-                    step: DVec3::X
-                        * chosen::width_m(scene, step).unwrap_or(2.0 * held.half.x + step),
-                    turn_deg: 0.0,
+                    count: form.count,
+                    step: DVec3::AXES[form.axis] * (reach_m * 1e3).round() / 1e3,
+                    turn_deg: form.turn_deg,
                     about: None,
                 })
             }
