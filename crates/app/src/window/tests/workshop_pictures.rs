@@ -152,7 +152,8 @@ fn pictures_of_all_panes_are_written_where_somebody_asks_for_them() {
             };
             shown.save(&mut game, &name("room"));
             ask(&mut game, [put("house"), WorkshopWish::Nudge([2, 0, 0])]);
-            ask(&mut game, [choose("house inside")]);
+            let say = |word: &str| Texts::new(language).say(word);
+            ask(&mut game, [choose(&say("workshop-name-house-inside"))]);
             shown.save(&mut game, &name("lesson"));
             ask(&mut game, [WorkshopWish::EndLesson, put("tunnel")]);
             shown.save(&mut game, &name("tunnel"));
@@ -161,13 +162,13 @@ fn pictures_of_all_panes_are_written_where_somebody_asks_for_them() {
                 value: FieldValue::Number(0, 3.0),
                 done: true,
             };
-            ask(&mut game, [put("portals"), choose("portal"), wide]);
+            let portal = choose(&say("workshop-name-portal"));
+            ask(&mut game, [put("portals"), portal, wide]);
             let began = Instant::now();
             while game.play.phase.visit().unwrap().messages() == 0 {
                 assert!(began.elapsed() < Duration::from_mins(1));
                 game.tick(Instant::now());
             }
-            let say = |word: &str| Texts::new(language).say(word);
             if size.0 < 1100 {
                 shown.save(&mut game, &name("portal"));
                 for pane in ["parts", "history"] {
