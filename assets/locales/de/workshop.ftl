@@ -484,3 +484,4 @@ workshop-array-gap = Frei dazwischen
 workshop-array-turn = Gedreht, je
 workshop-array-make = Anlegen
 workshop-array-close = Schließen
+workshop-misread = „{ $text }“ ist keine Zahl: es bleibt, wie es war.

@@ -484,3 +484,4 @@ workshop-array-gap = Free between
 workshop-array-turn = Turned, each
 workshop-array-make = Make them
 workshop-array-close = Close
+workshop-misread = “{ $text }” is no number: it stays as it was.

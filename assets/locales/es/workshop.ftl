@@ -484,3 +484,4 @@ workshop-array-gap = Libre entre medias
 workshop-array-turn = Giro de cada una
 workshop-array-make = Crear
 workshop-array-close = Cerrar
+workshop-misread = «{ $text }» no es un número: queda como estaba.

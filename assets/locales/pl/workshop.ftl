@@ -524,3 +524,4 @@ workshop-array-gap = Odstęp
 workshop-array-turn = Obrót każdej
 workshop-array-make = Utwórz
 workshop-array-close = Zamknij
+workshop-misread = „{ $text }” to nie liczba: zostaje, jak było.

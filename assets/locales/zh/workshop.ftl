@@ -426,3 +426,4 @@ workshop-array-gap = 间隔
 workshop-array-turn = 每个转动
 workshop-array-make = 创建
 workshop-array-close = 关闭
+workshop-misread = “{ $text }”不是数字：保持原样。

@@ -110,6 +110,7 @@ fn number(
         _ => 0.02,
     };
     let is_mixed = amount.value.is_none();
+    let misread = std::cell::RefCell::new(None);
     let drag = DragValue::new(&mut value)
         .speed(speed)
         .range(amount.range.0..=amount.range.1)
@@ -123,8 +124,17 @@ fn number(
                 said(texts, value, unit)
             }
         })
-        .custom_parser(parse_number);
+        .custom_parser(|text| {
+            let number = parse_number(text);
+            if number.is_none() && text != DIFFER {
+                misread.replace(Some(text.to_owned()));
+            }
+            number
+        });
     let response = ui.add_sized(vec2(width.max(30.0), 24.0), drag);
+    if let Some(text) = misread.take() {
+        set(FieldValue::Misread(text), true);
+    }
     match &row.kind {
         FieldKind::Numbers(all, _) if all.len() > 1 => {
             let axis = ["x", "y", "z"].get(place).copied().unwrap_or_default();

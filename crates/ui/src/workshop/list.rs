@@ -92,6 +92,10 @@ pub(super) fn show(
     let is_new = chosen.is_some() && chosen != state.chosen;
     state.chosen.clone_from(&chosen);
     let of = |name: &str| rows.iter().position(|row| row.name == name);
+    if is_new && chosen.as_deref().and_then(of).is_none() {
+        // What is sought is another thing than what was chosen or put in now.
+        state.search.clear();
+    }
     // What is chosen in the view comes into view here.
     let chosen = chosen.as_deref().filter(|_| is_new).and_then(of);
     let chosen = chosen.filter(|place| !state.in_view.contains(place));

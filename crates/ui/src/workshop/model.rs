@@ -170,6 +170,8 @@ pub enum FieldValue {
     Text(String),
     /// On or off.
     Switch(bool),
+    /// What was typed and is no number.
+    Misread(String),
 }
 
 /// Something that can be put in.

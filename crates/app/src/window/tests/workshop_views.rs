@@ -86,3 +86,48 @@ fn the_list_gets_a_picture_of_a_room_that_is_left_from_the_workshop() {
     ask(&mut game, [put("box"), WorkshopWish::Leave]);
     assert!(game.room_portrait(&view).is_some());
 }
+
+#[test]
+fn a_second_portal_has_another_frame_and_a_copied_house_stands_before_none() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let choose = |name: &str| WorkshopWish::Choose {
+        name: name.to_owned(),
+        adds: false,
+    };
+    ask(&mut game, [put("portal"), put("portal")]);
+    let colour = |name: &str| scene(&game).room().find(name).unwrap().1.surface.colour;
+    assert_ne!(colour("lintel"), colour("lintel 2"));
+    let mut game = building(&dir);
+    ask(&mut game, [put("house"), WorkshopWish::Copy]);
+    let house = scene(&game).room().find("house").unwrap().1.at;
+    // Right beside the house, where a copy would stand.
+    ask(&mut game, [put("portal")]);
+    for axis in [0, 2] {
+        let there = house[axis] + if axis == 0 { 5.5 } else { 1.0 };
+        let value = antipode_ui::workshop::FieldValue::Number(axis, there);
+        let key = "at".to_owned();
+        let set = WorkshopWish::Set {
+            key,
+            value,
+            done: true,
+        };
+        ask(&mut game, [choose("portal frame"), set]);
+    }
+    ask(&mut game, [WorkshopWish::Paste]);
+    let copy = scene(&game).room().find("house 2").unwrap().1.at;
+    assert!(copy.x - house.x > 8.0, "{house} {copy}");
+}
+
+#[test]
+fn what_is_no_number_is_told() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = building(&dir);
+    let set = WorkshopWish::Set {
+        key: "at".to_owned(),
+        value: antipode_ui::workshop::FieldValue::Misread("abc".to_owned()),
+        done: true,
+    };
+    ask(&mut game, [put("box"), set]);
+    assert!(words(&mut game).contains("“abc” is no number"));
+}

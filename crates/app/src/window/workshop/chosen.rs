@@ -12,7 +12,7 @@ use antipode_workshop::Clip;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::changes;
-use super::kits::bounds_of_group;
+use super::kits::{Stands, bounds_of_group};
 
 /// So many names are looked for one by one.
 const FEW: usize = 8;
@@ -203,6 +203,11 @@ pub fn width_m(scene: &RoomScene, step_m: f64) -> Option<f64> {
     width_of((scene.room(), scene.poses()), &indices(scene), step_m)
 }
 
+/// So many widths aside it is looked for a place where nothing is in the way of a copy, nor it before a door.
+const CLEAR_STEPS: usize = 8;
+/// More pairs of things are not compared for it: who pastes many waits for no place.
+const MOST_COMPARED: usize = 20_000;
+
 /// So far aside copies stand free both of what they are copies of and of copies that were pasted there before. None where that is
 /// too far for the copy to be in view.
 pub fn free_aside(room: &Room, clip: &Clip, step_m: f64) -> Option<DVec3> {
@@ -217,8 +222,17 @@ pub fn free_aside(room: &Room, clip: &Clip, step_m: f64) -> Option<DVec3> {
         let there = |it: &Arc<Object>| it.at.abs_diff_eq(first.at + by, 1e-6);
         !room.objects.iter().any(there)
     };
-    let mut steps = (1..).map(|number| DVec3::X * width_m * f64::from(number));
-    steps.find(is_free)
+    let steps = || (1..).map(|number| DVec3::X * width_m * f64::from(number));
+    let stands = Stands::of(room);
+    let is_clear = |by: &DVec3| {
+        let mut moved = alone.objects.clone();
+        let roots = moved.iter_mut().filter(|it| it.group.is_none());
+        roots.for_each(|it| Arc::make_mut(it).at += by);
+        is_free(by) && !stands.are_in_the_way(&moved)
+    };
+    let is_few = alone.objects.len() * room.objects.len() <= MOST_COMPARED;
+    let near = steps().take(CLEAR_STEPS).filter(|_| is_few).find(is_clear);
+    near.or_else(|| steps().find(is_free))
 }
 
 fn width_of(stands: (&Room, &[DAffine3]), all: &[usize], step_m: f64) -> Option<f64> {

@@ -253,11 +253,12 @@ impl Game {
         visit.workshop = Some(workshop);
         // A drag that goes on is kept when it ends.
         if keeps && !visit.room.scene.document().is_dragging() {
-            if let Some(workshop) = &mut visit.workshop {
-                workshop.unsaved = None;
-            }
+            // Why it cannot be kept is told anew.
+            let waits = (visit.workshop.as_mut()).is_some_and(|it| it.unsaved.take().is_some());
             visit.keep_at_last();
-            self.menus.toast(ToastKind::Info, "workshop-kept", &[]);
+            if !waits {
+                self.menus.toast(ToastKind::Info, "workshop-kept", &[]);
+            }
         }
         self.go_on_reading();
         for wish in of_lesson {

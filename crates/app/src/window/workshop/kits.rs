@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use antipode_rooms::aberration::{Aberration, Lengths, Sides};
 use antipode_rooms::bounds::MOST_LIGHTS;
-use antipode_rooms::{Object, Room, What, poses, rotation, space_in_parts};
+use antipode_rooms::{Colour, Object, Room, What, poses, rotation, space_in_parts};
 use antipode_workshop::{Clip, Edit, make};
 use glam::{DAffine3, DVec3};
 
@@ -34,6 +34,9 @@ const ELSEWHERE_M: [(f64, f64); 13] = [
 const BEFORE_DOOR_M: f64 = 2.5;
 /// How far from the first group of a kit the second is tried, in shares of how far it stands in the file.
 const APART: [f64; 6] = [1.0, -1.0, 0.7, -0.7, 1.6, -1.6];
+
+/// Frames of a portal alone, and of the second, so that one knows them apart.
+const FRAMES: [Colour; 2] = [Colour([0x4f, 0xae, 0x7a]), Colour([0xe0, 0x78, 0x1c])];
 
 macro_rules! kits {
     ($($id:literal),* $(,)?) => {
@@ -78,6 +81,10 @@ pub struct Site<'a> {
 pub fn put(room: &Room, id: &str, site: &Site<'_>) -> Option<Edit> {
     let mut kit = objects(id)?;
     leave_lights_out(&mut kit, room);
+    if id == "portal" && room.portals().count() % 2 == 1 {
+        let framed = kit.iter_mut().filter(|it| it.surface.colour == FRAMES[0]);
+        framed.for_each(|it| Arc::make_mut(it).surface.colour = FRAMES[1]);
+    }
     place(room, &kit, 0.0, site)
 }
 
@@ -92,8 +99,7 @@ fn place(room: &Room, kit: &[Arc<Object>], lift_m: f64, site: &Site<'_>) -> Opti
     let turn = DVec3::new(quarter(site.front), 0.0, 0.0);
     let depth = reach(kit);
     let out = DVec3::new(site.normal.x, 0.0, site.normal.z) * depth;
-    let mut before = poses_of(room);
-    before.extend(before_doors(&room.objects));
+    let before = Stands::of(room);
     let closed = space_in_parts(room).closed.len();
     let lay = |(right, behind): (f64, f64), apart: f64| {
         let is_meant = (right, behind) == (0.0, 0.0);
@@ -118,7 +124,7 @@ fn place(room: &Room, kit: &[Arc<Object>], lift_m: f64, site: &Site<'_>) -> Opti
         let mut any = all().filter_map(|(place, apart)| lay(place, apart));
         any.find(|it| is_good(it) && fits(it))
     };
-    let is_free = |it: &Vec<Arc<Object>>| !is_in_the_way(&before, it);
+    let is_free = |it: &Vec<Arc<Object>>| !before.are_in_the_way(it);
     let found = first(&|it| is_level(it) && is_free(it))
         .or_else(|| first(&is_free))
         .or_else(|| first(&|_| true));
@@ -254,6 +260,23 @@ fn ways_out(what: &What) -> Vec<DVec3> {
             vec![way, -way]
         }
         _ => Vec::new(),
+    }
+}
+
+/// What stands in a room, and what is before its doors.
+pub struct Stands(Vec<Bounds>);
+
+impl Stands {
+    /// Of a room.
+    pub fn of(room: &Room) -> Self {
+        let mut all = poses_of(room);
+        all.extend(before_doors(&room.objects));
+        Self(all)
+    }
+
+    /// Whether any of it is where these things would stand.
+    pub fn are_in_the_way(&self, objects: &[Arc<Object>]) -> bool {
+        is_in_the_way(&self.0, objects)
     }
 }
 

@@ -161,6 +161,7 @@ fn fields(object: &Object, key: &str, value: &FieldValue) -> Option<Vec<Field>> 
         (_, FieldValue::Colour(rgb)) => Field::colour(key, Colour(*rgb)),
         (_, FieldValue::Text(text)) => Field::new(key, text.clone()),
         (_, FieldValue::Switch(on)) => Field::new(key, if *on { "on" } else { "off" }),
+        (_, FieldValue::Misread(_)) => return None,
     }])
 }
 
@@ -252,7 +253,7 @@ fn of_room_field(room: &Room, key: &str, value: &FieldValue) -> Option<Edit> {
         (_, FieldValue::Number(_, number)) => Field::number(key, *number),
         (_, FieldValue::Colour(rgb)) => Field::colour(key, Colour(*rgb)),
         (_, FieldValue::Text(text)) => Field::new(key, text.clone()),
-        (_, FieldValue::Switch(_)) => return None,
+        (_, FieldValue::Switch(_) | FieldValue::Misread(_)) => return None,
     };
     Some(Edit::Room(vec![field]))
 }

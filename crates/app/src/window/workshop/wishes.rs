@@ -4,7 +4,7 @@ use antipode_language::Texts;
 use antipode_room_scene::RoomScene;
 use antipode_room_scene::workshop::{Facing, FreeCamera};
 use antipode_rooms::{Assets, Room, RoomsDir};
-use antipode_ui::workshop::{ViewSide, WorkshopWish};
+use antipode_ui::workshop::{FieldValue, ViewSide, WorkshopWish};
 use antipode_workshop::{Array, Edit, WorkshopError};
 use glam::{DVec2, DVec3};
 
@@ -94,6 +94,14 @@ impl Workshop {
             WorkshopWish::Play => return Some(Outcome::Play),
             WorkshopWish::Keep => return Some(Outcome::Keep),
             WorkshopWish::Leave => return Some(Outcome::Leave),
+            WorkshopWish::Set {
+                value: FieldValue::Misread(text),
+                ..
+            } => {
+                let values = [("text", text.as_str().into())];
+                let words = bench.texts.say_with("workshop-misread", &values);
+                return Some(Outcome::Refused(words));
+            }
             _ => {}
         }
         let is_choice = matches!(
@@ -239,7 +247,7 @@ impl Workshop {
         &mut self,
         bench: &mut Bench<'_>,
         key: &str,
-        value: &antipode_ui::workshop::FieldValue,
+        value: &FieldValue,
         done: bool,
     ) -> Result<(), WorkshopError> {
         let goes_on = self.field.as_deref() == Some(key) && bench.scene.document().is_dragging();
