@@ -223,15 +223,17 @@ pub fn free_aside(room: &Room, clip: &Clip, step_m: f64) -> Option<DVec3> {
         !room.objects.iter().any(there)
     };
     let steps = || (1..).map(|number| DVec3::X * width_m * f64::from(number));
-    let stands = Stands::of(room);
-    let is_clear = |by: &DVec3| {
-        let mut moved = alone.objects.clone();
-        let roots = moved.iter_mut().filter(|it| it.group.is_none());
-        roots.for_each(|it| Arc::make_mut(it).at += by);
-        is_free(by) && !stands.are_in_the_way(&moved)
+    let clear = || {
+        let stands = Stands::of(room);
+        steps().take(CLEAR_STEPS).find(|by| {
+            let mut moved = alone.objects.clone();
+            let roots = moved.iter_mut().filter(|it| it.group.is_none());
+            roots.for_each(|it| Arc::make_mut(it).at += by);
+            is_free(by) && !stands.are_in_the_way(&moved)
+        })
     };
     let is_few = alone.objects.len() * room.objects.len() <= MOST_COMPARED;
-    let near = steps().take(CLEAR_STEPS).filter(|_| is_few).find(is_clear);
+    let near = is_few.then(clear).flatten();
     near.or_else(|| steps().find(is_free))
 }
 
@@ -266,10 +268,11 @@ fn extent_of((room, poses): (&Room, &[DAffine3]), all: &[usize], axis: usize) ->
 pub fn ends(scene: &RoomScene, index: usize) -> [DVec3; 4] {
     let (room, pose) = (scene.room(), scene.poses()[index]);
     let object = &room.objects[index];
-    let (low, high) = match bounds_of_group(room, scene.poses(), &object.name) {
-        Some(bounds) if object.what == What::Group => bounds,
-        _ => (-half(&object.what), half(&object.what)),
-    };
+    // All of the room is looked through for what a group carries.
+    let is_group = object.what == What::Group;
+    let bounds = is_group.then(|| bounds_of_group(room, scene.poses(), &object.name));
+    let half = half(&object.what);
+    let (low, high) = bounds.flatten().unwrap_or((-half, half));
     [
         low,
         high,

@@ -109,7 +109,10 @@ impl Game {
         };
         let scene = &mut visit.room.scene;
         workshop.findings.pass(scene);
-        if workshop.findings.rest() && workshop.findings.gravest(&self.menus.texts).is_none() {
+        if workshop.unsaved.is_some()
+            && workshop.findings.rest()
+            && workshop.findings.gravest(&self.menus.texts).is_none()
+        {
             workshop.unsaved = None;
         }
         if let Some(lesson) = &mut visit.lesson

@@ -252,14 +252,15 @@ impl Workshop {
         let (room, marked) = (scene.room(), scene.document().marked());
         let is_within = |index: usize| {
             let own = chosen::own_spaces(room, index);
-            // Two corners, far apart: all of many things takes its time.
-            let [one, other, ..] = chosen::ends(scene, index);
-            [scene.poses()[index].translation, one, other]
-                .into_iter()
-                .all(|point| {
-                    let seen = scene.way_to(&view, point, &own);
-                    seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
-                })
+            let is_seen = |point: DVec3| {
+                let seen = scene.way_to(&view, point, &own);
+                seen.is_some_and(|(_, at)| at.cmpge(low).all() && at.cmple(high).all())
+            };
+            // Two corners, far apart, and the middle first: all of many things takes its time.
+            is_seen(scene.poses()[index].translation)
+                && chosen::ends(scene, index)[..2]
+                    .iter()
+                    .all(|it| is_seen(*it))
         };
         let found: Vec<usize> = room
             .objects

@@ -1,7 +1,7 @@
 //! What things are called that the workshop puts into a room: in the player's language, numbered where the word is taken.
 
 use antipode_language::Texts;
-use antipode_rooms::{Object, Room};
+use antipode_rooms::Room;
 use antipode_workshop::Edit;
 
 use super::rows::free_name;
@@ -12,13 +12,19 @@ pub fn word(texts: &Texts, english: &str) -> String {
     texts.say(&format!("workshop-name-{key}"))
 }
 
-/// The same of a name, which may have a number after the word.
+/// The word of a name, and the number after it if there is one.
+fn parted(name: &str) -> (&str, Option<&str>) {
+    match name.rsplit_once(' ') {
+        Some((word, number)) if number.parse::<u32>().is_ok() => (word, Some(number)),
+        _ => (name, None),
+    }
+}
+
+/// A name in the player's language.
 fn name(texts: &Texts, english: &str) -> String {
-    match english.rsplit_once(' ') {
-        Some((first, number)) if number.parse::<u32>().is_ok() => {
-            format!("{} {number}", word(texts, first))
-        }
-        _ => word(texts, english),
+    match parted(english) {
+        (first, Some(number)) => format!("{} {number}", word(texts, first)),
+        (whole, None) => word(texts, whole),
     }
 }
 
@@ -26,8 +32,7 @@ fn name(texts: &Texts, english: &str) -> String {
 pub fn in_language(edit: Edit, room: &Room, texts: &Texts) -> Edit {
     match edit {
         Edit::Insert(mut object) => {
-            let own = english_word(&object).to_owned();
-            object.name = free_name(room, &word(texts, &own));
+            object.name = free_name(room, &word(texts, parted(&object.name).0));
             Edit::Insert(object)
         }
         Edit::Paste { clip, by, is_part } => Edit::Paste {
@@ -36,14 +41,6 @@ pub fn in_language(edit: Edit, room: &Room, texts: &Texts) -> Edit {
             is_part,
         },
         other => other,
-    }
-}
-
-/// Its name without the number.
-fn english_word(object: &Object) -> &str {
-    match object.name.rsplit_once(' ') {
-        Some((first, number)) if number.parse::<u32>().is_ok() => first,
-        _ => &object.name,
     }
 }
 
@@ -104,7 +101,7 @@ mod tests {
         let all = KITS
             .iter()
             .flat_map(|(id, _)| super::super::kits::objects(id).unwrap());
-        let words: HashSet<String> = all.map(|it| english_word(&it).to_owned()).collect();
+        let words: HashSet<String> = all.map(|it| parted(&it.name).0.to_owned()).collect();
         for language in Language::ALL {
             let texts = Texts::new(language);
             let said: HashSet<_> = words.iter().map(|it| word(&texts, it)).collect();
