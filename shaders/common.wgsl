@@ -82,6 +82,7 @@ struct Scene {
     ambient_ground: vec3<f32>,
     ring_edges: f32,            // how dark the edges of the ring are, 0 to 1
     moon_colour: vec3<f32>,     // moonlight at its full
+    covered: f32,               // how much the land over the eye covers the sky there, 0 to 1
     sun_place: vec4<f32>,       // of a closed world's sun, a unit vector of the model in view coordinates
     moon_place: vec4<f32>,      // of its moon
     ring_centre: vec4<f32>,     // the middle of the ring about what is dug or built: xyz from the reference, m; in a

@@ -102,7 +102,8 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
         out.albedo = own * mix(coarse_tone(u32(ground.x), grain), coarse_tone(ROCK, grain), ground.y);
     }
     out.grain = grain;
-    out.veil = haze_before(view) * fog;
+    // No haze is lit where neither the eye nor the land has a sky.
+    out.veil = haze_before(view) * (fog * mix(1.0, ground.z, scene.covered));
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     out.place = vec4<f32>(place, beyond_chart(p));
     let mark = select(0.0, SHADED, (in.flags & 1u) != 0u);

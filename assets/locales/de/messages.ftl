@@ -138,3 +138,4 @@ biome-tundra = Tundra
 biome-wetland = Feuchtland
 biome-crags = Schroffen
 biome-shore = Strand
+biome-cave = Höhle

@@ -144,3 +144,4 @@ biome-tundra = Tundra
 biome-wetland = Wetland
 biome-crags = Crags
 biome-shore = Shore
+biome-cave = Cave

@@ -138,3 +138,4 @@ biome-tundra = Tundra
 biome-wetland = Humedal
 biome-crags = Peñas
 biome-shore = Costa
+biome-cave = Cueva

@@ -146,3 +146,4 @@ biome-tundra = Tundra
 biome-wetland = Mokradła
 biome-crags = Turnie
 biome-shore = Wybrzeże
+biome-cave = Jaskinia

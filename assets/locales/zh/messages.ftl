@@ -129,3 +129,4 @@ biome-tundra = 苔原
 biome-wetland = 湿地
 biome-crags = 峭壁
 biome-shore = 海岸
+biome-cave = 洞穴

@@ -20,6 +20,8 @@ pub struct View {
     pub hand: Option<Hand>,
     /// Distance in metres, measured in the space, at which the fog is complete.
     pub fog_distance_m: f32,
+    /// How much the land over the eye covers the sky there, 0 to 1: haze in caves is not lit.
+    pub covered: f32,
     /// Whether the marker and the outlines of hit shapes are drawn: what the player is told, and not the world.
     pub shows_marks: bool,
     /// Where the marker is in this picture, if that is not where it is: a door shows it there.
@@ -52,6 +54,7 @@ impl View {
             strategy,
             hand: None,
             fog_distance_m: Self::NO_FOG_M,
+            covered: 0.0,
             shows_marks: true,
             mark: None,
             contour_bands: false,

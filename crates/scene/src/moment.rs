@@ -209,6 +209,7 @@ impl Scene {
         let view = View {
             hand: moment.hand,
             fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
+            covered: 1.0 - self.field().sky_left(eye.point),
             contour_bands: self.shown.viewing.contour_bands,
             quality: self.shown.quality,
             ..View::new(eye, Projection::new(fov_y_rad, aspect, NEAR_M), strategy)

@@ -162,8 +162,8 @@ pub enum Hint {
     /// The player has gone once round the world.
     #[error("You have come all the way round the world, {0} m, and are back where you were.")]
     BeenRound(u32),
-    /// The player has come into another biome, by its name.
-    #[error("You are in another biome: {0}.")]
+    /// The player has come into another biome, or a cave, by its name.
+    #[error("You have come into another kind of land: {0}.")]
     Entered(&'static str),
     /// The player stands up again.
     #[error("You are back at the start. What you carried is still with you.")]

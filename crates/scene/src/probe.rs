@@ -298,6 +298,8 @@ pub struct TerrainProbe {
     pub kind: Option<&'static str>,
     /// The kind of what the crosshair is on within a tool's reach; null where that is no ground.
     pub kind_ahead: Option<&'static str>,
+    /// Whether the player is in a cave that nobody dug.
+    pub cave: bool,
     /// What the player has dug in this visit, cubic metres by kind; left out where that is nothing.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub dug: BTreeMap<&'static str, f64>,

@@ -127,6 +127,7 @@ fn terrain_probe(now: Situation<'_>) -> TerrainProbe {
         ground_height,
         kind: below.map(|point| world.ground.kind(point).name()),
         kind_ahead: ahead.hit.then(|| world.ground.kind(ahead.point).name()),
+        cave: world.ground.field().is_cave(head),
         dug: by_kind(|kind| earth.dug_m3(kind)),
         built: by_kind(|kind| earth.built_m3(kind)),
     }

@@ -80,6 +80,46 @@ fn chunk_mesh(bencher: Bencher<'_, '_>, world: World) {
     bencher.bench_local(|| march(black_box(&samples), &field, chunk()));
 }
 
+/// A chunk below the surface with much of a cave in it.
+fn cave(geometry: Geometry) -> (Field, ChunkCoord) {
+    let field = field((Generator::Climates, geometry));
+    let chunks = (0..4000).map(|n| ChunkCoord {
+        chart: ChartId::FIRST,
+        index: IVec3::new(n % 32 - 16, n / 1024 - 1, n / 32 % 32 - 16),
+    });
+    let hollow = |coord: &ChunkCoord| {
+        let deep = coord.origin() + DVec3::splat(16.0);
+        if field.land(ChartPoint::a(deep)) > -6.0 {
+            return 0;
+        }
+        let samples = field.samples(*coord);
+        samples.values().iter().filter(|it| **it > 0.0).count()
+    };
+    let most = chunks.max_by_key(hollow).unwrap_or(chunk());
+    (field, most)
+}
+
+#[divan::bench(args = [Geometry::Euclidean, Geometry::Spherical])]
+fn cave_samples(bencher: Bencher<'_, '_>, geometry: Geometry) {
+    let (field, coord) = cave(geometry);
+    bencher
+        .counter(ItemsCount::new(SAMPLES.pow(3)))
+        .bench_local(|| field.samples(black_box(coord)));
+}
+
+#[divan::bench(args = [Geometry::Euclidean, Geometry::Spherical])]
+fn cave_mesh(bencher: Bencher<'_, '_>, geometry: Geometry) {
+    let (field, coord) = cave(geometry);
+    let samples = field.samples(coord);
+    bencher.bench_local(|| march(black_box(&samples), &field, coord));
+}
+
+#[divan::bench(args = [Geometry::Euclidean, Geometry::Spherical])]
+fn cave_content(bencher: Bencher<'_, '_>, geometry: Geometry) {
+    let (field, coord) = cave(geometry);
+    bencher.bench_local(|| field.content(black_box(coord)));
+}
+
 #[divan::bench(args = [1.0, 5.0, 10.0])]
 fn stroke_into_a_chunk(bencher: Bencher<'_, '_>, radius_m: f64) {
     let strategy = strategy(Geometry::Spherical, DEFAULT_SPHERE_RADIUS_M);

@@ -49,6 +49,17 @@ impl Field {
     /// What the chunk holds before any edit, its border of one sample included. Decided from
     /// the noise's bounds, in microseconds: `Air` and `Solid` are certain, `Surface` is not.
     pub fn content(&self, coord: ChunkCoord) -> Content {
+        let land = self.land_content(coord);
+        let first = coord.origin() - 1.0;
+        if land == Content::Solid && self.is_hollow(coord.chart, first, first + SPAN_M) {
+            Content::Surface
+        } else {
+            land
+        }
+    }
+
+    /// [`Self::content`] as if there were no caves.
+    fn land_content(&self, coord: ChunkCoord) -> Content {
         let bottom = f64::from(coord.index.y) * 32.0;
         let ends = [bottom - 1.0, bottom - 1.0 + SPAN_M];
         if !self.within_rim(coord) {
@@ -119,7 +130,7 @@ impl Field {
     fn is_all(&self, solid: bool, span: &Span, mut heights: [f64; 2]) -> bool {
         let end = if solid { heights[1] } else { heights[0] };
         let middle = (span.corner + span.edge_m / 2.0).with_y(end);
-        let sample = self.sample_square(middle);
+        let sample = self.land_square(middle);
         if (sample < 0.0) != solid {
             return false;
         }

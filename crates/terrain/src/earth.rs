@@ -14,7 +14,7 @@ use crate::edits::{ChunkEdits, EDIT_STEP};
 use crate::field::Field;
 use crate::kind::{Kind, SKIN};
 use crate::samples::Samples;
-use crate::strata::{Strata, depth_of};
+use crate::strata::Strata;
 use crate::tables::{EDGES, TRIANGLES};
 
 const KINDS: usize = Kind::ALL.len();
@@ -192,12 +192,14 @@ impl Moved<'_> {
         let (low, high) = self.base.editable_y_m();
         let mut found = [Corner::default(); 33];
         for j in range {
+            let at = self.base.index(i + 1, j + 1, k + 1);
             let base = self.base.get(i + 1, j + 1, k + 1);
+            let land = self.base.covered(at);
             let y = self.coord.origin().y + j as f64;
             let mut corner = Corner {
                 values: [base; 2],
-                laid: [0; 2],
-                depth: depth_of(base),
+                laid: [land.laid; 2],
+                depth: land.depth,
             };
             if y >= low && y <= high {
                 let owner = i >> 5 | j >> 5 << 1 | k >> 5 << 2;
@@ -205,7 +207,10 @@ impl Moved<'_> {
                     if let Some(edits) = &owners[owner] {
                         let (i, j, k) = (i & 31, j & 31, k & 31);
                         corner.values[n] += f32::from(edits.get(i, j, k)) * EDIT_STEP;
-                        corner.laid[n] = edits.kind_byte(i, j, k);
+                        let laid = edits.kind_byte(i, j, k);
+                        if laid != 0 {
+                            corner.laid[n] = laid;
+                        }
                     }
                 }
             }

@@ -15,16 +15,16 @@ mod land;
 
 use std::sync::Arc;
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord, Domain, NoiseFrame, SquareFrame};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Domain, NoiseFrame, SquareFrame};
 use glam::DVec3;
 
 use crate::biome::Biome;
+use crate::caves::Caves;
 use crate::climate::Climate;
 use crate::fractal::{Column, Octave};
 use crate::generator::Generator;
 use crate::lattice::Lattice;
 use crate::relief::{BLOCK, Ground, Relief};
-use crate::samples::{SAMPLES, Samples};
 use crate::tilted::{self, Heights};
 use crate::upright::{self, Grid};
 
@@ -46,6 +46,7 @@ pub struct Field {
     /// The biome of a world of one.
     alone: &'static Biome,
     climate: Option<Arc<Climate>>,
+    caves: Option<Arc<Caves>>,
     octaves: Vec<Octave>,
     relief: Relief,
 }
@@ -79,14 +80,20 @@ impl Field {
                 land::LOWEST_M,
             ),
         };
-        Self {
+        let mut field = Self {
             lattice: Arc::new(Lattice::new(seed)),
             relief: Relief::new(sums_m, lowest_m, bounds),
             alone,
             climate,
+            caves: None,
             octaves,
             strategy,
+        };
+        // They follow the land above them.
+        if field.climate.is_some() {
+            field.caves = Some(Arc::new(Caves::new(seed, &field)));
         }
+        field
     }
 
     /// The space this field lives in.
@@ -118,9 +125,14 @@ impl Field {
     /// The field at a point: below zero is solid, within [`FIELD_BAND_M`] of zero, and finite
     /// wherever the point is.
     pub fn sample(&self, point: ChartPoint) -> f32 {
+        self.hollowed(point, self.land(point))
+    }
+
+    /// [`Self::sample`] as if there were no caves.
+    pub fn land(&self, point: ChartPoint) -> f32 {
         let ChartPoint { chart, pos } = point;
         let sum = match self.strategy.noise_frame(chart) {
-            NoiseFrame::Square(frame) => return self.sample_square(frame.placed(pos)),
+            NoiseFrame::Square(frame) => return self.land_square(frame.placed(pos)),
             NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
                 let column = self.column(chart, pos.x, pos.z);
                 tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
@@ -129,21 +141,13 @@ impl Field {
         self.relief.value(pos.y, sum)
     }
 
-    /// The field at a place of noise space, where charts are square with that.
-    pub(crate) fn sample_square(&self, place: DVec3) -> f32 {
+    /// [`Self::land`] at a place of noise space, where charts are square with that.
+    pub(crate) fn land_square(&self, place: DVec3) -> f32 {
         let sum = upright::sum_at(&self.lattice, &self.octaves, &self.form(place), place);
         self.relief.value(place.y, sum)
     }
 
-    /// The field over a chunk and its border.
-    pub fn samples(&self, coord: ChunkCoord) -> Samples {
-        let mut samples = Samples::empty(editable_y_m(&*self.strategy));
-        let first = coord.origin() - 1.0;
-        self.fill_grid(coord.chart, first, 1, [SAMPLES; 3], samples.values_mut());
-        samples
-    }
-
-    /// The field at the points `first + step_m * (i, j, k)`, with `(i, j, k)` below `counts`,
+    /// [`Self::land`] at the points `first + step_m * (i, j, k)`, with `(i, j, k)` below `counts`,
     /// into `out` by `(i * counts[2] + k) * counts[1] + j`: columns along y are contiguous.
     ///
     /// The value at a point with whole coordinates is the same bit for bit, whatever grid it
@@ -303,11 +307,14 @@ impl Field {
         }
     }
 
-    /// A column of the chart in the lattice of the first octave. Where noise space is radial about
-    /// the sphere's centre, the height stretches the point on the ground.
     fn column(&self, chart: ChartId, x: f64, z: f64) -> Column {
+        self.column_over(chart, self.ground_place(chart, x, z))
+    }
+
+    /// A column in the lattice of the first octave, over a place on the ground of noise space. Where that is radial about
+    /// the sphere's centre, the height stretches the place.
+    fn column_over(&self, chart: ChartId, place: DVec3) -> Column {
         let frequencies = self.octaves.first().map_or(DVec3::ONE, |o| o.frequencies());
-        let place = self.ground_place(chart, x, z);
         let base = place * frequencies;
         let slope = match self.strategy.noise_frame(chart) {
             NoiseFrame::Radial { radius_m } => base / radius_m,

@@ -146,14 +146,19 @@ pub(crate) const fn number_of(byte: u8) -> u8 {
     byte & NUMBER_BITS
 }
 
+/// How much of the sky is left so deep below untouched land, 0 to 1.
+#[inline]
+pub(crate) fn sky_left(depth_m: f32) -> f32 {
+    ((SKY_M.1 - depth_m) / (SKY_M.1 - SKY_M.0)).clamp(0.0, 1.0)
+}
+
 /// A vertex's byte, from the number of a kind, with [`SKIN`] or without, and the depth in metres.
 #[inline]
 pub(crate) fn under_sky(byte: u8, depth_m: f32) -> u8 {
     if byte >= SKIN {
         return byte;
     }
-    let left = ((SKY_M.1 - depth_m) / (SKY_M.1 - SKY_M.0)).clamp(0.0, 1.0);
-    let steps = (left * f32::from(OPEN_SKY) + 0.5) as u8;
+    let steps = (sky_left(depth_m) * f32::from(OPEN_SKY) + 0.5) as u8;
     byte | steps << SKY_SHIFT
 }
 

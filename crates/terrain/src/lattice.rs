@@ -112,13 +112,18 @@ pub(crate) fn fades(t: Vec4) -> Vec4 {
     s * (q * (q * 6.0 - 5.0) + 1.875) + 0.5
 }
 
-/// All 64 bits of a world's seed stirred into the 32 that the table's generator takes
-/// (the finaliser of splitmix64), so that neighbouring seeds have unrelated tables.
+/// All 64 bits of a world's seed stirred into the 32 that the table's generator takes, so that neighbouring seeds have
+/// unrelated tables.
 pub(crate) fn table_seed(seed: u64) -> u32 {
+    (stirred(seed) >> 32) as u32
+}
+
+/// A number whose every bit hangs on every bit of another (the finaliser of splitmix64).
+pub(crate) fn stirred(seed: u64) -> u64 {
     let mut z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    ((z ^ (z >> 31)) >> 32) as u32
+    z ^ (z >> 31)
 }
 
 impl Lattice {

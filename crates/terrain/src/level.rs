@@ -62,7 +62,7 @@ impl Field {
     /// How far the ground at a level may be from the full ground, metres: the 99th percentile
     /// of the distances from the full ground's vertices. Upright, vertices are farther off: ground turns
     /// over, and under an edge that moved by little lies nothing for long. Half of the vertices are within
-    /// a ninth, a seventh and a sixth to a fifth of this. Untouched ground only; where players
+    /// a ninth, a seventh and a sixth to a fifth of this. Untouched land only; of caves, and where players
     /// dug or built, as much as a whole cell may be lost.
     pub fn level_error_m(&self, level: Level) -> f64 {
         let coarse = level.index().checked_sub(1);

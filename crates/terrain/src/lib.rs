@@ -9,6 +9,8 @@
 //! [`apply_edits`] adds what players dug and built, and [`march`] meshes the result.
 
 mod biome;
+mod carve;
+mod caves;
 mod climate;
 mod colour;
 mod content;

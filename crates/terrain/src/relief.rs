@@ -74,8 +74,12 @@ impl Relief {
 
     /// Between which heights ground lies whose sums of noise lie between these, metres.
     pub(crate) fn heights_m(&self, [least, most]: [f32; 2]) -> [f64; 2] {
-        let height = |sum: f32| self.middle_m - f64::from(self.lowered(Vec4::splat(sum)).x);
-        [height(most), height(least)]
+        [self.height_m(most), self.height_m(least)]
+    }
+
+    /// The height of ground with this sum of noise, metres.
+    pub(crate) fn height_m(&self, sum: f32) -> f64 {
+        self.middle_m - f64::from(self.lowered(Vec4::splat(sum)).x)
     }
 
     /// How many times as steep ground is as its sums of noise are, where it is near the middle of its range.

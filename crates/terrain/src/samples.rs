@@ -6,6 +6,7 @@
 use antipode_geometry::{CHUNK_CELLS, ChunkCoord};
 use glam::DVec3;
 
+use crate::carve::Hollow;
 use crate::edits::EDIT_STEP;
 use crate::field::{Field, editable_y_m};
 use crate::level::Level;
@@ -27,16 +28,16 @@ pub struct Samples {
     /// Face after face, each `face_side` squared; empty at [`Level::FULL`].
     faces: Box<[f32]>,
     editable_y_m: (f64, f64),
-    /// What edits have covered up, of each value; empty where nobody changed anything.
+    /// What caves and edits have covered up, of each value; empty where there is neither.
     covered: Box<[Covered]>,
 }
 
-/// What a sample was before edits, and what it was made of by them.
+/// What a sample of the land was before caves and edits, and what it was made of by them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Covered {
     /// As [`crate::strata::depth_of`].
     pub depth: u8,
-    /// The number of a kind; 0 where nobody built.
+    /// The number of a kind; 0 where nobody built and nothing has grown.
     pub laid: u8,
 }
 
@@ -68,10 +69,6 @@ impl Samples {
             }
         });
         samples
-    }
-
-    pub(crate) fn empty(editable_y_m: (f64, f64)) -> Self {
-        Self::at(Level::FULL, editable_y_m)
     }
 
     fn at(level: Level, editable_y_m: (f64, f64)) -> Self {
@@ -137,10 +134,6 @@ impl Samples {
         &self.values
     }
 
-    pub(crate) fn values_mut(&mut self) -> &mut [f32] {
-        &mut self.values
-    }
-
     /// Whether nothing was added to the block.
     #[inline]
     pub(crate) fn is_untouched(&self) -> bool {
@@ -158,6 +151,18 @@ impl Samples {
         }
     }
 
+    /// Takes a cave's part out of a sample by its index.
+    fn hollow(&mut self, at: usize, Hollow { value, grown }: Hollow) {
+        if self.values.get(at).is_none_or(|&land| land >= value) {
+            return;
+        }
+        self.cover();
+        if let (Some(land), Some(covered)) = (self.values.get_mut(at), self.covered.get_mut(at)) {
+            *land = value;
+            covered.laid = grown;
+        }
+    }
+
     /// Adds an edit to a sample by its index, in units, with the number of the kind that was laid there.
     #[inline]
     pub(crate) fn edit(&mut self, at: usize, units: i16, laid: u8) {
@@ -167,7 +172,9 @@ impl Samples {
         self.cover();
         if let (Some(value), Some(covered)) = (self.values.get_mut(at), self.covered.get_mut(at)) {
             *value += f32::from(units) * EDIT_STEP;
-            covered.laid = laid;
+            if laid != 0 {
+                covered.laid = laid;
+            }
         }
     }
 
@@ -227,6 +234,11 @@ impl Samples {
 }
 
 impl Field {
+    /// The field over a chunk and its border.
+    pub fn samples(&self, coord: ChunkCoord) -> Samples {
+        self.samples_at(coord, Level::FULL)
+    }
+
     /// The field over a chunk, its border and, of a coarse level, its faces. Values at places
     /// that levels share are the same bit for bit.
     pub fn samples_at(&self, coord: ChunkCoord, level: Level) -> Samples {
@@ -235,6 +247,21 @@ impl Field {
         samples.fill_with(|first, step_m, counts, out| {
             self.fill_grid(coord.chart, origin + first, step_m, counts, out);
         });
+        let mut hollows = Vec::new();
+        let mut is_block = true;
+        samples.fill_with(|first, step_m, counts, out| {
+            self.carve(coord.chart, origin + first, step_m, counts, |at, hollow| {
+                if is_block {
+                    hollows.push((at, hollow));
+                } else if let Some(value) = out.get_mut(at) {
+                    *value = value.max(hollow.value);
+                }
+            });
+            is_block = false;
+        });
+        for (at, hollow) in hollows {
+            samples.hollow(at, hollow);
+        }
         samples
     }
 }

@@ -68,6 +68,7 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
         ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
         ("ring_edges", offset_of!(SceneUniform, ring_edges)),
         ("moon_colour", offset_of!(SceneUniform, moon_colour)),
+        ("covered", offset_of!(SceneUniform, covered)),
         ("sun_place", offset_of!(SceneUniform, sun_place)),
         ("moon_place", offset_of!(SceneUniform, moon_place)),
         ("ring_centre", offset_of!(SceneUniform, ring_centre)),

@@ -49,6 +49,29 @@ fn who_enters_a_biome_reads_its_name_once() {
 }
 
 #[test]
+fn who_enters_a_cave_reads_so() {
+    let mut scene = varied();
+    assert!(!scene.probe().terrain.cave);
+    // Columns about the middle, until one runs through a cave in which there is room.
+    let at = |n: u32| {
+        let (x, z) = (
+            f64::from(n % 100) * 3.0 - 150.0,
+            f64::from(n / 100) * 3.0 - 150.0,
+        );
+        let top = scene.field().surface_height(ChartId::FIRST, x, z);
+        let heights = (4..30).map(|down| DVec3::new(x, top - f64::from(down), z));
+        heights.map(ChartPoint::a).find(|feet| {
+            let is_free = |up: f64| scene.field().is_cave(feet.moved(DVec3::Y * up));
+            [0.0, 1.0, 2.0].map(is_free) == [true; 3]
+        })
+    };
+    let cave = (0..10_000).find_map(at).unwrap();
+    scene.teleport(cave);
+    assert_eq!(entered(&mut scene, 90), ["cave"]);
+    assert!(scene.probe().terrain.cave);
+}
+
+#[test]
 fn saves_tell_the_generator_and_unknown_ones_are_refused() {
     for generator in Generator::ALL {
         let setup = WorldSetup {

@@ -2,17 +2,19 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartId, ChartPoint};
+use antipode_geometry::{ChartId, ChartPoint, NoiseFrame};
 use glam::{DVec3, Vec4};
 
 use super::Field;
 use crate::biome::Biome;
+use crate::caves::Caves;
 use crate::climate::Climate;
 use crate::form::Form;
 use crate::fractal::Octave;
 use crate::generator::Generator;
 use crate::light::{LightTables, linear};
 use crate::relief::Rows;
+use crate::tilted;
 use crate::upright::Grid;
 
 /// Frequency of the longest wave of the ground that biomes by climate have in common; frequencies double from octave to
@@ -22,6 +24,8 @@ const FIRST_FREQUENCY: f64 = 0.05;
 pub(super) const LOWEST_M: f64 = 1.5;
 /// How many there are.
 const OCTAVES: i32 = 4;
+/// After so many tries of a height it is within centimetres of land's, where that is no cliff.
+const HEIGHT_TRIES: u32 = 5;
 /// Room for the rounding of what is between forms, metres.
 const ROUNDING_M: f32 = 1e-3;
 
@@ -62,6 +66,11 @@ impl Field {
         })
     }
 
+    /// The caves of a world that has some.
+    pub(crate) fn caves(&self) -> Option<&Caves> {
+        self.caves.as_deref()
+    }
+
     /// The biome of a world of one.
     pub(crate) fn alone(&self) -> &'static Biome {
         self.alone
@@ -86,6 +95,31 @@ impl Field {
     pub(crate) fn ground_place(&self, chart: ChartId, x: f64, z: f64) -> DVec3 {
         let ground = ChartPoint::new(chart, DVec3::new(x, 0.0, z));
         self.strategy.noise_point(ground)
+    }
+
+    /// The place of noise space at a height over one on the ground.
+    pub(crate) fn risen(&self, ground: DVec3, height_m: f64) -> DVec3 {
+        match self.strategy.noise_frame(ChartId::FIRST) {
+            NoiseFrame::Radial { radius_m } => ground * (1.0 + height_m / radius_m),
+            NoiseFrame::Square(_) | NoiseFrame::Upright => ground + DVec3::Y * height_m,
+        }
+    }
+
+    /// About how high land lies over a place on the ground of noise space, metres, caves or not: as far as some tries find the
+    /// height that its own noise asks for.
+    pub(crate) fn land_height(&self, ground: DVec3) -> f64 {
+        let column = self.column_over(ChartId::FIRST, ground);
+        let mut height_m = self.relief.middle_m();
+        for n in 0..HEIGHT_TRIES {
+            let sum = tilted::sum_at(&self.lattice, &self.octaves, &column, height_m);
+            let found_m = self.relief.height_m(sum);
+            height_m = if n == 0 {
+                found_m
+            } else {
+                f64::midpoint(height_m, found_m)
+            };
+        }
+        height_m
     }
 
     /// What the column at a place of noise space on the ground makes of the octaves.

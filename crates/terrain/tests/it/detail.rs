@@ -137,7 +137,12 @@ fn measure(field: &Field, level: Level, chunks: usize, random: &mut Random) -> [
             let samples = field.samples_at(coord, level);
             plan.add(&mesher.march(&samples, field, coord), step.as_vec3() * 32.0);
         }
-        for vertex in &full.vertices {
+        // Caves are told apart: of those a whole cell may be lost.
+        let is_land = |position: Vec3| {
+            let place = coord.origin() + position.as_dvec3();
+            field.land(ChartPoint::a(place)) > -2.0
+        };
+        for vertex in full.vertices.iter().filter(|it| is_land(it.position())) {
             let off = plan.distances(vertex.position());
             found[0].push(off[0]);
             found[1].push(off[1]);

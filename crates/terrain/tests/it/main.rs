@@ -6,6 +6,7 @@
     reason = "tests fail by panicking"
 )]
 
+mod caves;
 mod climates;
 mod common;
 mod cone;

@@ -1,0 +1,139 @@
+//! Land with caves: what samples, chunks and bounds say of them, and what they are made of.
+
+use std::sync::Arc;
+
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
+use antipode_terrain::{Content, Field, Generator, Kind, Level};
+use glam::{DVec3, IVec3};
+
+use crate::common::{chunk, flat};
+
+fn land(seed: u64, space: Arc<dyn Strategy>) -> Field {
+    Field::made_by(Generator::Climates, seed, space)
+}
+
+fn spaces() -> [Arc<dyn Strategy>; 4] {
+    [
+        flat(),
+        strategy(Geometry::Hyperbolic, 20.0),
+        strategy(Geometry::Spherical, 32.0),
+        strategy(Geometry::Spherical, 96.0),
+    ]
+}
+
+/// Chunks of a block about the middle of a chart, with all layers where there may be caves.
+fn chunks(space: &Arc<dyn Strategy>, chart: ChartId, across: i32) -> Vec<ChunkCoord> {
+    let heights = if space.limits().is_some() {
+        0..2
+    } else {
+        -2..3
+    };
+    let columns = (-across..across).flat_map(|x| (-across..across).map(move |z| (x, z)));
+    columns
+        .flat_map(|(x, z)| heights.clone().map(move |y| chunk(chart, x, y, z)))
+        .collect()
+}
+
+/// Whether a sample lies in a cave: deep in the land, and no ground.
+fn is_cave(field: &Field, point: ChartPoint) -> bool {
+    field.land(point) < -3.0 && field.sample(point) > 0.0
+}
+
+#[test]
+fn single_samples_chunks_and_levels_agree_on_caves_bit_for_bit() {
+    for space in spaces() {
+        let mut caves = 0;
+        let is_small = space.limits().is_some_and(|limits| limits.ceiling_m < 60.0);
+        for chart in [ChartId::FIRST, ChartId::SECOND] {
+            if space.globe().is_none() && chart == ChartId::SECOND {
+                continue;
+            }
+            let field = land(41, space.clone());
+            for coord in chunks(&space, chart, 3) {
+                if field.content(coord) != Content::Surface {
+                    continue;
+                }
+                for level in [Level::FULL, Level::ALL[2]] {
+                    let samples = field.samples_at(coord, level);
+                    let last = samples.side() - 1;
+                    for n in 0..200 {
+                        let at = [n * 7 % last, n * 13 % last, n * 31 % last];
+                        let step = f64::from(level.step_m());
+                        let offset = DVec3::from(at.map(|c| c as f64 - 1.0)) * step;
+                        let point = ChartPoint::new(chart, coord.origin() + offset);
+                        let [i, j, k] = at;
+                        assert_eq!(
+                            samples.get(i, j, k),
+                            field.sample(point),
+                            "{coord:?} {at:?}"
+                        );
+                        caves += usize::from(is_cave(&field, point));
+                    }
+                }
+            }
+        }
+        println!("{:?}: {caves} samples in caves", space.limits());
+        assert!(is_small || caves > 20, "{caves}");
+    }
+}
+
+#[test]
+fn no_chunk_with_a_cave_is_taken_for_solid_and_nine_in_ten_of_the_others_are_known() {
+    for space in [flat(), strategy(Geometry::Spherical, 96.0)] {
+        let (mut known, mut bare) = (0, 0);
+        for seed in 60..63 {
+            let field = land(seed, space.clone());
+            for coord in chunks(&space, ChartId::FIRST, 4) {
+                let samples = field.samples(coord);
+                let solid = samples
+                    .values()
+                    .iter()
+                    .filter(|value| **value < 0.0)
+                    .count();
+                let content = field.content(coord);
+                match content {
+                    Content::Solid => assert_eq!(solid, samples.values().len(), "{coord:?}"),
+                    Content::Air => assert_eq!(solid, 0, "{coord:?}"),
+                    Content::Surface => {}
+                }
+                if solid == 0 || solid == samples.values().len() {
+                    bare += 1;
+                    known += usize::from(content != Content::Surface);
+                }
+            }
+        }
+        println!("{known} of {bare} chunks without a surface are known");
+        // The ground of closed worlds is squeezed into so few layers that their heights decide alone.
+        assert!(
+            space.limits().is_some() || known * 10 >= bare * 9,
+            "{known} of {bare}"
+        );
+    }
+}
+
+#[test]
+fn caves_are_dark_rock_inside_and_halls_grow_crystal() {
+    let field = land(41, flat());
+    let (mut walls, mut surface, mut crystal) = (0, 0, 0);
+    for coord in chunks(&flat(), ChartId::FIRST, 6) {
+        if field.content(coord) != Content::Surface {
+            continue;
+        }
+        let samples = field.samples(coord);
+        for n in 0..32 * 32 * 32 {
+            let local = IVec3::new(n >> 10, n >> 5 & 31, n & 31);
+            let point = ChartPoint::new(coord.chart, coord.origin() + local.as_dvec3());
+            let above = point.moved(DVec3::Y);
+            // Floors and ceilings of caves, well below the land.
+            if field.sample(point) < 0.0 && is_cave(&field, above) && field.land(above) < -7.0 {
+                walls += 1;
+                let kind = samples.kind_of_sample(&field, coord, local);
+                crystal += usize::from(kind == Kind::Crystal);
+                surface += usize::from(!kind.is_deep());
+            }
+        }
+    }
+    println!("{walls} walls, {surface} of kinds that lie above ground, {crystal} crystal");
+    assert!(walls > 500 && crystal > 5, "{walls} {crystal}");
+    assert!(surface * 20 < walls, "{surface} of {walls}");
+}
