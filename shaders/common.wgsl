@@ -151,6 +151,9 @@ fn fog_at(distance_m: f32) -> f32 {
 // as dark as what lies in a shadow, so that in one no edge is seen where land turns to the light.
 const FACING: f32 = 0.2;
 
+// What is left of the light from all around where no sky is: so that one finds the way out of a hole.
+const DEEPEST_SKY: f32 = 0.10;
+
 // Warm key and cool ambient from above, bounce from below: nothing is black.
 // `share` of the key reaches the place; in a shadow less of it is bounced about, too. So much of the `sky` is seen from there.
 fn light_on(normal: vec3<f32>, share: f32, sky: f32) -> vec3<f32> {

@@ -11,7 +11,9 @@ const LIGHTS: u32 = 2u;
 const BRAKES: u32 = 4u;
 const POSSIBLE: u32 = 8u;
 const BARRED: u32 = 16u;
-const PLACE_SHIFT: u32 = 5u;
+const DARK_SHIFT: u32 = 5u;
+const NO_SKY: u32 = 7u;
+const PLACE_SHIFT: u32 = 8u;
 
 // How much brighter brake lights are than tail lights.
 const BRAKING: f32 = 0.6 / 0.28;
@@ -21,7 +23,8 @@ struct VertexIn {
     @location(1) normal: vec4<f32>,     // w: how much it glows
     @location(2) colour: vec4<f32>,     // sRGB; a: gloss, or the cover of what light goes through
     @location(3) offset: vec3<f32>,     // the origin from the reference, or from the eye in its axes, metres
-    @location(4) flags: u32,            // HOSTILE, LIGHTS, BRAKES, POSSIBLE, BARRED; from PLACE_SHIFT on the figure's place in its batch
+    @location(4) flags: u32,            // HOSTILE, LIGHTS, BRAKES, POSSIBLE, BARRED; from DARK_SHIFT on how much of the sky it lacks, of
+                                        // NO_SKY; from PLACE_SHIFT on the figure's place in its batch
     @location(5) turn: vec4<f32>,       // a quaternion
     @location(6) frame_origin: vec4<f32>, // view coordinates of the origin, where the figure is ported as a whole,
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
@@ -48,6 +51,7 @@ struct VertexOut {
     @location(7) @interpolate(flat) lights: vec3<u32>,
     @location(8) place: vec3<f32>,      // from the reference, m, in the common axes
     @location(9) kept_m: f32,           // how far it is on the side of a cut that is shown
+    @location(10) sky: f32,             // what is left of the light from all around
 }
 
 // A figure that is shown whole, and how far from its origin a cut may lie, metres.
@@ -137,6 +141,12 @@ fn glow(in: VertexIn) -> f32 {
     return in.normal.w * select(select(0.0, 1.0, shines), BRAKING, brakes);
 }
 
+// What is left of the light from all around where a figure stands.
+fn sky_over(in: VertexIn) -> f32 {
+    let dark = in.flags >> DARK_SHIFT & NO_SKY;
+    return mix(1.0, DEEPEST_SKY, f32(dark) / f32(NO_SKY));
+}
+
 fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     let p = in.offset + stance.place;
     let space = space_of_chart();
@@ -149,6 +159,7 @@ fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     out.albedo = vec4<f32>(figure_colour(in), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze_before(view) * fog, 1.0 - fog);
+    out.sky = sky_over(in);
     out.glow = glow(in);
     out.view = view;
     out.lights = in.lights.xyz;
@@ -229,6 +240,7 @@ fn vertex_hand(in: VertexIn) -> VertexOut {
     out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(0.0, 0.0, 0.0, 1.0);
+    out.sky = sky_over(in);
     out.glow = in.normal.w;
     out.view = vec4<f32>(v, 1.0);
     out.place = scene.right * v.x + scene.up * v.y - scene.front * v.z;
@@ -247,15 +259,15 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let edge2 = edge * edge;
     let halfway = normalize(scene.key_direction + toward_eye);
     let shine = pow(max(dot(seen, halfway), 0.0), 48.0);
-    let sky = mix(scene.ambient_ground, scene.ambient_sky, 0.5 + 0.5 * normal.y);
+    let sky = mix(scene.ambient_ground, scene.ambient_sky, 0.5 + 0.5 * normal.y) * in.sky;
     let unlit = is_unlit(in.view, normal, in.frame_normal);
     let share = key_share(shaded_at(in.place, in.view, normal, in.frame_normal), in.clip.xy, unlit, true);
-    var colour = in.albedo.rgb * daylight_on(in.view, normal, in.frame_normal, share, 1.0);
+    var colour = in.albedo.rgb * daylight_on(in.view, normal, in.frame_normal, share, in.sky);
     if any_lit(in.lights) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
     }
     // A soft bright edge keeps the figure readable against land of its own brightness.
-    colour += scene.ambient_sky * (edge2 * edge * (0.30 + 0.9 * gloss));
+    colour += scene.ambient_sky * in.sky * (edge2 * edge * (0.30 + 0.9 * gloss));
     colour += (scene.key_colour * (shine * share) + sky * 0.35) * gloss;
     // Brighter than white, so that tone mapping lets it shine; a little less at the rim, so that it stays round.
     colour += in.albedo.rgb * (in.glow * (3.2 - 1.4 * edge2));

@@ -71,9 +71,6 @@ fn beyond_chart(p: vec3<f32>) -> f32 {
     return max(max(past.x, past.y), geo_beyond_edge(scene.space, p));
 }
 
-// What is left of the light from all around where no sky is: so that one finds the way out of a hole.
-const DEEPEST_SKY: f32 = 0.10;
-
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
     let ground = kind_of(in.colour.a, authored.y);

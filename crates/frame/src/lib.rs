@@ -256,6 +256,8 @@ pub struct Figure {
     pub brakes: bool,
     /// Whether it is there.
     pub presence: Presence,
+    /// How much of the sky is left where it stands, 0 to 1: little of it in a cave.
+    pub sky: f32,
     /// What of it is shown, of one that stands in a door.
     pub cut: Option<Cut>,
 }
@@ -307,6 +309,7 @@ impl Figure {
             lights: false,
             brakes: false,
             presence: Presence::Real,
+            sky: 1.0,
             cut: None,
         }
     }

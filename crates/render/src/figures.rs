@@ -17,7 +17,7 @@ use crate::rig::Posed;
 use crate::shadow::Caster;
 use crate::uniforms::{
     BARRED_FLAG, BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, POSSIBLE_FLAG, WHOLE,
-    frame_rows, packed_cut,
+    dark_bits, frame_rows, packed_cut,
 };
 
 /// The models, which all views draw figures with.
@@ -123,6 +123,7 @@ impl Figures {
             let figure = Figure {
                 turn: figure.turn * turn.as_dquat(),
                 cut: figure.cut.map(|cut| cut.from_origin_moved(place)),
+                sky: figure.sky,
                 ..Figure::standing(model, figure.point.moved(place), 0.0)
             };
             let thing = number(model);
@@ -190,7 +191,7 @@ fn flags(figure: &Figure) -> u32 {
         (figure.presence == Presence::Barred, BARRED_FLAG),
     ];
     let on = switches.into_iter().filter(|(is_on, _)| *is_on);
-    on.fold(0, |flags, (_, flag)| flags | flag)
+    on.fold(dark_bits(figure.sky), |flags, (_, flag)| flags | flag)
 }
 
 /// The box of a turned box.

@@ -8,7 +8,7 @@ use glam::{Quat, Vec3};
 
 use crate::lamps::{BEAMS, LAMPS, lights_near};
 use crate::rig::HandPose;
-use crate::uniforms::{FigureInstance, WHOLE};
+use crate::uniforms::{FigureInstance, WHOLE, dark_bits};
 
 /// The gun's muzzle from its grip, metres.
 pub const MUZZLE_M: Vec3 = Vec3::new(0.275, 0.085, 0.0);
@@ -111,7 +111,7 @@ pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
     let lights = lights_beyond(frame, CARRIED_M);
     let instance = |held: Held| FigureInstance {
         offset: held.place.into(),
-        flags: 0,
+        flags: dark_bits(1.0 - frame.view.covered),
         turn: held.turn.to_array(),
         frame: [[0.0; 4]; 4],
         lights,

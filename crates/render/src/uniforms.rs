@@ -248,8 +248,18 @@ pub const BRAKES_FLAG: u32 = 4;
 pub const POSSIBLE_FLAG: u32 = 8;
 /// That of what cannot be put there.
 pub const BARRED_FLAG: u32 = 16;
-/// Above the flags is the figure's place in its batch of joints.
-pub const PLACE_SHIFT: u32 = 5;
+/// Above the flags is how much of the sky a figure lacks, in steps to [`NO_SKY`].
+pub const DARK_SHIFT: u32 = 5;
+/// None of the sky is left.
+pub const NO_SKY: u32 = 7;
+/// And above that the figure's place in its batch of joints.
+pub const PLACE_SHIFT: u32 = 8;
+
+/// How much of the sky is lacking where so much of it is left, 0 to 1, as instances have it.
+pub fn dark_bits(sky: f32) -> u32 {
+    let steps = (1.0 - sky.clamp(0.0, 1.0)) * NO_SKY as f32;
+    (steps.round() as u32) << DARK_SHIFT
+}
 
 /// Where and how a figure stands; the instance attributes of figure.wgsl.
 #[repr(C)]

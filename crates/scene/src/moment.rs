@@ -190,11 +190,14 @@ impl Scene {
         let own_car = moment.figures.iter().find(|(who, _)| Some(*who) == bonnet);
         let own_car = own_car.map(|(_, car)| *car);
         let dust = self.dust(&moment.figures, &eye, moment.simulated_s);
-        let without_who = |(_, figure)| figure;
         let content = Content {
             sky: day::sky(moment.time_of_day_s, &*strategy, &eye),
             land: Arc::clone(self.sim.world.ground.land()),
-            figures: moment.figures.into_iter().map(without_who).collect(),
+            figures: moment
+                .figures
+                .into_iter()
+                .map(|(_, it)| self.under_sky(it))
+                .collect(),
             lights: Lights {
                 lamps: moment.lit.lamps.into_iter().map(|(_, it)| it).collect(),
                 beams: moment.lit.beams.into_iter().map(|(_, it)| it).collect(),
@@ -224,6 +227,15 @@ impl Scene {
             lead_ring_on(&mut frame, doors, &marker);
         }
         frame
+    }
+
+    /// A figure with as much of the sky as is left over its middle.
+    fn under_sky(&self, figure: Figure) -> Figure {
+        let middle = figure.point.moved(DVec3::Y);
+        Figure {
+            sky: self.field().sky_left(middle),
+            ..figure
+        }
     }
 
     /// What of the ground is in the air at a time, simulated seconds, and the marks on it.
