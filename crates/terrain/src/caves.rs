@@ -31,7 +31,7 @@ const TRIES: u64 = 12;
 const FARTHEST_M: f64 = 170.0;
 /// Of these parts of all squares there is a hall, of the halls a way up, of the pairs beside each other a tunnel.
 const HALLS: f64 = 0.95;
-const WAYS_UP: f64 = 0.97;
+const WAYS_UP: f64 = 0.65;
 const TUNNELS: f64 = 0.75;
 /// And of the halls these are great.
 const GREAT: f64 = 0.3;
@@ -40,6 +40,8 @@ const BOW: f64 = 0.12;
 const SWING: f64 = 0.10;
 /// Metres between two knots of a tunnel.
 const KNOT_M: f64 = 6.0;
+/// Halls of closed worlds nearer than this to one with a way up have none of their own, metres.
+const WAYS_APART_M: f64 = 250.0;
 /// How far from its hall a way in begins, metres, and no further than that of the radius of closed worlds.
 const WAY_UP_M: f64 = 52.0;
 const WAY_UP_SHARE: f64 = 0.9;
@@ -52,6 +54,11 @@ const UNDER_M: f64 = 1.8;
 const NARROWEST_M: f64 = 1.5;
 /// Floors lie level so far below the middle, of the radius.
 pub(crate) const FLOOR: f64 = 0.55;
+/// Where a way up has come out of the land its sides begin so far from its middle, of the radius, rise by so much per metre,
+/// and go no higher than this over its floor, metres.
+const SIDE_FROM: f64 = 0.6;
+const SIDE_STEEP: f64 = 0.75;
+const SIDE_M: f64 = 6.0;
 /// Walls stray by at most this from where stretches say, metres.
 pub(crate) const STRAY_M: f64 = 0.9;
 
@@ -87,6 +94,8 @@ pub(crate) struct Stretch {
     /// The radius at the first end, and how much greater it is at the other, metres.
     radius_m: [f64; 2],
     pub is_hall: bool,
+    /// Whether it lies open to the sky: then its sides slope, so that who falls in comes out again.
+    is_open: bool,
 }
 
 /// A box of noise space that is asked about.
@@ -136,6 +145,7 @@ impl Stretch {
             height_m: [from.height_m, to.height_m - from.height_m],
             radius_m: [from.radius_m, to.radius_m - from.radius_m],
             is_hall,
+            is_open: false,
         }
     }
 
@@ -146,8 +156,16 @@ impl Stretch {
         let t = (away.dot(self.along) * self.per_length2).clamp(0.0, 1.0);
         let radius_m = self.radius_m[0] + t * self.radius_m[1];
         let middle_m = self.height_m[0] + t * self.height_m[1];
-        let hollow = radius_m - (away - self.along * t).length();
-        [hollow, height_m - middle_m + FLOOR * radius_m]
+        let far2 = (away - self.along * t).length_squared();
+        let over_m = height_m - middle_m;
+        let floor = over_m + FLOOR * radius_m;
+        let mut hollow = radius_m - far2.sqrt();
+        if self.is_open {
+            let aside_m = (far2 - over_m * over_m).max(0.0).sqrt();
+            let flank = SIDE_STEEP * (SIDE_FROM * radius_m - aside_m) + floor;
+            hollow = hollow.max((0.8 * flank).min(SIDE_M - floor));
+        }
+        [hollow, floor]
     }
 
     /// The place of its other end.
@@ -158,8 +176,11 @@ impl Stretch {
     /// The box that holds all places within so many metres of it.
     pub(crate) fn bounds(&self, reach_m: f64) -> Bounds {
         let ends = [self.from, self.end()];
-        let reach =
-            DVec3::splat(self.radius_m[0].max(self.radius_m[0] + self.radius_m[1]) + reach_m);
+        let mut radius_m = self.radius_m[0].max(self.radius_m[0] + self.radius_m[1]);
+        if self.is_open {
+            radius_m = (SIDE_FROM * radius_m + SIDE_M / SIDE_STEEP).max(radius_m);
+        }
+        let reach = DVec3::splat(radius_m + reach_m);
         Bounds {
             low: ends[0].min(ends[1]) - reach,
             high: ends[0].max(ends[1]) + reach,
@@ -302,7 +323,9 @@ impl Open<'_> {
             return Vec::new();
         };
         let mut found = vec![here.hollow(field)];
-        found.extend(here.way_up(field, WAY_UP_M));
+        if chance(here.key, 7) < WAYS_UP {
+            found.push(here.way_up(field, WAY_UP_M));
+        }
         for (n, (di, dk)) in [(1, 0), (0, 1)].into_iter().enumerate() {
             if chance(here.key, 10 + n as u64) < TUNNELS
                 && let Some(other) = hall(i + di, k + dk)
@@ -331,9 +354,16 @@ fn closed_passages(seed: u64, field: &Field, radius_m: f64) -> Vec<Passage> {
         halls.extend(fitting.max_by(|a, b| nearest(a).total_cmp(&nearest(b))));
     }
     let mut found = Vec::new();
+    let mut ways: Vec<DVec3> = Vec::new();
     for (n, hall) in halls.iter().enumerate() {
         found.push(hall.hollow(field));
-        found.extend(hall.way_up(field, WAY_UP_M.min(WAY_UP_SHARE * radius_m)));
+        if ways
+            .iter()
+            .all(|other| other.distance(hall.ground) >= WAYS_APART_M)
+        {
+            ways.push(hall.ground);
+            found.push(hall.way_up(field, WAY_UP_M.min(WAY_UP_SHARE * radius_m)));
+        }
         let far = |other: &&Hall| other.ground.distance(hall.ground);
         let mut others: Vec<&Hall> = halls.iter().skip(n + 1).collect();
         others.retain(|other| far(other) < FARTHEST_M);
@@ -406,10 +436,7 @@ impl Hall {
     }
 
     /// The way up to the surface, where that is lowest about.
-    fn way_up(&self, field: &Field, length_m: f64) -> Option<Passage> {
-        if chance(self.key, 7) >= WAYS_UP {
-            return None;
-        }
+    fn way_up(&self, field: &Field, length_m: f64) -> Passage {
         let around = (0..8).map(|n| {
             let heading = sideways(field, self.ground, f64::from(n) / 4.0 - 1.0);
             (
@@ -417,7 +444,8 @@ impl Hall {
                 field.land_height(on_ground(field, self.ground, heading * length_m)),
             )
         });
-        let (heading, mouth_m) = around.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let lowest = around.min_by(|a, b| a.1.total_cmp(&b.1));
+        let (heading, mouth_m) = lowest.unwrap_or((DVec3::ZERO, self.knot.surface_m));
         let radius_m = 2.2 + 0.9 * chance(self.key, 8);
         let ends = [self.leave_m(radius_m), mouth_m + 0.4 * radius_m];
         let bend =
@@ -442,8 +470,12 @@ impl Hall {
         let pairs = knots
             .windows(2)
             .filter_map(|pair| <[Knot; 2]>::try_from(pair).ok());
-        let stretches = pairs.map(|pair| Stretch::between(field, pair, false));
-        Some(Passage::new(stretches.collect()))
+        let is_out = |knot: &Knot| knot.height_m + knot.radius_m > knot.surface_m;
+        let stretches = pairs.map(|pair| Stretch {
+            is_open: pair.iter().any(is_out),
+            ..Stretch::between(field, pair, false)
+        });
+        Passage::new(stretches.collect())
     }
 }
 

@@ -51,7 +51,7 @@ fn who_enters_a_biome_reads_its_name_once() {
 #[test]
 fn who_enters_a_cave_reads_so() {
     let mut scene = varied();
-    assert!(!scene.probe().terrain.cave);
+    assert!(entered(&mut scene, 5).is_empty() && !scene.probe().terrain.cave);
     // Columns about the middle, until one runs through a cave in which there is room.
     let at = |n: u32| {
         let (x, z) = (

@@ -91,6 +91,35 @@ fn a_way_in_is_near_nearly_everywhere() {
 }
 
 #[test]
+fn a_way_in_is_near_nearly_everywhere_in_large_closed_worlds() {
+    let radius_m = 256.0;
+    let mut far = Vec::new();
+    for seed in 700..720 {
+        let field = land(seed, strategy(Geometry::Spherical, radius_m));
+        let all = field
+            .caves()
+            .and_then(|it| it.closed.as_ref())
+            .expect("caves");
+        let ends = all
+            .iter()
+            .filter(|it| it.stretches.iter().any(|it| it.is_open));
+        let mouths: Vec<_> = ends
+            .filter_map(|it| it.stretches.last())
+            .map(Stretch::end)
+            .collect();
+        for n in 0..100 {
+            let place = direction(stirred(seed << 8 | n));
+            let angle = |mouth: &DVec3| mouth.normalize().dot(place).acos();
+            let nearest = mouths.iter().map(angle).fold(f64::INFINITY, f64::min);
+            far.push(nearest * radius_m);
+        }
+    }
+    let share = far.iter().filter(|far| **far <= 250.0).count() as f64 / far.len() as f64;
+    println!("{:.1} % within 250 m", 100.0 * share);
+    assert!(share >= 0.95, "{share}");
+}
+
+#[test]
 fn one_walks_from_most_mouths_into_the_dark() {
     let mut deep = Vec::new();
     for seed in 720..728 {
