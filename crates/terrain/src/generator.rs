@@ -4,9 +4,9 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub enum Generator {
     /// One biome a world, chosen by its seed.
-    #[default]
     OneBiome = 1,
     /// Biomes by climate, whose shapes and colours go over into each other.
+    #[default]
     Climates = 2,
 }
 

@@ -181,7 +181,7 @@ impl Around<'_> {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{ChartId, Geometry, strategy};
+    use antipode_geometry::{CHUNK_CELLS, ChartId, Geometry, strategy};
     use glam::IVec3;
 
     use super::*;
@@ -191,7 +191,9 @@ mod tests {
         for (geometry, radius_m) in [(Geometry::Euclidean, 20.0), (Geometry::Spherical, 32.0)] {
             for seed in 0..5 {
                 let field = Field::new(seed, strategy(geometry, radius_m));
-                let coord = ChunkCoord::new(ChartId::SECOND, IVec3::new(-1, 0, 1));
+                let ground_m = field.surface_height(ChartId::SECOND, -16.0, 48.0);
+                let layer = (ground_m / f64::from(CHUNK_CELLS)).floor() as i32;
+                let coord = ChunkCoord::new(ChartId::SECOND, IVec3::new(-1, layer, 1));
                 let samples = field.samples(coord);
                 let found = march(&samples, &field, coord);
                 let mut plain = Mesher::default();

@@ -36,7 +36,7 @@ fn make_pictures(saves: &Path, world: &str) {
         .map(|(x, z)| format!("spawn bot {x} 8 {z}"))
         .join("\n");
     let script = format!(
-        "new {world} seed=21\nset npcs off\nset fly on\nteleport 12 19.5 0 A\nsettle\ntap F1\ntap Digit1\naim 0 -25\n\
+        "new {world} seed=21 generator=1\nset npcs off\nset fly on\nteleport 12 19.5 0 A\nsettle\ntap F1\ntap Digit1\naim 0 -25\n\
          {}{spawned}\nset npcs still\nwait 1\n{}tap KeyY\nwait 0.2\n{}probe",
         shot("alone"),
         shot("dark"),

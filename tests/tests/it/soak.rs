@@ -10,35 +10,55 @@ const SPACES: [&str; 3] = ["euclidean", "hyperbolic", "spherical"];
 const MINUTES: &str = "ANTIPODE_TEST_SOAK_MINUTES";
 /// Most that memory may grow from a third of a long run to its end, MB.
 const GROWTH_MB: f64 = 60.0;
+/// How fast somebody walks, and how far from a car's middle he stops, beside it.
+const WALK_M_S: f64 = 4.5;
+const BESIDE_M: f64 = 2.5;
 
 fn minutes() -> usize {
     let asked = std::env::var(MINUTES).ok();
     asked.and_then(|text| text.parse().ok()).unwrap_or(1)
 }
 
-/// Where a player of seed 5 begins, near the car, and the way to it.
-fn start(space: &str) -> &'static str {
-    match space {
-        "spherical" => "aim 170 -5\nhold KeyW 1.4\n",
-        _ => "aim 50 -5\nhold KeyW 0.9\n",
-    }
+/// Where a player of a world begins, and the car that stands near.
+struct Start {
+    feet: [f64; 3],
+    car: [f64; 3],
 }
 
-/// Every fourth minute begins at the start, beside a new car.
-fn again(space: &str) -> &'static str {
-    match space {
-        "spherical" => "teleport 0 14 0 A\nspawn car 3 15 0 A\nwait 2\n",
-        _ => "teleport -8 26 0 A\nspawn car -5 27 0 A\nwait 2\n",
+impl Start {
+    fn of(world: &str) -> Self {
+        let saves = tempfile::tempdir().unwrap();
+        let run = run(saves.path(), &format!("{world}\nwait 1\nprobe"));
+        let pos = |path: &str| [0, 1, 2].map(|n| number(run.probe(0), &format!("{path}.{n}")));
+        Self {
+            feet: pos("player.pos"),
+            car: pos("car.pos"),
+        }
+    }
+
+    /// The way to the car, up to its side.
+    fn approach(&self) -> String {
+        let [x, z] = [0, 2].map(|n| self.car[n] - self.feet[n]);
+        let heading = z.atan2(x).to_degrees();
+        let seconds = (x.hypot(z) - BESIDE_M).max(0.0) / WALK_M_S;
+        format!("aim {heading} -5\nhold KeyW {seconds}\n")
+    }
+
+    /// Every fourth minute begins at the start, beside a new car.
+    fn again(&self) -> String {
+        let [x, y, z] = self.feet;
+        let (y, beside, over) = (y + 1.0, x + 3.0, y + 2.0);
+        format!("teleport {x} {y} {z} A\nspawn car {beside} {over} {z} A\nwait 2\n")
     }
 }
 
 /// About a minute of play, each another way: the car if one is near, walks, leaps, digs, builds, shots, lamps, pictures
 /// and talk. Where no car is near, its keys walk.
-fn minute(space: &str, number: usize) -> String {
+fn minute(start: &Start, number: usize) -> String {
     let way = (number * 137) % 360;
     let mut script = String::new();
     if number % 4 == 3 {
-        script += again(space);
+        script += &start.again();
     }
     if number % 5 == 4 {
         script += "give bullet 40\ngive lamp 4\n";
@@ -106,9 +126,10 @@ fn a_player_who_does_everything_meets_no_error() {
     let minutes = minutes();
     for space in SPACES {
         let saves = tempfile::tempdir().unwrap();
-        let played: String = (0..minutes).map(|n| minute(space, n)).collect();
-        let start = start(space);
-        let script = format!("new {space} seed=5 name=Soak\nwait 1\n{start}{played}save\n");
+        let start = Start::of(&format!("new {space} seed=5"));
+        let played: String = (0..minutes).map(|n| minute(&start, n)).collect();
+        let approach = start.approach();
+        let script = format!("new {space} seed=5 name=Soak\nwait 1\n{approach}{played}save\n");
         let run = run(saves.path(), &script);
         assert_eq!((run.status, run.stderr.as_str()), (Some(0), ""), "{space}");
         assert_eq!(run.lines.len(), 2 * minutes);

@@ -9,11 +9,13 @@ use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, Renderer, ShadowQu
 use antipode_scene::frame::Dust;
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Actions, NpcMode, Scene, WorldSetup};
-use antipode_terrain::Field;
+use antipode_terrain::{Field, Generator};
 use antipode_testing::tiled::TiledFlat;
 use glam::DVec3;
 use image::RgbaImage;
 
+/// The places are those of its land.
+const GENERATOR: Generator = Generator::OneBiome;
 const LIMIT: Duration = Duration::from_mins(2);
 const SIZE: (u32, u32) = (480, 270);
 /// Channels are alike that are no farther apart, of 255.
@@ -34,7 +36,7 @@ impl Twins {
             seed: 3,
             geometry: Geometry::Euclidean,
             radius_m: 20.0,
-            generator: antipode_scene::Generator::OneBiome,
+            generator: GENERATOR,
             view_distance: 3,
         };
         let twins = Self {
@@ -56,7 +58,7 @@ impl Twins {
 
     /// Stands both at a place over the ground, looking so.
     fn stand(self, [x, z]: [f64; 2], yaw_rad: f64, pitch_rad: f64) -> Self {
-        let field = Field::new(3, self.one.strategy().clone());
+        let field = Field::made_by(GENERATOR, 3, self.one.strategy().clone());
         let ground_m = field.surface_height(ChartId::FIRST, x, z);
         self.each(|scene, at| {
             let point = at(DVec3::new(x, ground_m + 0.3, z));
@@ -71,7 +73,7 @@ impl Twins {
 
     /// Whatever stands about, on the ground of some places.
     fn furnished(self) -> Self {
-        let field = Field::new(3, self.one.strategy().clone());
+        let field = Field::made_by(GENERATOR, 3, self.one.strategy().clone());
         self.each(|scene, at| {
             let on = |x: f64, z: f64, up_m: f64| {
                 let ground_m = field.surface_height(ChartId::FIRST, x, z);

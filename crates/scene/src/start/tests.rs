@@ -5,11 +5,18 @@
     reason = "tests fail by panicking"
 )]
 
-use antipode_geometry::{ChartId, Geometry, strategy};
-use antipode_physics::CharacterTuning;
+use std::f64::consts::TAU;
 
+use antipode_geometry::{ChartId, Geometry, Projection, strategy};
+use antipode_physics::CharacterTuning;
+use antipode_terrain::Generator;
+
+mod numbers;
+
+use super::places::MOST_VIEWS;
+use super::things::ASPECT;
 use super::*;
-use crate::tuning::FOV_Y_RAD;
+use crate::tuning::NEAR_M;
 
 /// Seeds asked of each space and radius.
 const SEEDS: u64 = 50;
@@ -21,8 +28,12 @@ struct World {
 
 impl World {
     fn new(geometry: Geometry, radius_m: f64, seed: u64) -> Self {
+        Self::made_by(Generator::default(), geometry, radius_m, seed)
+    }
+
+    fn made_by(generator: Generator, geometry: Geometry, radius_m: f64, seed: u64) -> Self {
         Self {
-            field: Field::new(seed, strategy(geometry, radius_m)),
+            field: Field::made_by(generator, seed, strategy(geometry, radius_m)),
             lens: Lens::new(strategy(geometry, radius_m)),
         }
     }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, Eye, Geometry, Metric};
 use antipode_scene::probe::BotProbe;
-use antipode_scene::{Actions, NpcMode, Scene};
+use antipode_scene::{Actions, NpcMode, Scene, WorldSetup};
 use antipode_storage::WorldStore;
 use antipode_terrain::Field;
 use antipode_testing::cone::Cone;
@@ -31,7 +31,10 @@ fn open(store: Option<WorldStore>) -> Scene {
 /// A place so far over the untouched ground.
 fn over_ground(angle_rad: f64, away_m: f64, over_m: f64) -> ChartPoint {
     let at = Cone::around(angle_rad, away_m, 0.0);
-    let field = Field::new(setup(Geometry::Euclidean).seed, Arc::new(Cone));
+    let WorldSetup {
+        generator, seed, ..
+    } = setup(Geometry::Euclidean);
+    let field = Field::made_by(generator, seed, Arc::new(Cone));
     let height_m = field.surface_height(at.chart, at.pos.x, at.pos.z);
     at.moved(DVec3::Y * (height_m + over_m))
 }

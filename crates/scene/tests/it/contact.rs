@@ -112,7 +112,8 @@ fn from_behind_the_legs_are_seen_over_the_ground_and_over_the_hotbar() {
         let mut scene = opened(Geometry::Euclidean, seed);
         turn_camera(&mut scene);
         assert_eq!(scene.camera_mode(), CameraMode::Third);
-        let field = Field::new(seed, scene.strategy().clone());
+        let made_by = setup(Geometry::Euclidean).generator;
+        let field = Field::made_by(made_by, seed, scene.strategy().clone());
         for spot in 0..8 {
             let way = f64::from(spot) * 2.4;
             let away_m = 7.0 * f64::from(spot);

@@ -40,9 +40,22 @@ impl Game {
         });
     }
 
+    /// Looks from somewhere from where full land ends in a face that the ground crosses well within.
+    fn look_over_full_land(&mut self) -> (DVec3, ChunkCoord, DVec3) {
+        for place in 0..16 {
+            let at = self.ground(16.0 + 48.0 * f64::from(place), 16.0);
+            self.look(at, 8);
+            self.wait(Until::Idle);
+            if let Some((coarse, edge)) = self.edge_of_full_land() {
+                return (at, coarse, edge);
+            }
+        }
+        panic!("full land ends somewhere");
+    }
+
     /// A chunk of 2 m cells beside a full one along x, and a place of the ground in their common face.
-    fn edge_of_full_land(&self) -> (ChunkCoord, DVec3) {
-        let found = self.chunks.values().find_map(|chunk| {
+    fn edge_of_full_land(&self) -> Option<(ChunkCoord, DVec3)> {
+        self.chunks.values().find_map(|chunk| {
             let coord = chunk.coord;
             let full = coord.offset(-IVec3::X);
             let level = |coord| {
@@ -55,8 +68,7 @@ impl Game {
             let inside = edge.y > corner.y + 6.0 && edge.y < corner.y + 26.0;
             let fits = inside && level(coord) == Some(1) && level(full) == Some(0);
             fits.then_some((coord, edge))
-        });
-        found.expect("full land ends somewhere")
+        })
     }
 
     fn levels(&self) -> BTreeSet<Level> {
@@ -131,10 +143,7 @@ fn an_edit_shows_at_every_level() {
 #[test]
 fn a_coarse_neighbour_looks_the_same_whether_it_was_there_before_the_edit_or_came_after() {
     let mut game = Game::flat(1);
-    let at = game.ground(16.0, 16.0);
-    game.look(at, 8);
-    game.wait(Until::Idle);
-    let (coarse, edge) = game.edge_of_full_land();
+    let (at, coarse, edge) = game.look_over_full_land();
     // Over the last sample but one before the face: full cells end at it, those of 2 m do not.
     let stroke = Stroke {
         centre: ChartPoint::a(edge - DVec3::X * 3.5),
