@@ -43,6 +43,9 @@ pub fn model(
             .globe()
             .map(|globe| globe.hemisphere(feet.chart)),
         geometry: wording::geometry(texts, scene.setup().geometry),
+        land: scene
+            .land_name()
+            .map_or_else(String::new, |name| wording::land(texts, name)),
         brush_radius_m: scene
             .inventory()
             .held()

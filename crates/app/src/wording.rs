@@ -228,7 +228,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::Undone => texts.say("hint-undone"),
         Hint::NotUndone(why) => not_undone(texts, why),
         Hint::Said { greets, line } => said(texts, greets, line),
-        Hint::Entered(biome) => texts.say(&format!("biome-{biome}")),
+        Hint::Entered(name) => land(texts, name),
         Hint::BeenRound(metres) => texts.say_with("hint-been-round", &[("metres", metres.into())]),
     }
 }
@@ -309,6 +309,11 @@ pub fn item(texts: &Texts, item: Item) -> String {
 /// A space in a word, within a sentence or beside other words.
 pub fn geometry(texts: &Texts, geometry: Geometry) -> String {
     texts.say(&format!("space-{geometry}"))
+}
+
+/// What land is called, by the name of a biome or `cave`.
+pub fn land(texts: &Texts, name: &str) -> String {
+    texts.say(&format!("biome-{name}"))
 }
 
 /// Why the chunk workers or the saver failed.

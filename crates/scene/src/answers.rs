@@ -48,6 +48,11 @@ impl Scene {
         self.field().biome_at(self.feet()).name()
     }
 
+    /// Name of the land that the player has come into, a biome's or `cave`, once it is known.
+    pub fn land_name(&self) -> Option<&'static str> {
+        self.sim.player.biome.name()
+    }
+
     /// The land before any edit.
     pub fn field(&self) -> &Field {
         self.sim.world.ground.field()

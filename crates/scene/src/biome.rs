@@ -22,6 +22,13 @@ pub(crate) struct InBiome {
     other_s: f64,
 }
 
+impl InBiome {
+    /// The name of the biome, or `cave`, once it is known.
+    pub(crate) fn name(self) -> Option<&'static str> {
+        self.is
+    }
+}
+
 /// Tells the player of a biome or cave that he enters, but not of that in which he begins.
 pub(crate) fn notice(world: &World, feet: ChartPoint, within: &mut InBiome, outbox: &mut Outbox) {
     let field = world.ground.field();

@@ -72,7 +72,7 @@ fn moment(texts: &Texts, model: &HudModel) -> Vec<Line> {
         lines.push(fps(texts, model));
     }
     lines.extend(
-        [&model.geometry, &model.time_label]
+        [&model.geometry, &model.land, &model.time_label]
             .into_iter()
             .filter(|text| !text.is_empty())
             .cloned(),

@@ -90,6 +90,8 @@ pub struct HudModel {
     pub hemisphere: Option<char>,
     /// The space in a word.
     pub geometry: String,
+    /// What the land about is called, as "Forest"; empty where that is not known.
+    pub land: String,
     /// Radius of the brush in metres, while a tool with one is in hand.
     pub brush_radius_m: Option<f64>,
     /// The rest of that brush.

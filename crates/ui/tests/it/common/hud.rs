@@ -42,6 +42,7 @@ pub fn full_hud() -> HudModel {
         }),
         hemisphere: None,
         geometry: "hyperbolic".to_owned(),
+        land: "Toxic flats".to_owned(),
         brush_radius_m: Some(5.0),
         brush: BrushModel::default(),
         speed_km_h: None,
