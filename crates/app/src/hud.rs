@@ -46,12 +46,7 @@ pub fn model(
         land: scene
             .land_name()
             .map_or_else(String::new, |name| wording::land(texts, name)),
-        brush_radius_m: scene
-            .inventory()
-            .held()
-            .and_then(Item::brush_strength_per_s)
-            .filter(|_| !scene.is_driving())
-            .map(|_| scene.brush_radius_m()),
+        brush_radius_m: brush_radius_m(scene),
         brush: hud_brush::model(texts, scene),
         speed_km_h: scene.driven_car().map(|car| 3.6 * car.speed_m_s),
         mirror: false,
@@ -76,6 +71,13 @@ pub fn model(
         room: None,
         speech: speech(texts, scene, seen),
     }
+}
+
+/// How wide the brush is, where one is in hand.
+fn brush_radius_m(scene: &Scene) -> Option<f64> {
+    let held = scene.inventory().held().filter(|_| !scene.is_driving());
+    let brush = held.and_then(Item::brush_strength_per_s);
+    brush.map(|_| scene.brush_radius_m())
 }
 
 /// What was said last, and where in the picture it is.

@@ -6,6 +6,8 @@ use std::sync::Arc;
 use antipode_geometry::{ChartPoint, Geometry, Strategy, strategy};
 use glam::{DVec2, IVec3, Vec3Swizzles as _};
 
+use super::layout::{direction, either_way};
+use super::stretch::FLOOR;
 use super::*;
 use crate::generator::Generator;
 

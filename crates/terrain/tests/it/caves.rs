@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
-use antipode_terrain::{Content, Field, Generator, Kind, Level};
+use antipode_terrain::{Content, FIELD_BAND_M, Field, Generator, Kind, Level};
 use glam::{DVec3, IVec3};
 
 use crate::common::{chunk, flat};
@@ -74,6 +74,42 @@ fn single_samples_chunks_and_levels_agree_on_caves_bit_for_bit() {
         }
         println!("{:?}: {caves} samples in caves", space.limits());
         assert!(is_small || caves > 20, "{caves}");
+    }
+}
+
+#[test]
+fn the_field_is_a_number_wherever_one_asks() {
+    for space in spaces() {
+        let field = land(41, space);
+        for far in [
+            1e7,
+            -4e18,
+            1e300,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::NAN,
+        ] {
+            for pos in [
+                DVec3::new(far, 3.0, 1.0),
+                DVec3::new(2.0, far, far),
+                DVec3::splat(far),
+            ] {
+                let value = field.sample(ChartPoint::a(pos));
+                assert!(value.abs() <= FIELD_BAND_M, "{pos}: {value}");
+            }
+        }
+        for index in [
+            IVec3::splat(i32::MAX),
+            IVec3::splat(i32::MIN),
+            IVec3::new(i32::MAX, 0, i32::MIN),
+        ] {
+            let coord = ChunkCoord {
+                chart: ChartId::FIRST,
+                index,
+            };
+            field.content(coord);
+            field.samples(coord);
+        }
     }
 }
 
