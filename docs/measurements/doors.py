@@ -44,7 +44,7 @@ def last_probe(program, script):
 
 
 def begun(space):
-    return f"new {space} seed=5\nset npcs off\nsettle\nwait 1\ntap Digit1\ntap F1\nset time 150\naim 0 -4\n"
+    return f"new {space} seed=5 generator=1\nset npcs off\nsettle\nwait 1\ntap Digit1\ntap F1\nset time 150\naim 0 -4\n"
 
 
 def door(pos, chart):

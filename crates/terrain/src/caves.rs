@@ -18,7 +18,6 @@ mod tests;
 use std::collections::HashMap;
 use std::sync::{Arc, RwLock};
 
-use antipode_geometry::{ChartId, NoiseFrame};
 use glam::DVec3;
 
 use crate::field::Field;
@@ -49,13 +48,11 @@ impl Caves {
     /// Those of a world whose land this is.
     pub(crate) fn new(seed: u64, field: &Field) -> Self {
         let seed = stirred(seed ^ OTHER_SEED);
-        let radius_m = match field.strategy().noise_frame(ChartId::FIRST) {
-            NoiseFrame::Radial { radius_m } => Some(radius_m),
-            NoiseFrame::Square(_) | NoiseFrame::Upright => None,
-        };
         Self {
             seed,
-            closed: radius_m.map(|radius_m| layout::closed(seed, field, radius_m)),
+            closed: field
+                .closed_radius_m()
+                .map(|radius_m| layout::closed(seed, field, radius_m)),
             squares: RwLock::default(),
         }
     }

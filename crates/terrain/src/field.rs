@@ -363,7 +363,7 @@ mod tests {
                     let (column, j) = (n / height, n % height);
                     let steps = [column / depth, j, column % depth].map(|c| c as f64);
                     let p = first + DVec3::from(steps) * f64::from(step_m);
-                    let single = field.sample(ChartPoint::new(ChartId::SECOND, p));
+                    let single = field.land(ChartPoint::new(ChartId::SECOND, p));
                     assert_eq!(found, single, "{geometry:?} {step_m} {p}");
                 }
             }

@@ -36,7 +36,7 @@ def door(pos, chart):
 
 
 def begun(space):
-    return f"new {space} seed={WORLDS[space][0]}\nset npcs off\nsettle\nset time 120\ntap F1\n"
+    return f"new {space} seed={WORLDS[space][0]} generator=1\nset npcs off\nsettle\nset time 120\ntap F1\n"
 
 
 def ground(program, space, place):

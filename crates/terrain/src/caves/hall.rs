@@ -16,8 +16,12 @@ const SWING: f64 = 0.10;
 const KNOT_M: f64 = 6.0;
 /// Tunnels rise and fall by no more than this per metre.
 const STEEPEST: f64 = 0.42;
-/// Solid land over a hall or tunnel, and between its floor and bedrock, at least, metres.
-const COVER_M: f64 = 2.5;
+/// Solid land over a hall or tunnel at least, metres: more than cells of the coarsest level are high, which would lose it else.
+/// In closed worlds no more than that of the radius, since they are seen from no farther, and always more than the second.
+const COVER_M: f64 = 9.0;
+const COVER_SHARE: f64 = 0.08;
+const THINNEST_M: f64 = 2.5;
+/// And between its floor and bedrock, metres.
 const UNDER_M: f64 = 1.8;
 /// Narrower is no cave, metres.
 const NARROWEST_M: f64 = 1.5;
@@ -40,7 +44,7 @@ impl Hall {
             4.5 + 3.0 * share
         };
         let surface_m = field.land_height(ground);
-        let deep_m = COVER_M + 2.0 + 9.0 * chance(key, 5);
+        let deep_m = cover_m(field) + 1.0 + 8.0 * chance(key, 5);
         let (radius_m, height_m) =
             fitted(field, surface_m, radius_m, surface_m - radius_m - deep_m)?;
         Some(Self {
@@ -132,7 +136,7 @@ pub(super) fn tunnel(field: &Field, key: u64, [from, to]: [Hall; 2]) -> Passage 
     let length_m = way.length();
     let (bow, swing) = (BOW * either_way(key, 20), SWING * either_way(key, 21));
     let radius_m = 2.1 + 1.6 * chance(key, 22);
-    let deep_m = COVER_M + 1.0 + 6.0 * chance(key, 23);
+    let deep_m = cover_m(field) + 0.5 + 5.0 * chance(key, 23);
     let count = (length_m / KNOT_M).ceil().max(2.0) as usize;
     let mut knots: Vec<Knot> = Vec::with_capacity(count + 1);
     for n in 0..=count {
@@ -174,6 +178,14 @@ pub(super) fn tunnel(field: &Field, key: u64, [from, to]: [Hall; 2]) -> Passage 
     Passage::new(pairs.collect())
 }
 
+/// How much solid land there is over caves at least, metres.
+fn cover_m(field: &Field) -> f64 {
+    let closed_m = field
+        .closed_radius_m()
+        .map(|radius_m| COVER_SHARE * radius_m);
+    closed_m.map_or(COVER_M, |it| it.clamp(THINNEST_M, COVER_M))
+}
+
 /// Lowers knots so far apart until none is steeper than may be.
 fn level_off(knots: &mut [Knot], apart_m: f64) {
     let most_m = STEEPEST * apart_m;
@@ -191,7 +203,7 @@ fn fitted(field: &Field, surface_m: f64, radius_m: f64, height_m: f64) -> Option
         return Some((radius_m, height_m));
     };
     let floor_m = limits.bedrock_m + UNDER_M;
-    let room_m = surface_m - COVER_M - STRAY_M - floor_m;
+    let room_m = surface_m - cover_m(field) - STRAY_M - floor_m;
     let radius_m = radius_m.min(room_m / (1.0 + FLOOR));
     let lowest_m = floor_m + FLOOR * radius_m;
     (radius_m >= NARROWEST_M).then(|| (radius_m, height_m.max(lowest_m)))

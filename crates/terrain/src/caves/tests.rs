@@ -122,6 +122,27 @@ fn a_way_in_is_near_nearly_everywhere_in_large_closed_worlds() {
 }
 
 #[test]
+fn who_walks_straight_on_for_ten_minutes_comes_by_a_way_in() {
+    const WAY_M: f64 = 600.0 * 4.5;
+    const SEEN_M: f64 = 40.0;
+    let mut came = 0;
+    for seed in 740..760 {
+        let field = land(seed, flat());
+        let mouths = mouths(&field, [[-15, -15], [14, 14]]);
+        for n in 0..10 {
+            let heading = DVec2::from_angle(std::f64::consts::PI * either_way(seed, n));
+            let is_by = |mouth: &DVec3| {
+                let along = mouth.xz().dot(heading).clamp(0.0, WAY_M);
+                mouth.xz().distance(heading * along) <= SEEN_M
+            };
+            came += usize::from(mouths.iter().any(is_by));
+        }
+    }
+    println!("{came} of 200 walks come by a way in");
+    assert!(came >= 180, "{came}");
+}
+
+#[test]
 fn one_walks_from_most_mouths_into_the_dark() {
     let mut deep = Vec::new();
     for seed in 720..728 {

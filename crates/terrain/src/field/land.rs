@@ -97,6 +97,23 @@ impl Field {
         self.strategy.noise_point(ground)
     }
 
+    /// Radius of a closed world, metres.
+    pub(crate) fn closed_radius_m(&self) -> Option<f64> {
+        match self.strategy.noise_frame(ChartId::FIRST) {
+            NoiseFrame::Radial { radius_m } => Some(radius_m),
+            NoiseFrame::Square(_) | NoiseFrame::Upright => None,
+        }
+    }
+
+    /// The same land without its caves.
+    #[must_use]
+    pub fn without_caves(&self) -> Self {
+        Self {
+            caves: None,
+            ..self.clone()
+        }
+    }
+
     /// The place of noise space at a height over one on the ground.
     pub(crate) fn risen(&self, ground: DVec3, height_m: f64) -> DVec3 {
         match self.strategy.noise_frame(ChartId::FIRST) {

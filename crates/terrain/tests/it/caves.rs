@@ -56,7 +56,7 @@ fn single_samples_chunks_and_levels_agree_on_caves_bit_for_bit() {
                 for level in [Level::FULL, Level::ALL[2]] {
                     let samples = field.samples_at(coord, level);
                     let last = samples.side() - 1;
-                    for n in 0..200 {
+                    for n in 0..800 {
                         let at = [n * 7 % last, n * 13 % last, n * 31 % last];
                         let step = f64::from(level.step_m());
                         let offset = DVec3::from(at.map(|c| c as f64 - 1.0)) * step;
@@ -144,6 +144,62 @@ fn no_chunk_with_a_cave_is_taken_for_solid_and_nine_in_ten_of_the_others_are_kno
             space.limits().is_some() || known * 10 >= bare * 9,
             "{known} of {bare}"
         );
+    }
+}
+
+/// Of columns of coarse samples below which a cave runs, how many have lost the land over it: from the surface down to the
+/// cave none of them is solid.
+fn lost_roofs(field: &Field, level: Level) -> (usize, usize) {
+    let step = f64::from(level.step_m());
+    let (mut lost, mut all) = (0, 0);
+    for n in 0..100 * 100 {
+        let (x, z) = (
+            f64::from(n % 100 - 50) * step,
+            f64::from(n / 100 - 50) * step,
+        );
+        let point = |y: f64| ChartPoint::a(DVec3::new(x, y, z));
+        let (low, high) = field.ground_range_m();
+        let heights = (0..200)
+            .map(|n| high - f64::from(n) * 0.5)
+            .take_while(|y| *y > low - 40.0);
+        let top = heights.clone().find(|y| field.land(point(*y)) < 0.0);
+        let roof = heights.clone().find(|y| is_cave(field, point(*y)));
+        let (Some(top), Some(roof)) = (top, roof) else {
+            continue;
+        };
+        // Where it lies open there is none.
+        let is_open = heights
+            .filter(|y| (roof..top).contains(y))
+            .all(|y| field.sample(point(y)) > 0.0);
+        if is_open {
+            continue;
+        }
+        all += 1;
+        let first = (roof / step).ceil() as i32;
+        let last = (top / step).floor() as i32;
+        let mut samples = (first..=last).map(|n| f64::from(n) * step);
+        lost += usize::from(!samples.any(|y| field.sample(point(y)) < 0.0));
+    }
+    (lost, all)
+}
+
+#[test]
+fn far_land_keeps_its_roofs_over_caves() {
+    for (space, levels) in [
+        (flat(), 1..4),
+        (strategy(Geometry::Spherical, 256.0), 1..4),
+        (strategy(Geometry::Spherical, 64.0), 1..3),
+        (strategy(Geometry::Spherical, 32.0), 1..2),
+    ] {
+        for level in &Level::ALL[levels] {
+            let counts = (60..63).map(|seed| lost_roofs(&land(seed, space.clone()), *level));
+            let (lost, all) = counts.fold((0, 0), |sum, it| (sum.0 + it.0, sum.1 + it.1));
+            println!(
+                "{:?} {level:?}: {lost} of {all} roofs are lost",
+                space.globe().is_some()
+            );
+            assert!(all > 20 && lost * 20 <= all, "{level:?}: {lost} of {all}");
+        }
     }
 }
 

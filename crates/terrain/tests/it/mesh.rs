@@ -91,22 +91,42 @@ fn a_ball_is_closed_round_and_faces_outward() {
     );
 }
 
+/// The area of a mesh, and of that what faces away from where its normals point.
+fn turned_away(mesh: &ChunkMesh) -> (f32, f32) {
+    let (mut area, mut wrong) = (0.0, 0.0);
+    for &t in mesh.triangles() {
+        let [a, b, c] = corners(mesh, t);
+        let face = (b - a).cross(c - a);
+        let smooth = normal(mesh, t[0]) + normal(mesh, t[1]) + normal(mesh, t[2]);
+        area += face.length();
+        if face.dot(smooth) <= 0.0 {
+            wrong += face.length();
+        }
+    }
+    (area, wrong)
+}
+
+/// Edges of floors and mouths are sharp, and what lies across one has a normal between.
+#[test]
+fn walls_of_caves_face_the_air_their_normals_point_to() {
+    let field = Field::made_by(Generator::Climates, 41, flat());
+    let (mut area, mut wrong) = (0.0, 0.0);
+    for n in 0..12 * 12 * 2 {
+        let coord = chunk(ChartId::FIRST, n % 12 - 6, n / 144, n / 12 % 12 - 6);
+        let of = turned_away(&march(&field.samples(coord), &field, coord));
+        (area, wrong) = (area + of.0, wrong + of.1);
+    }
+    println!("{wrong} of {area}");
+    assert!(area > 1e5 && wrong < 1e-3 * area, "{wrong} of {area}");
+}
+
 #[test]
 fn ground_faces_the_air_its_normals_point_to() {
     for space in [flat(), sphere()] {
-        let field = Field::new(13, space);
+        let field = Field::made_by(Generator::OneBiome, 13, space);
         let coord = chunk(ChartId::SECOND, -1, 0, 0);
         let mesh = march(&field.samples(coord), &field, coord);
-        let (mut area, mut wrong) = (0.0, 0.0);
-        for &t in mesh.triangles() {
-            let [a, b, c] = corners(&mesh, t);
-            let face = (b - a).cross(c - a);
-            let smooth = normal(&mesh, t[0]) + normal(&mesh, t[1]) + normal(&mesh, t[2]);
-            area += face.length();
-            if face.dot(smooth) <= 0.0 {
-                wrong += face.length();
-            }
-        }
+        let (area, wrong) = turned_away(&mesh);
         assert!(area > 500.0 && wrong < 1e-4 * area, "{wrong} of {area}");
         for (n, vertex) in mesh.vertices.iter().enumerate() {
             assert!((normal(&mesh, n as u32).length() - 1.0).abs() < 1e-3);
