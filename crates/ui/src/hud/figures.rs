@@ -71,12 +71,11 @@ fn moment(texts: &Texts, model: &HudModel) -> Vec<Line> {
     if model.fps > 0.0 {
         lines.push(fps(texts, model));
     }
-    lines.extend(
-        [&model.geometry, &model.land, &model.time_label]
-            .into_iter()
-            .filter(|text| !text.is_empty())
-            .cloned(),
-    );
+    let here = [model.land.as_str(), &model.time_label];
+    let here = here.into_iter().filter(|text| !text.is_empty());
+    let here = here.collect::<Vec<_>>().join(&texts.say("figures-comma"));
+    let known = [model.geometry.clone(), here].into_iter();
+    lines.extend(known.filter(|text| !text.is_empty()));
     lines
         .into_iter()
         .map(|line| (String::new(), line))
