@@ -79,7 +79,9 @@ impl Field {
                 for j in 0..height {
                     let y = first.y + j as f64 * step_m;
                     let mut here = Here::new(self, self.risen(ground, y), y);
-                    within.iter().for_each(|stretch| here.meet(stretch));
+                    for stretch in &within {
+                        here.meet(stretch);
+                    }
                     if let Some(hollow) = here.found {
                         take((i * depth + k) * height + j, hollow);
                     }

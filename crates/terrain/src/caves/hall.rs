@@ -165,8 +165,8 @@ pub(super) fn tunnel(field: &Field, key: u64, [from, to]: [Hall; 2]) -> Passage 
     let fit = |knot: Knot| {
         let (radius_m, height_m) = fitted(field, knot.surface_m, knot.radius_m, knot.height_m)?;
         Some(Knot {
-            radius_m,
             height_m,
+            radius_m,
             ..knot
         })
     };

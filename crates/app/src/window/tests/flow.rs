@@ -36,7 +36,7 @@ impl Film {
             name: None,
             seed: Some(3),
             radius_m: (geometry == Geometry::Spherical).then_some(RADIUS_M),
-            generator: None,
+            generator: Some(antipode_scene::Generator::OneBiome),
             start: Beginning::Middle,
         });
         let mut game = Game::new(worlds(dir.path()), None, Some(request));
