@@ -70,7 +70,7 @@ pub struct Biome {
     /// Heat, humidity and how high land lies.
     pub(crate) climate: [f32; 3],
     /// Whether worlds may begin in it.
-    begins: bool,
+    pub(crate) begins: bool,
     rise_m: f32,
     waves_m: [f32; 4],
     terraces: f32,
@@ -102,11 +102,6 @@ impl Biome {
     /// The biome of a name.
     pub fn of_name(name: &str) -> Option<&'static Self> {
         ROWS.iter().find(|row| row.name == name)
-    }
-
-    /// Whether worlds may begin in it: not where all is white, wet or steep.
-    pub fn begins(&self) -> bool {
-        self.begins
     }
 
     /// Colours of low, middle and high ground, sRGB.

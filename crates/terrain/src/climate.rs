@@ -76,7 +76,7 @@ impl Climate {
                 .iter()
                 .any(|way| land(start + *way * IN_REACH_M) != first)
         };
-        self.lands[first].biome.begins() && (self.is_closed || is_varied())
+        self.lands[first].biome.begins && (self.is_closed || is_varied())
     }
 
     fn laid_out(seed: u64, space: &dyn Atlas) -> Self {

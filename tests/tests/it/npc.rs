@@ -30,7 +30,7 @@ fn anger_outlasts_leaving_and_passes() {
 const WORLDS: [(&str, &str); 3] = [
     ("new euclidean seed=3", ""),
     ("new hyperbolic seed=3", ""),
-    ("new spherical seed=3", "teleport 46 16 0\n"),
+    ("new spherical seed=3 generator=1", "teleport 46 16 0\n"),
 ];
 
 fn play(script: &str) -> Run {

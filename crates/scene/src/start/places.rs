@@ -120,9 +120,6 @@ impl Search<'_> {
                 let away_m = reach_m * f64::from(ring) / f64::from(RINGS.0);
                 let by = DVec3::new(angle.cos(), 0.0, angle.sin()) * away_m;
                 let feet = land.ground(ChartPoint::a(by));
-                if ring > 0 && !self.field.biome_at(feet).begins() {
-                    continue;
-                }
                 let rise_m = rise_m(land, feet, about_m);
                 let on_line = (ring > 0 && self.strategy().globe().is_some()).then_some(angle);
                 let (far_m, headings) = self.headings(land, feet, on_line);

@@ -108,10 +108,6 @@ fn lack(geometry: Geometry, radius_m: f64, seed: u64) -> Option<String> {
             Some(_) => {}
         }
     }
-    let biome = world.field.biome_at(start.feet);
-    if !biome.begins() {
-        return said(&format!("one stands in {}", biome.name()));
-    }
     if geometry == Geometry::Spherical && start.look.pitch < 14.9_f64.to_radians() {
         return said("one does not look up to the land overhead");
     }

@@ -165,7 +165,7 @@ fn a_minute_of_sprint_gets_on_along_any_heading() {
 
 #[test]
 fn straight_on_leads_home_round_closed_worlds() {
-    rounds(&[16.0, 32.0, 64.0], UNSEEN..UNSEEN + 5);
+    rounds(&[16.0, 32.0, 64.0], UNSEEN..UNSEEN + 10);
 }
 
 #[test]
