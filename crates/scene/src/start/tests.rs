@@ -80,6 +80,18 @@ impl World {
     }
 }
 
+/// How much higher a start is than the land 30 m about it on average, in metres.
+fn higher_m(world: &World, start: &Start) -> f64 {
+    let ways = (0..16).map(|turn| TAU * f64::from(turn) / 16.0);
+    let around = ways.map(|way| {
+        let by = DVec3::new(way.cos(), 0.0, way.sin()) * 30.0;
+        let at = world.field.strategy().cross(start.feet.moved(by));
+        let at = at.map_or(start.feet.moved(by), |it| it.point);
+        world.field.surface_height(at.chart, at.pos.x, at.pos.z)
+    });
+    start.feet.pos.y - around.sum::<f64>() / 16.0
+}
+
 /// What is wrong with the first picture of a world, if anything.
 fn lack(geometry: Geometry, radius_m: f64, seed: u64) -> Option<String> {
     let world = World::new(geometry, radius_m, seed);
@@ -139,14 +151,7 @@ fn a_new_world_begins_higher_than_the_land_about_is_and_the_same_each_time() {
             let world = World::new(geometry, 100.0, seed);
             let start = world.start();
             assert_eq!(start, world.start());
-            let ways = (0..16).map(|turn| TAU * f64::from(turn) / 16.0);
-            let around = ways.map(|way| {
-                let by = DVec3::new(way.cos(), 0.0, way.sin()) * 30.0;
-                let at = world.field.strategy().cross(start.feet.moved(by));
-                let at = at.map_or(start.feet.moved(by), |it| it.point);
-                world.field.surface_height(at.chart, at.pos.x, at.pos.z)
-            });
-            higher += u32::from(start.feet.pos.y > around.sum::<f64>() / 16.0);
+            higher += u32::from(higher_m(&world, &start) > 0.0);
         }
         assert!(higher >= 11, "{geometry}: {higher} of 12");
     }

@@ -9,18 +9,6 @@ fn sorted(mut all: Vec<f64>) -> Vec<f64> {
     all
 }
 
-/// How much higher a start is than the land 30 m about it on average, in metres.
-fn higher_m(world: &World, start: &Start) -> f64 {
-    let ways = (0..16).map(|turn| TAU * f64::from(turn) / 16.0);
-    let around = ways.map(|way| {
-        let by = DVec3::new(way.cos(), 0.0, way.sin()) * 30.0;
-        let at = world.field.strategy().cross(start.feet.moved(by));
-        let at = at.map_or(start.feet.moved(by), |it| it.point);
-        world.field.surface_height(at.chart, at.pos.x, at.pos.z)
-    });
-    start.feet.pos.y - around.sum::<f64>() / 16.0
-}
-
 #[test]
 #[ignore = "prints the numbers of many beginnings; takes minutes"]
 fn print_many_beginnings() {
