@@ -48,10 +48,14 @@ hint-nobody-to-talk-to = Vor dir ist niemand, mit dem du reden könntest.
 hint-too-far-to-talk = Sie sind zu weit weg, um zu reden. Geh näher heran.
 hint-waits-to-talk = Sie haben dich gehört und warten. Geh näher heran, um zu reden.
 hint-in-the-way = Du stehst dem im Weg, was du baust, unter einer Decke. Geh zurück oder nimm einen kleineren Pinsel.
+hint-too-hard = Zu hart für diese Spitzhacke: { $kind }. Aus dem, was du abbaust, lässt sich eine bessere machen.
+hint-nothing-to-build = Du hast keinen Boden zum Bauen. Grab zuerst welchen ab.
+hint-used-up = Zum Bauen ist nichts mehr da: { $kind }. Wähle einen anderen Boden oder grab mehr ab.
 hint-undone = Der letzte Strich ist zurückgenommen.
 hint-undo-none-left = Es gibt keinen Strich mehr, der sich zurücknehmen lässt.
 hint-undo-away = Der letzte Strich ist zu weit weg, um ihn zurückzunehmen. Geh dorthin zurück, wo du ihn gemacht hast.
 hint-undo-changed = Der letzte Strich bleibt: Sein Boden wurde seitdem verändert.
+hint-undo-spent = Der letzte Strich bleibt: Der Boden, den er gebracht hat, ist inzwischen verbraucht.
 hint-undo-unreadable = Der letzte Strich bleibt: Was von seinem Boden gespeichert ist, lässt sich gerade nicht lesen. Sieh nach, ob der Datenträger da ist, und versuche es noch einmal.
 
 talk-triangle-flat = Ich habe drei Lampen aufgestellt, jede { $side } m von den beiden anderen. Voneinander aus gesehen bilden sie zusammen { $sum }°, wie in der Schule.

@@ -49,10 +49,14 @@ hint-nobody-to-talk-to = There is nobody ahead to talk to.
 hint-too-far-to-talk = They are too far away to talk to. Go closer.
 hint-waits-to-talk = They have heard you and wait. Go closer to talk.
 hint-in-the-way = You stand in the way of what you build, under a roof. Step back, or take a smaller brush.
+hint-too-hard = Too hard for this pickaxe: { $kind }. A better one can be made of what you dig.
+hint-nothing-to-build = You have no ground to build with. Dig some first.
+hint-used-up = None left to build with: { $kind }. Choose another kind, or dig more.
 hint-undone = The last stroke is undone.
 hint-undo-none-left = There is no stroke left to undo.
 hint-undo-away = The last stroke is too far away to be undone. Go back to where you made it.
 hint-undo-changed = The last stroke stays: its ground has been changed since.
+hint-undo-spent = The last stroke stays: the ground that it brought has been used since.
 hint-undo-unreadable = The last stroke stays: what is stored of its ground cannot be read now. See that the disk is there and try again.
 
 # What others say about their space. { $side }, { $away }, { $there } and { $round } are metres, { $sum } and { $angle } degrees.

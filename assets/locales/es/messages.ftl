@@ -48,10 +48,14 @@ hint-nobody-to-talk-to = Delante no hay nadie con quien hablar.
 hint-too-far-to-talk = Están demasiado lejos para hablar. Acércate.
 hint-waits-to-talk = Te han oído y esperan. Acércate para hablar.
 hint-in-the-way = Estás en medio de lo que construyes, bajo un techo. Retrocede o usa un pincel más pequeño.
+hint-too-hard = Demasiado duro para este pico: { $kind }. Con lo que cavas se puede hacer uno mejor.
+hint-nothing-to-build = No tienes suelo con que construir. Cava primero.
+hint-used-up = No queda con que construir: { $kind }. Elige otro suelo o cava más.
 hint-undone = El último trazo está deshecho.
 hint-undo-none-left = No queda ningún trazo que deshacer.
 hint-undo-away = El último trazo está demasiado lejos para deshacerlo. Vuelve a donde lo hiciste.
 hint-undo-changed = El último trazo se queda: su suelo ha cambiado desde entonces.
+hint-undo-spent = El último trazo se queda: el suelo que dio ya se ha usado.
 hint-undo-unreadable = El último trazo se queda: lo guardado de su suelo no se puede leer ahora. Comprueba que el disco está y vuelve a intentarlo.
 
 talk-triangle-flat = Puse tres lámparas, cada una a { $side } m de las otras dos. Vistas unas desde otras suman { $sum }°, como en la escuela.

@@ -49,10 +49,14 @@ hint-nobody-to-talk-to = Przed tobą nie ma z kim rozmawiać.
 hint-too-far-to-talk = Są za daleko, żeby rozmawiać. Podejdź bliżej.
 hint-waits-to-talk = Usłyszeli cię i czekają. Podejdź bliżej, żeby porozmawiać.
 hint-in-the-way = Stoisz na drodze tego, co budujesz, pod sklepieniem. Cofnij się albo weź mniejszy pędzel.
+hint-too-hard = Za twarde dla tego kilofa: { $kind }. Z tego, co wykopiesz, można zrobić lepszy.
+hint-nothing-to-build = Nie masz gruntu do budowania. Najpierw coś wykop.
+hint-used-up = Nie ma już z czego budować: { $kind }. Wybierz inny grunt albo wykop więcej.
 hint-undone = Ostatnie pociągnięcie cofnięte.
 hint-undo-none-left = Nie ma już pociągnięcia, które można cofnąć.
 hint-undo-away = Ostatnie pociągnięcie jest za daleko, by je cofnąć. Wróć tam, gdzie je zrobiono.
 hint-undo-changed = Ostatnie pociągnięcie zostaje: jego grunt od tego czasu się zmienił.
+hint-undo-spent = Ostatnie pociągnięcie zostaje: grunt, który dało, został już zużyty.
 hint-undo-unreadable = Ostatnie pociągnięcie zostaje: zapisu jego gruntu nie da się teraz odczytać. Sprawdź, czy dysk jest na miejscu, i spróbuj ponownie.
 
 talk-triangle-flat = Ustawiłem trzy lampy, każdą { $side } m od dwóch pozostałych. Kąty, pod którymi widać je od siebie nawzajem, mają razem { $sum }°, jak w szkole.

@@ -48,10 +48,14 @@ hint-nobody-to-talk-to = 前面没有可以交谈的人。
 hint-too-far-to-talk = 他们离得太远，无法交谈。请走近些。
 hint-waits-to-talk = 他们听见了，正在等你。请走近些交谈。
 hint-in-the-way = 你站在顶壁之下，挡住了要建造的地方。请后退，或换用更小的笔刷。
+hint-too-hard = 这把镐挖不动：{ $kind }。可以用挖到的东西做一把更好的。
+hint-nothing-to-build = 没有可以用来建造的土。请先挖一些。
+hint-used-up = 没有了：{ $kind }。请选择别的土，或者再挖一些。
 hint-undone = 已撤销最后一笔。
 hint-undo-none-left = 没有可以撤销的笔了。
 hint-undo-away = 最后一笔太远，无法撤销。请回到画它的地方。
 hint-undo-changed = 最后一笔保留：那里的地面之后又改变了。
+hint-undo-spent = 最后一笔保留：它带来的土已经用掉了。
 hint-undo-unreadable = 最后一笔保留：现在无法读取那里保存的地面。请确认磁盘可用，然后重试。
 
 talk-triangle-flat = 我放了三盏灯，每盏离另外两盏都是 { $side } 米。从一盏看另外两盏，三个角加起来是 { $sum }°，和学校里教的一样。

@@ -5,6 +5,7 @@ use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
 
 use antipode_geometry::Geometry;
+use antipode_scene::Mode;
 use clap::{Parser, Subcommand};
 
 use crate::common::Common;
@@ -41,6 +42,9 @@ pub struct Cli {
     /// Radius of the new spherical world in metres, 16 to 256.
     #[arg(long, requires = "geometry", value_name = "METRES")]
     pub radius: Option<f64>,
+    /// What building costs in the new world: nothing (creative), or what was dug (gathering).
+    #[arg(long, requires = "geometry", value_name = "MODE")]
+    pub mode: Option<Mode>,
     /// Begin straight in a saved world.
     #[arg(long, value_name = "NAME", conflicts_with = "geometry")]
     pub load: Option<String>,
@@ -155,6 +159,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
                     seed: cli.seed,
                     name: cli.name,
                     radius_m: cli.radius,
+                    mode: cli.mode.unwrap_or_default(),
                 },
                 (None, None, Some(name), _) => window::Start::Load { name },
                 (None, None, None, Some(name)) => window::Start::Room { name },

@@ -144,7 +144,7 @@ fn choices(kind: Argument, before: &[String], worlds: &[String]) -> Vec<String> 
     let own = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
     match kind {
         Argument::Geometry => Geometry::ALL.iter().map(ToString::to_string).collect(),
-        Argument::Option => own(&["seed=", "name=", "radius=", "generator="]),
+        Argument::Option => own(&["seed=", "name=", "radius=", "generator=", "mode="]),
         Argument::World => worlds.to_vec(),
         Argument::Key => key_names(),
         Argument::KeyOrButton => [own(&["LEFT", "RIGHT"]), key_names()].concat(),

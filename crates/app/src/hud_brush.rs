@@ -1,8 +1,15 @@
 //! Fills the display's model of the brush: shapes and kinds of ground in words and colours, and what a stroke has moved.
 
 use antipode_language::{Texts, Value};
-use antipode_scene::{Brush, BrushShape, Choice, Heap, Item, Kind, Scene};
-use antipode_ui::{BrushForm, BrushModel, BrushRow, HeapModel, Tint};
+use antipode_scene::{Brush, BrushShape, Choice, Heap, Item, Kind, Recipe, Scene};
+use antipode_ui::{
+    BrushForm, BrushModel, BrushRow, EarthView, HeapModel, MakingModel, PartView, RecipeView, Tint,
+};
+
+use crate::hud;
+
+/// Less of a kind is not told, cubic metres.
+const LEAST_TOLD_M3: f64 = 0.05;
 
 /// What the display shows of the brush in hand, if one is.
 pub fn model(texts: &Texts, scene: &Scene) -> BrushModel {
@@ -13,9 +20,9 @@ pub fn model(texts: &Texts, scene: &Scene) -> BrushModel {
     let brush = scene.brush();
     BrushModel {
         form: form(brush.shape),
-        words: words(texts, brush, scene.brush_radius_m()),
+        words: words(texts, scene, brush),
         tint: brush.kind.map(tint),
-        row: scene.brush_chosen().map(|choice| row(texts, brush, choice)),
+        row: scene.brush_chosen().map(|choice| row(texts, scene, brush, choice)),
         heaps: scene
             .heaps_shown()
             .iter()
@@ -24,25 +31,47 @@ pub fn model(texts: &Texts, scene: &Scene) -> BrushModel {
     }
 }
 
-/// Nothing of a brush as a new player has it.
-fn words(texts: &Texts, brush: Brush, radius_m: f64) -> String {
-    if brush == Brush::default() {
+/// Nothing of a brush as a new player of a creative world has it.
+fn words(texts: &Texts, scene: &Scene, brush: Brush) -> String {
+    let gathers = scene.stock().is_some();
+    if brush == Brush::default() && !gathers {
         return String::new();
     }
-    let radius = ("radius", Value::decimals(radius_m, 1));
+    let radius = ("radius", Value::decimals(scene.brush_radius_m(), 1));
     let size = if brush.shape == BrushShape::Ball {
         texts.say_with("display-brush", &[radius])
     } else {
         let shape = ("shape", shape_word(texts, brush.shape).into());
         texts.say_with("display-brush-shape", &[shape, radius])
     };
-    match brush.kind {
-        Some(kind) => format!("{size} · {}", kind_word(texts, Some(kind))),
-        None => size,
+    if brush.kind.is_some() || gathers {
+        format!("{size} · {}", built_words(texts, scene, brush.kind))
+    } else {
+        size
     }
 }
 
-fn row(texts: &Texts, brush: Brush, choice: Choice) -> BrushRow {
+/// What is built of; in gathering worlds with how much of it there is.
+fn built_words(texts: &Texts, scene: &Scene, kind: Option<Kind>) -> String {
+    let Some(stock) = scene.stock() else {
+        return kind.map_or_else(
+            || texts.say("ground-found"),
+            |kind| kind_word(texts, kind),
+        );
+    };
+    match kind.or_else(|| stock.most()) {
+        Some(kind) => {
+            let values = [
+                ("kind", kind_word(texts, kind).into()),
+                ("volume", Value::decimals(stock.of(kind), 1)),
+            ];
+            texts.say_with("display-ground-left", &values)
+        }
+        None => texts.say("ground-none"),
+    }
+}
+
+fn row(texts: &Texts, scene: &Scene, brush: Brush, choice: Choice) -> BrushRow {
     match choice {
         Choice::Shape => {
             let at = BrushShape::ALL.iter().position(|it| *it == brush.shape);
@@ -54,18 +83,48 @@ fn row(texts: &Texts, brush: Brush, choice: Choice) -> BrushRow {
             )
         }
         Choice::Kind => {
-            let at = Brush::kinds().position(|it| it == brush.kind);
-            let tints = Brush::kinds().map(|kind| kind.map(tint)).collect();
-            BrushRow::Kinds(tints, at.unwrap_or_default(), kind_word(texts, brush.kind))
+            let kinds = Brush::kinds(scene.stock());
+            let at = kinds.iter().position(|it| *it == brush.kind);
+            let tints = kinds.iter().map(|kind| kind.map(tint)).collect();
+            let words = built_words(texts, scene, brush.kind);
+            BrushRow::Kinds(tints, at.unwrap_or_default(), words)
         }
     }
+}
+
+/// What can be made of ground, and what there is of it; none in creative worlds.
+pub fn making(texts: &Texts, scene: &Scene) -> Option<MakingModel> {
+    let stock = scene.stock()?;
+    let part = |&(kind, needs_m3): &(Kind, f64)| PartView {
+        label: kind_word(texts, kind),
+        tint: tint(kind),
+        needs_m3,
+        has_m3: stock.of(kind),
+    };
+    let recipes = Recipe::all().map(|recipe| RecipeView {
+        made: hud::slot(texts, Some(recipe.made)),
+        parts: recipe.parts.iter().map(part).collect(),
+        possible: scene.can_make(&recipe),
+    });
+    let earth = Kind::ALL.into_iter().filter_map(|kind| {
+        let m3 = stock.of(kind);
+        (m3 >= LEAST_TOLD_M3).then(|| EarthView {
+            label: kind_word(texts, kind),
+            tint: tint(kind),
+            m3,
+        })
+    });
+    Some(MakingModel {
+        recipes: recipes.collect(),
+        earth: earth.collect(),
+    })
 }
 
 fn heap(texts: &Texts, heap: &Heap) -> HeapModel {
     let values = [
         ("sign", if heap.m3 < 0.0 { "\u{2212}" } else { "+" }.into()),
         ("volume", Value::decimals(heap.m3.abs(), 1)),
-        ("kind", kind_word(texts, Some(heap.kind)).into()),
+        ("kind", kind_word(texts, heap.kind).into()),
     ];
     HeapModel {
         words: texts.say_with("display-heap", &values),
@@ -83,24 +142,23 @@ fn shape_word(texts: &Texts, shape: BrushShape) -> String {
     })
 }
 
-/// A kind of ground in a word; none is what is found at each place.
-fn kind_word(texts: &Texts, kind: Option<Kind>) -> String {
+/// A kind of ground in a word.
+pub fn kind_word(texts: &Texts, kind: Kind) -> String {
     texts.say(match kind {
-        None => "ground-found",
-        Some(Kind::Grass) => "ground-grass",
-        Some(Kind::Soil) => "ground-soil",
-        Some(Kind::Sand) => "ground-sand",
-        Some(Kind::Gravel) => "ground-gravel",
-        Some(Kind::Rock) => "ground-rock",
-        Some(Kind::Ash) => "ground-ash",
-        Some(Kind::Snow) => "ground-snow",
-        Some(Kind::Moss) => "ground-moss",
-        Some(Kind::Clay) => "ground-clay",
-        Some(Kind::Basalt) => "ground-basalt",
-        Some(Kind::Slate) => "ground-slate",
-        Some(Kind::Coal) => "ground-coal",
-        Some(Kind::Copper) => "ground-copper",
-        Some(Kind::Crystal) => "ground-crystal",
+        Kind::Grass => "ground-grass",
+        Kind::Soil => "ground-soil",
+        Kind::Sand => "ground-sand",
+        Kind::Gravel => "ground-gravel",
+        Kind::Rock => "ground-rock",
+        Kind::Ash => "ground-ash",
+        Kind::Snow => "ground-snow",
+        Kind::Moss => "ground-moss",
+        Kind::Clay => "ground-clay",
+        Kind::Basalt => "ground-basalt",
+        Kind::Slate => "ground-slate",
+        Kind::Coal => "ground-coal",
+        Kind::Copper => "ground-copper",
+        Kind::Crystal => "ground-crystal",
     })
 }
 

@@ -57,6 +57,7 @@ mod tests {
             geometry: Geometry::Euclidean,
             radius_m: 32.0,
             generator: antipode_scene::Generator::OneBiome,
+            mode: antipode_scene::Mode::default(),
             view_distance: 1,
         };
         let mut frame = Scene::open(setup, None).unwrap().frame(1.2, 1.5, 1);

@@ -244,6 +244,7 @@ mod tests {
             geometry: Geometry::Euclidean,
             radius_m: 32.0,
             generator: antipode_scene::Generator::OneBiome,
+            mode: antipode_scene::Mode::default(),
             view_distance: 2,
         };
         Scene::open(setup, None).unwrap()

@@ -158,6 +158,9 @@ fn particulars(world: &WorldSummary) -> Vec<String> {
             lines.push(format!("biome     {}", meta.biome));
         }
         lines.push(format!("generator {}", meta.generator));
+        if meta.gathering {
+            lines.push("mode      gathering".to_owned());
+        }
         lines.push(format!("seed      {}", meta.seed));
         let space = meta.geometry.parse::<Geometry>();
         if space.is_ok_and(|it| it.radii().chosen_m.is_some()) {

@@ -10,7 +10,7 @@ use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_rooms::{RoomsDir, rooms_dir};
 use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
-use antipode_scene::{Between, Generator, NpcMode, Scene, WorldSetup};
+use antipode_scene::{Between, Generator, Mode, NpcMode, Scene, WorldSetup};
 use antipode_storage::{SavesDir, StorageError, WorldStore, WorldSummary, saves_dir};
 use antipode_streaming::StreamingError;
 use image::{ImageFormat, RgbaImage};
@@ -31,6 +31,8 @@ pub struct NewWorld {
     pub radius_m: Option<f64>,
     /// What makes its land; the newest when left out.
     pub generator: Option<Generator>,
+    /// What building costs.
+    pub mode: Mode,
     /// Where it begins.
     pub start: Beginning,
 }
@@ -261,6 +263,7 @@ impl Worlds {
             geometry: wanted.geometry,
             radius_m,
             generator: wanted.generator.unwrap_or_default(),
+            mode: wanted.mode,
             view_distance: self.view_distance.unwrap_or(VIEW_DISTANCE_CHUNKS.2),
         })
     }
@@ -322,6 +325,7 @@ mod tests {
             seed: Some(3),
             radius_m,
             generator: None,
+            mode: Mode::default(),
             start: Beginning::Middle,
         }
     }

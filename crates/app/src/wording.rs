@@ -16,6 +16,7 @@ use antipode_streaming::{Cause, StreamingError};
 use antipode_ui::{legible, legible_name};
 
 use crate::failure::Failure;
+use crate::hud_brush;
 use crate::rooms::OpenRoom;
 use crate::trouble::Trouble;
 
@@ -225,6 +226,15 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::TooFarToTalk => texts.say("hint-too-far-to-talk"),
         Hint::WaitsToTalk => texts.say("hint-waits-to-talk"),
         Hint::InTheWay => texts.say("hint-in-the-way"),
+        Hint::TooHard(kind) => texts.say_with(
+            "hint-too-hard",
+            &[("kind", hud_brush::kind_word(texts, kind).into())],
+        ),
+        Hint::UsedUp(None) => texts.say("hint-nothing-to-build"),
+        Hint::UsedUp(Some(kind)) => texts.say_with(
+            "hint-used-up",
+            &[("kind", hud_brush::kind_word(texts, kind).into())],
+        ),
         Hint::Undone => texts.say("hint-undone"),
         Hint::NotUndone(why) => not_undone(texts, why),
         Hint::Said { greets, line } => said(texts, greets, line),
@@ -238,6 +248,7 @@ fn not_undone(texts: &Texts, why: NotUndone) -> String {
         NotUndone::NoneLeft => "hint-undo-none-left",
         NotUndone::Away => "hint-undo-away",
         NotUndone::Changed => "hint-undo-changed",
+        NotUndone::Spent => "hint-undo-spent",
         NotUndone::Unreadable => "hint-undo-unreadable",
     })
 }

@@ -15,9 +15,12 @@ struct Row {
     icon: &'static [u8],
     most_in_slot: u32,
     at_start: u32,
+    at_start_gathering: u32,
     lies: Lies,
     held: Held,
     digs_per_s: Option<f32>,
+    power: Option<u8>,
+    made: Option<Made>,
     shines: bool,
     stands: Option<Stands>,
 }
@@ -47,6 +50,15 @@ pub struct Held {
     pub turn_rad: [f32; 3],
     /// Where the hand takes hold, from the thing's origin in its own axes, x ahead, y up, z to the right, metres.
     pub grip_m: [f32; 3],
+}
+
+/// How something is made of ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Made {
+    /// How many come of it.
+    pub count: u32,
+    /// The names of kinds of ground, and how much of each it takes, cubic metres.
+    pub of: &'static [(&'static str, f64)],
 }
 
 /// How something stands where it was put down.
@@ -104,6 +116,21 @@ impl Item {
     /// How many of it a new player has.
     pub fn at_start(self) -> u32 {
         self.row().at_start
+    }
+
+    /// How many of it a new player of a gathering world has.
+    pub fn at_start_gathering(self) -> u32 {
+        self.row().at_start_gathering
+    }
+
+    /// How it is made of ground; `None` for what is not.
+    pub fn made(self) -> Option<&'static Made> {
+        self.row().made.as_ref()
+    }
+
+    /// How hard ground it digs in gathering worlds; `None` for what does not dig.
+    pub fn power(self) -> Option<u8> {
+        self.row().power
     }
 
     /// How it lies on level ground.

@@ -72,6 +72,7 @@ fn opened(among: Among) -> (TempDir, Scene) {
         geometry: Geometry::Euclidean,
         radius_m: 20.0,
         generator: antipode_scene::Generator::default(),
+        mode: antipode_scene::Mode::default(),
         view_distance: 2,
     };
     let dir = tempfile::tempdir().unwrap();

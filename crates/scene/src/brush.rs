@@ -1,6 +1,9 @@
 //! The brush of the tools that dig and build: its shape, and what is built of. Both are of this visit and are not saved.
 
-use antipode_terrain::{Kind, Shape};
+use antipode_terrain::{Kind, Shape, Stock};
+
+/// With less of a kind nobody builds, cubic metres.
+pub(crate) const LEAST_BUILT_M3: f64 = 0.01;
 
 /// The shape of the brush, and what it does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,20 +78,24 @@ pub enum Choice {
 pub struct Brush {
     /// Its shape.
     pub shape: BrushShape,
-    /// What is built of; nothing brings back what untouched land has there.
+    /// What is built of. Nothing brings back what untouched land has there, and in gathering worlds stands for what there is
+    /// most of.
     pub kind: Option<Kind>,
 }
 
 impl Brush {
-    /// Everything that can be built, in the order in which it is gone through: what is found at each place comes first.
-    pub fn kinds() -> impl Iterator<Item = Option<Kind>> {
-        std::iter::once(None).chain(Kind::ALL.into_iter().map(Some))
+    /// Everything that can be built, in the order in which it is gone through. Without a stock what is found at each place
+    /// comes first, and then every kind; with one, what there is most of, and then what there is.
+    pub fn kinds(stock: Option<&Stock>) -> Vec<Option<Kind>> {
+        let there = |kind: &Kind| stock.is_none_or(|stock| stock.of(*kind) >= LEAST_BUILT_M3);
+        let kinds = Kind::ALL.into_iter().filter(there).map(Some);
+        std::iter::once(None).chain(kinds).collect()
     }
 
-    /// Goes on by shapes and by kinds, round at the end.
-    pub(crate) fn step(&mut self, shapes: i32, kinds: i32) {
+    /// Goes on by shapes, and by these kinds, round at the end.
+    pub(crate) fn step(&mut self, shapes: i32, kinds: (i32, &[Option<Kind>])) {
         self.shape = round(BrushShape::ALL.into_iter(), self.shape, shapes);
-        self.kind = round(Self::kinds(), self.kind, kinds);
+        self.kind = round(kinds.1.iter().copied(), self.kind, kinds.0);
     }
 }
 
@@ -107,20 +114,36 @@ mod tests {
     #[test]
     fn shapes_and_kinds_are_gone_through_both_ways_and_round() {
         let mut brush = Brush::default();
-        brush.step(1, 1);
+        let all = Brush::kinds(None);
+        brush.step(1, (1, &all));
         let second = Brush {
             shape: BrushShape::Box,
             kind: Some(Kind::Grass),
         };
         assert_eq!(brush, second);
-        brush.step(-2, -2);
+        brush.step(-2, (-2, &all));
         let last = Brush {
             shape: BrushShape::Smooth,
             kind: Some(Kind::Crystal),
         };
         assert_eq!(brush, last);
-        brush.step(5 * 7 + 1, 15 * 3 + 1);
+        brush.step(5 * 7 + 1, (15 * 3 + 1, &all));
         assert_eq!(brush, Brush::default());
-        brush.step(i32::MIN, i32::MAX);
+        brush.step(i32::MIN, (i32::MAX, &all));
+    }
+
+    #[test]
+    fn with_a_stock_only_what_there_is_can_be_chosen() {
+        let mut stock = Stock::default();
+        stock.add(Kind::Coal, 1.0);
+        stock.add(Kind::Sand, 0.001);
+        let kinds = Brush::kinds(Some(&stock));
+        assert_eq!(kinds, [None, Some(Kind::Coal)]);
+        let mut brush = Brush {
+            kind: Some(Kind::Sand),
+            ..Brush::default()
+        };
+        brush.step(0, (1, &kinds));
+        assert_eq!(brush.kind, Some(Kind::Coal), "what is used up is left");
     }
 }

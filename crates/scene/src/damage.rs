@@ -235,6 +235,7 @@ mod tests {
             geometry,
             radius_m: 32.0,
             generator,
+            mode: crate::setup::Mode::default(),
             view_distance: 1,
         };
         Scene::open(setup, None).unwrap()

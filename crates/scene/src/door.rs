@@ -166,6 +166,7 @@ pub(crate) fn ring_seen(
         part: Part::Whole,
         kind: None,
         shape: Shape::default(),
+        power: None,
     };
     let reached = (0..2).filter(|leaf| is_in_reach(space, &doors.leaves[*leaf], &whole));
     let others = reached.map(|leaf| doors.pictured(space, leaf, eye, middle));

@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use antipode_items::Item;
 
+use crate::setup::Mode;
+
 /// Slots of the hotbar.
 pub const HOTBAR_SLOTS: u8 = 10;
 /// Slots of the backpack.
@@ -33,24 +35,33 @@ pub struct Inventory {
 }
 
 impl Default for Inventory {
-    /// The start: one of each thing that lasts in the first slots, bullets and lamps after them, a pickaxe in hand.
+    /// As at the start of a creative world.
     fn default() -> Self {
-        let mut start = Self::empty();
-        for (slot, item) in (0..).zip(Item::ALL) {
-            start.put(
-                slot,
-                Stack {
-                    item,
-                    count: item.at_start(),
-                },
-            );
-        }
-        start.selected = 1;
-        start
+        Self::at_start(Mode::Creative)
     }
 }
 
 impl Inventory {
+    /// What one begins with, in the first slots in the order of the items, a pickaxe in hand.
+    pub fn at_start(mode: Mode) -> Self {
+        let count = |item: Item| match mode {
+            Mode::Creative => item.at_start(),
+            Mode::Gathering => item.at_start_gathering(),
+        };
+        let stacks = Item::ALL.map(|item| Stack {
+            item,
+            count: count(item),
+        });
+        let mut start = Self::empty();
+        for (slot, stack) in (0..).zip(stacks.into_iter().filter(|stack| stack.count > 0)) {
+            start.put(slot, stack);
+        }
+        let digs = |slot: &Option<Stack>| slot.is_some_and(|it| it.item.power().is_some());
+        let pickaxe = start.slots.iter().position(digs);
+        start.selected = pickaxe.and_then(|at| u8::try_from(at).ok()).unwrap_or_default();
+        start
+    }
+
     /// Nothing at all, with the first slot selected.
     pub fn empty() -> Self {
         Self {

@@ -4,6 +4,7 @@
 use antipode_geometry::HyperbolicMap;
 use antipode_items::Item;
 use antipode_streaming::{Cause, NotUndone};
+use antipode_terrain::Kind;
 use thiserror::Error;
 
 use crate::npc::Line;
@@ -145,6 +146,12 @@ pub enum Hint {
         "You stand in the way of what you build, under a roof. Step back, or take a smaller brush."
     )]
     InTheWay,
+    /// Such ground is too hard for the tool in hand.
+    #[error("The {} is too hard for this pickaxe.", .0.name())]
+    TooHard(Kind),
+    /// Nothing is left of what would be built; nothing at all where no kind is named.
+    #[error("You have no {} left to build with.", .0.map_or("ground", Kind::name))]
+    UsedUp(Option<Kind>),
     /// The last stroke of the brush is undone.
     #[error("The last stroke is undone.")]
     Undone,

@@ -136,6 +136,7 @@ mod tests {
             geometry,
             radius_m: 32.0,
             generator: antipode_terrain::Generator::default(),
+            mode: crate::setup::Mode::default(),
             view_distance: 2,
         };
         let mut scene = Scene::open(setup, None).unwrap();

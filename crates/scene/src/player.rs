@@ -50,10 +50,10 @@ pub(crate) struct Player {
 }
 
 impl Player {
-    /// Somebody who has just come, and sees through that lens.
-    pub fn new(lens: Lens) -> Self {
+    /// Somebody who has just come with what he carries, and sees through that lens.
+    pub fn new(lens: Lens, inventory: Inventory) -> Self {
         Self {
-            inventory: Inventory::default(),
+            inventory,
             gaze: Gaze::through(lens),
             tool: None,
             brush_radius_m: BRUSH_RADIUS_M.2,

@@ -17,6 +17,10 @@ pub struct Probe {
     pub seed: u64,
     /// The number of the generator that makes its land.
     pub generator: u16,
+    /// `creative` or `gathering`.
+    pub mode: &'static str,
+    /// In a gathering world how much ground was gathered, by kind, cubic metres.
+    pub stock: Option<BTreeMap<&'static str, f64>>,
     /// The biome where the player is, as `forest`.
     pub biome: &'static str,
     /// Its geometry: `euclidean`, `hyperbolic` or `spherical`.

@@ -66,6 +66,11 @@ pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
         world: world.setup.name.clone(),
         seed: world.setup.seed,
         generator: world.setup.generator.number(),
+        mode: world.setup.mode.name(),
+        stock: world.streamer.stock().map(|stock| {
+            let all = Kind::ALL.into_iter().map(|kind| (kind.name(), stock.of(kind)));
+            all.filter(|(_, m3)| *m3 > 0.0).collect()
+        }),
         biome: world.ground.field().biome_at(now.feet()).name(),
         geometry: world.setup.geometry.to_string(),
         radius: curved_radius.is_finite().then_some(curved_radius),

@@ -154,6 +154,8 @@ fn thing(
     number_next(actors, key);
     match record {
         Record::Player(_) => key.id == 0,
+        // The streamer keeps it.
+        Record::Earth(_) => false,
         Record::Course(_) => true,
         Record::View(it) => {
             view(lens, it, notices);
@@ -184,7 +186,7 @@ fn thing(
 /// Says which number the next of a kind gets.
 fn number_next(actors: &mut Actors, key: RecordKey) {
     match key.kind {
-        RecordKind::Player | RecordKind::Course | RecordKind::View => {}
+        RecordKind::Player | RecordKind::Course | RecordKind::View | RecordKind::Earth => {}
         RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => {
             actors.number_next_fixture(key.kind, key.id);
         }
@@ -292,7 +294,7 @@ pub(crate) fn chart(strategy: &dyn Atlas, record: u128) -> Option<ChartId> {
 /// How many of a kind are taken in.
 fn most(kind: RecordKind) -> usize {
     match kind {
-        RecordKind::Player | RecordKind::Course | RecordKind::View => 1,
+        RecordKind::Player | RecordKind::Course | RecordKind::View | RecordKind::Earth => 1,
         RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => most_fixtures(),
         RecordKind::Drop => 2 * MOST_DROPS,
         RecordKind::Figure => MOST_BOTS,

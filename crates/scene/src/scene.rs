@@ -17,7 +17,8 @@ use crate::outbox::Outbox;
 use crate::player::{Look, Player};
 use crate::presentation::Presentation;
 use crate::restore::{self, finite_or};
-use crate::setup::{SceneError, WorldSetup};
+use crate::inventory::Inventory;
+use crate::setup::{Mode, SceneError, WorldSetup};
 use crate::situation::Situation;
 use crate::spawn::first_pitch_rad;
 use crate::step::Simulation;
@@ -98,7 +99,10 @@ impl Scene {
             ..Config::default()
         };
         let charts = Arc::<dyn Strategy>::clone(&space);
-        let streamer = Streamer::start(Arc::clone(&field), charts, store, config)?;
+        let mut streamer = Streamer::start(Arc::clone(&field), charts, store, config)?;
+        if setup.mode == Mode::Gathering {
+            streamer.gather(saved.earth());
+        }
         let mut scene = Self::fresh(setup, space, &field, streamer);
         scene.sim.outbox.notices = notices;
         scene.kept.stored = stored;
@@ -127,11 +131,12 @@ impl Scene {
         streamer: Streamer,
     ) -> Self {
         let lens = Lens::new(Arc::clone(&space));
+        let player = Player::new(lens, Inventory::at_start(setup.mode));
         Self {
             sim: Simulation {
                 world: World::new(setup.within_range(), space, field, streamer),
                 actors: Actors::new(field),
-                player: Player::new(lens),
+                player,
                 outbox: Outbox::default(),
             },
             shown: Presentation::default(),

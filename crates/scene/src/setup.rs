@@ -1,5 +1,6 @@
 //! What makes a world the one it is, and between that and what its save says of it.
 
+use std::str::FromStr;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use antipode_geometry::Geometry;
@@ -51,6 +52,38 @@ pub enum SceneError {
     },
 }
 
+/// What building costs in a world.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mode {
+    /// Nothing; one begins with every tool.
+    #[default]
+    Creative,
+    /// What was dug: building spends it, and tools are made of it.
+    Gathering,
+}
+
+impl Mode {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Creative, Self::Gathering];
+
+    /// Its lower-case English word, as scripts and the probe have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Creative => "creative",
+            Self::Gathering => "gathering",
+        }
+    }
+}
+
+impl FromStr for Mode {
+    type Err = String;
+
+    fn from_str(word: &str) -> Result<Self, String> {
+        let mode = Self::ALL.into_iter().find(|mode| mode.name() == word);
+        mode.ok_or_else(|| "a mode is creative or gathering".to_owned())
+    }
+}
+
 /// What makes a world the one it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorldSetup {
@@ -64,6 +97,8 @@ pub struct WorldSetup {
     pub radius_m: f64,
     /// What makes its land.
     pub generator: Generator,
+    /// What building costs.
+    pub mode: Mode,
     /// How far chunks are loaded, in chunks.
     pub view_distance: u32,
 }
@@ -108,6 +143,11 @@ impl WorldSetup {
             geometry,
             radius_m: meta.radius_m,
             generator,
+            mode: if meta.gathering {
+                Mode::Gathering
+            } else {
+                Mode::Creative
+            },
             view_distance,
         })
     }
@@ -129,6 +169,7 @@ impl WorldSetup {
             played_s: 0.0,
             cheated: false,
             generator: self.generator.number(),
+            gathering: self.mode == Mode::Gathering,
         }
     }
 }

@@ -5,7 +5,7 @@ use antipode_physics::CharacterInput;
 
 use crate::actions::Actions;
 use crate::actors::Actors;
-use crate::brush::Choice;
+use crate::brush::{Brush, Choice};
 use crate::camera::CameraMode;
 use crate::car::{doors, drive};
 use crate::crosshair::Crosshair;
@@ -145,7 +145,8 @@ fn turn_switches(
 fn choose_brush(world: &World, actors: &Actors, player: &mut Player, actions: &Actions) {
     let (shapes, kinds) = (actions.shape_step, actions.kind_step);
     if (shapes, kinds) != (0, 0) {
-        player.brush.step(shapes, kinds);
+        let offered = Brush::kinds(world.streamer.stock());
+        player.brush.step(shapes, (kinds, &offered));
     }
     if actions.take_kind {
         take_kind(world, actors, player);

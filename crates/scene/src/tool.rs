@@ -1,10 +1,11 @@
 //! The tools that dig and build: where they work, what they do to the ground, and what they may not do.
 
 use antipode_geometry::ChartPoint;
-use antipode_terrain::{Part, Stroke};
+use antipode_terrain::{Kind, Part, Stroke};
 use glam::DVec3;
 
 use crate::actions::Actions;
+use crate::brush::LEAST_BUILT_M3;
 use crate::crosshair::Crosshair;
 use crate::door;
 use crate::notice::Hint;
@@ -34,6 +35,8 @@ pub(crate) struct ToolMark {
     pub press: u64,
     /// Which way the press works.
     pub digs: bool,
+    /// What the press builds of.
+    pub kind: Option<Kind>,
 }
 
 /// Where the tool in hand would work: along the geodesic through the crosshair. An empty hand works nowhere.
@@ -47,7 +50,38 @@ pub(crate) fn mark(now: Situation<'_>) -> Option<ToolMark> {
         level_m: stroke.map_or(point.pos.y, |before| before.level_m),
         press: stroke.map_or(0, |before| before.press),
         digs: stroke.is_some_and(|before| before.digs),
+        kind: stroke.map_or_else(|| chosen_kind(now), |before| before.kind),
     })
+}
+
+/// What would be built of: in gathering worlds what is chosen or there is most of, as long as there is some.
+fn chosen_kind(now: Situation<'_>) -> Option<Kind> {
+    let chosen = now.player.brush.kind;
+    match now.world.streamer.stock() {
+        None => chosen,
+        Some(stock) => chosen.or_else(|| stock.most()),
+    }
+}
+
+/// Whether there is enough of a kind to build with.
+fn has(now: Situation<'_>, kind: Kind) -> bool {
+    let stock = now.world.streamer.stock();
+    stock.is_some_and(|stock| stock.of(kind) >= LEAST_BUILT_M3)
+}
+
+/// Why a tool does nothing or little there, to be told when it is pressed, or when what is built has run out.
+fn hindrance(now: Situation<'_>, mark: &ToolMark, digs: bool) -> Option<Hint> {
+    now.world.streamer.stock()?;
+    let player = now.player;
+    if digs {
+        let is_new = !player.primary_before;
+        let power = player.inventory.held().and_then(Item::power)?;
+        let kind = is_new.then(|| now.world.ground.kind(mark.point))?;
+        return (kind.hardness() > power).then_some(Hint::TooHard(kind));
+    }
+    let is_there = mark.kind.is_some_and(|kind| has(now, kind));
+    let is_used_up = !is_there && !player.brush.shape.is_for_both();
+    is_used_up.then_some(Hint::UsedUp(mark.kind))
 }
 
 /// What the tool in a free hand digs, per second.
@@ -70,23 +104,22 @@ pub(crate) fn work(
     let (Some(mark), Some(strength), true) = (mark, strength_in_hand(now), sign != 0.0) else {
         return (mark, Vec::new());
     };
-    let brush = now.player.brush;
-    let digs = sign > 0.0 && !brush.shape.is_for_both();
-    let whole = Stroke {
-        centre: mark.point,
-        radius_m,
-        amount: sign * strength * STEP_S as f32,
-        part: Part::Whole,
-        kind: brush.kind,
-        shape: brush.shape.of_stroke(mark.level_m),
-    };
-    let mut strokes = door::parted(now.world, whole);
-    let before = strokes.len();
+    let before = now.player.tool.filter(|before| before.active);
+    let hint = hindrance(now, &mark, sign > 0.0);
+    let is_used_up = matches!(hint, Some(Hint::UsedUp(_)));
+    let was_told = is_used_up && before.is_none() && now.player.secondary_before;
+    outbox.hints.extend(hint.filter(|_| !was_told));
+    if is_used_up {
+        return (Some(mark), Vec::new());
+    }
+    let digs = sign > 0.0 && !now.player.brush.shape.is_for_both();
+    let amount = sign * strength * STEP_S as f32;
+    let mut strokes = door::parted(now.world, stroke(now, &mark, amount));
+    let all = strokes.len();
     strokes.retain(|stroke| digs || !would_immure(now, stroke.centre));
-    if strokes.len() < before && !now.player.secondary_before {
+    if strokes.len() < all && !now.player.secondary_before {
         outbox.hints.push(Hint::InTheWay);
     }
-    let before = now.player.tool.filter(|before| before.active);
     let goes_on = before.is_some_and(|before| before.digs == (sign > 0.0));
     let mark = ToolMark {
         active: true,
@@ -99,6 +132,28 @@ pub(crate) fn work(
         ..mark
     };
     (Some(mark), strokes)
+}
+
+/// What a tool does where it is, by so much at its middle. In gathering worlds it is as strong as the tool in hand, and who
+/// levels or smooths without any of the chosen kind moves what is there.
+fn stroke(now: Situation<'_>, mark: &ToolMark, amount: f32) -> Stroke {
+    let player = now.player;
+    let gathers = now.world.streamer.stock().is_some();
+    let kind = if gathers {
+        mark.kind.filter(|kind| has(now, *kind))
+    } else {
+        player.brush.kind
+    };
+    let power = player.inventory.held().and_then(Item::power);
+    Stroke {
+        centre: mark.point,
+        radius_m: player.brush_radius_m,
+        amount,
+        part: Part::Whole,
+        kind,
+        shape: player.brush.shape.of_stroke(mark.level_m),
+        power: power.filter(|_| gathers),
+    }
 }
 
 /// Tells what a tool did in a step: `sign` is 1 for digging, -1 for building and 0 for rest.

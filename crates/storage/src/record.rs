@@ -17,8 +17,8 @@ use std::fmt;
 
 use crate::codec::{self, Fault};
 use crate::record_shapes::{
-    BotRecord, CarRecord, CourseRecord, DropRecord, FixtureRecord, FlagRecord, LampRecord,
-    PlayerKept, ViewRecord,
+    BotRecord, CarRecord, CourseRecord, DropRecord, EarthRecord, FixtureRecord, FlagRecord,
+    LampRecord, PlayerKept, ViewRecord,
 };
 use crate::store::Raw;
 use crate::survey::PLAYERS_STATE;
@@ -98,6 +98,8 @@ kinds! {
     Course(CourseRecord) = "course", version 1;
     /// How the player looks at the world.
     View(ViewRecord) = "view", version 1;
+    /// Ground that the player has gathered.
+    Earth(EarthRecord) = "earth", version 1;
     /// A lamp that was put down.
     Lamp(LampRecord) = "lamp", version 1;
     /// A flag that was planted.
@@ -208,6 +210,14 @@ impl Records {
     pub fn player(&self) -> Option<&PlayerKept> {
         match self.known.get(&RecordKind::Player.numbered(0))? {
             Record::Player(kept) => Some(kept),
+            _ => None,
+        }
+    }
+
+    /// The ground that he has gathered.
+    pub fn earth(&self) -> Option<&EarthRecord> {
+        match self.known.get(&RecordKind::Earth.numbered(0))? {
+            Record::Earth(kept) => Some(kept),
             _ => None,
         }
     }

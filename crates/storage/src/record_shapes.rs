@@ -181,6 +181,13 @@ pub struct CourseRecord {
     pub car_given: bool,
 }
 
+/// Ground that the player has gathered.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct EarthRecord {
+    /// Numbers of kinds of ground, and how much there is of each, cubic metres; of ores it may be less than zero.
+    pub kinds: Vec<(u8, f64)>,
+}
+
 /// How the player looks at the world.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ViewRecord {

@@ -12,16 +12,16 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
-use crate::schema_history::{v1, v2, v3, v4, v5, v8};
+use crate::schema_history::{v1, v2, v3, v4, v5, v8, v9};
 
 pub use crate::record_shapes::{
-    BotRecord, CarRecord, CourseRecord, DropRecord, FixtureRecord, FlagRecord, LampRecord,
-    PlaceRecord, PlayerKept, PlayerRecord, SlotRecord, ViewRecord,
+    BotRecord, CarRecord, CourseRecord, DropRecord, EarthRecord, FixtureRecord, FlagRecord,
+    LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SlotRecord, ViewRecord,
 };
 pub use crate::state::WorldState;
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 9;
+pub const SCHEMA_VERSION: u16 = 10;
 /// How worlds were made before they said so.
 pub(crate) const FIRST_GENERATOR: u16 = 1;
 /// The last version whose chunks had no kinds of ground.
@@ -52,11 +52,13 @@ pub struct WorldMeta {
     pub cheated: bool,
     /// The number of the generator that makes its land.
     pub generator: u16,
+    /// Whether what is built is first to be gathered; else it costs nothing.
+    pub gathering: bool,
 }
 
 impl Default for WorldMeta {
     fn default() -> Self {
-        v8::WorldMeta::default().into()
+        v9::WorldMeta::from(v8::WorldMeta::default()).into()
     }
 }
 
@@ -236,8 +238,12 @@ impl Versioned for WorldMeta {
         match version {
             1 | 2 => decode::<v2::WorldMeta>(body)
                 .map(v8::WorldMeta::from)
+                .map(v9::WorldMeta::from)
                 .map(Self::from),
-            3..=8 => decode::<v8::WorldMeta>(body).map(Self::from),
+            3..=8 => decode::<v8::WorldMeta>(body)
+                .map(v9::WorldMeta::from)
+                .map(Self::from),
+            9 => decode::<v9::WorldMeta>(body).map(Self::from),
             _ => decode(body),
         }
     }

@@ -293,7 +293,8 @@ pub(crate) mod v5 {
 pub(crate) mod v8 {
     use serde::{Deserialize, Serialize};
 
-    use crate::schema::{self, FIRST_GENERATOR};
+    use super::v9;
+    use crate::schema::FIRST_GENERATOR;
 
     /// What versions 3 to 8 kept of what a world is.
     #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -309,7 +310,7 @@ pub(crate) mod v8 {
         pub cheated: bool,
     }
 
-    impl From<WorldMeta> for schema::WorldMeta {
+    impl From<WorldMeta> for v9::WorldMeta {
         fn from(old: WorldMeta) -> Self {
             Self {
                 name: old.name,
@@ -322,6 +323,46 @@ pub(crate) mod v8 {
                 played_s: old.played_s,
                 cheated: old.cheated,
                 generator: FIRST_GENERATOR,
+            }
+        }
+    }
+}
+
+/// Version 9 knew no worlds in which ground is gathered.
+pub(crate) mod v9 {
+    use serde::{Deserialize, Serialize};
+
+    use crate::schema;
+
+    /// What version 9 kept of what a world is.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(crate) struct WorldMeta {
+        pub name: String,
+        pub seed: u64,
+        pub geometry: String,
+        pub radius_m: f64,
+        pub biome: String,
+        pub created_unix_s: u64,
+        pub last_played_unix_s: u64,
+        pub played_s: f64,
+        pub cheated: bool,
+        pub generator: u16,
+    }
+
+    impl From<WorldMeta> for schema::WorldMeta {
+        fn from(old: WorldMeta) -> Self {
+            Self {
+                name: old.name,
+                seed: old.seed,
+                geometry: old.geometry,
+                radius_m: old.radius_m,
+                biome: old.biome,
+                created_unix_s: old.created_unix_s,
+                last_played_unix_s: old.last_played_unix_s,
+                played_s: old.played_s,
+                cheated: old.cheated,
+                generator: old.generator,
+                gathering: false,
             }
         }
     }

@@ -46,6 +46,7 @@ fn edit_over_eight_chunks(bencher: divan::Bencher<'_, '_>, radius_m: f64) {
             part: antipode_terrain::Part::Whole,
             kind: None,
             shape: antipode_terrain::Shape::Ball,
+            power: None,
         });
         streamer.wait(Until::Edits, LIMIT)
     });
@@ -67,6 +68,7 @@ fn press_over_eight_chunks(bencher: divan::Bencher<'_, '_>, radius_m: f64) {
             part: antipode_terrain::Part::Whole,
             kind: None,
             shape: antipode_terrain::Shape::Ball,
+            power: None,
         };
         // A second of sixty strokes each.
         streamer.edit_in(Some(press / 60), stroke);

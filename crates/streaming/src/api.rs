@@ -198,6 +198,9 @@ pub enum NotUndone {
     /// Something else has changed the same place.
     #[error("The last stroke stays: its ground has been changed since.")]
     Changed,
+    /// What it had gathered is gone.
+    #[error("The last stroke stays: the ground that it brought has been used since.")]
+    Spent,
     /// The stored edits there cannot be read.
     #[error(
         "The last stroke stays: what is stored of its ground cannot be read now. See that the disk is there and try again."

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use antipode_geometry::ChunkCoord;
-use antipode_terrain::{Earth, Samples, Stroke, apply_edits};
+use antipode_terrain::{Earth, Ground, Kind, Samples, Stock, Stroke, apply_edits};
 
 use crate::api::Chunk;
 use crate::earthworks;
@@ -17,6 +17,9 @@ use crate::range::around;
 use crate::scheduler::Make;
 use crate::shared::{Shared, Step};
 use crate::worker::guarded;
+
+/// How often a stroke that a stock does not last for is halved: then it leaves a 64th of what it would have taken.
+const HALVINGS: u32 = 6;
 
 /// What a batch does to the edits.
 #[derive(Debug)]
@@ -31,6 +34,8 @@ pub(crate) enum Job {
 #[derive(Debug)]
 pub(crate) struct EditBatch {
     pub(crate) job: Job,
+    /// What may be built with; without it nothing is spent.
+    pub(crate) stock: Option<Stock>,
     /// Chunks whose meshes an earlier batch could not make.
     pub(crate) overdue: Vec<ChunkCoord>,
     /// How chunks are to be made that the strokes may reach, they or the borders of their coarse
@@ -80,6 +85,7 @@ impl BatchJob {
             complete: true,
             problems,
             moved: applied.moved,
+            gathered: applied.gathered,
             undone: applied.undone,
         };
         Self {
@@ -147,6 +153,7 @@ struct Applied {
     bordering: BTreeSet<ChunkCoord>,
     entered: Entered,
     moved: Option<(u64, Earth)>,
+    gathered: Stock,
     undone: Option<Undone>,
 }
 
@@ -155,36 +162,99 @@ fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Appl
     match &batch.job {
         Job::Strokes(strokes, press) => {
             let mut reached = BTreeSet::new();
-            let changed = changes(shared, strokes, &mut reached, problems).unwrap_or_else(|| {
+            let done = match press {
+                None => changes(shared, strokes, &mut reached, problems)
+                    .map(|changed| (changed, Earth::default())),
+                Some(_) => {
+                    let stock = batch.stock.as_ref();
+                    affordable(shared, strokes, stock, &mut reached, problems)
+                }
+            };
+            let (changed, earth) = done.unwrap_or_else(|| {
                 problems.push(
                     "The last change to the terrain is left out, since it would overwrite stored changes that cannot \
                      be read now. See that the disk is there and try again."
                         .to_owned(),
                 );
-                Vec::new()
+                (Vec::new(), Earth::default())
             });
-            let moved = press.map(|press| {
-                let earth = earthworks::earth(shared, &changed, problems);
+            let gathered = earth.gathered(kind_built(strokes));
+            if let Some(press) = press {
                 let states = changed.iter().map(Change::states);
-                shared.history.note(press, &earth, states);
-                (press, earth)
-            });
+                shared.history.note(*press, &earth, &gathered, states);
+            }
             Applied {
-                moved,
+                moved: press.map(|press| (press, earth)),
+                gathered,
                 ..enter(shared, batch, changed, reached)
             }
         }
-        Job::Undo(press, reach) => match earthworks::undo(shared, *press, problems) {
-            Ok((changed, earth)) => Applied {
-                undone: Some((*press, Ok(earth))),
-                ..enter(shared, batch, changed, reach.clone())
-            },
-            Err(why) => Applied {
-                undone: Some((*press, Err(why))),
-                ..enter(shared, batch, Vec::new(), BTreeSet::new())
-            },
-        },
+        Job::Undo(press, reach) => {
+            match earthworks::undo(shared, *press, batch.stock.as_ref(), problems) {
+                Ok((changed, earth, gathered)) => Applied {
+                    undone: Some((*press, Ok(earth))),
+                    gathered: gathered.negative(),
+                    ..enter(shared, batch, changed, reach.clone())
+                },
+                Err(why) => Applied {
+                    undone: Some((*press, Err(why))),
+                    ..enter(shared, batch, Vec::new(), BTreeSet::new())
+                },
+            }
+        }
     }
+}
+
+/// What strokes of a press build of.
+fn kind_built(strokes: &[Stroke]) -> Option<Kind> {
+    strokes.first().and_then(|stroke| stroke.kind)
+}
+
+/// The changes that strokes make and what they move, as far as the stock lasts; `None` if something is stored there and
+/// cannot be read now.
+///
+/// What is moved is known only of strokes that were made. So where they take more than there is they are made anew with a
+/// share of their amount, found by halving.
+fn affordable(
+    shared: &Shared,
+    strokes: &[Stroke],
+    stock: Option<&Stock>,
+    reached: &mut BTreeSet<ChunkCoord>,
+    problems: &mut Vec<String>,
+) -> Option<(Vec<Change>, Earth)> {
+    let mut done = |share: f32| {
+        let strokes: Vec<_> = strokes
+            .iter()
+            .map(|stroke| Stroke {
+                amount: share * stroke.amount,
+                ..*stroke
+            })
+            .collect();
+        let changed = changes(shared, &strokes, reached, problems)?;
+        let earth = earthworks::earth(shared, &changed, problems);
+        Some((changed, earth))
+    };
+    let whole = done(1.0)?;
+    let Some(stock) = stock else {
+        return Some(whole);
+    };
+    let builds = kind_built(strokes);
+    let is_allowed = |earth: &Earth| stock.allows_building(&earth.gathered(builds), builds);
+    if is_allowed(&whole.1) {
+        return Some(whole);
+    }
+    let mut best = (Vec::new(), Earth::default());
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let share = f32::midpoint(low, high);
+        let part = done(share)?;
+        if is_allowed(&part.1) {
+            (low, best) = (share, part);
+        } else {
+            high = share;
+        }
+    }
+    Some(best)
 }
 
 /// Enters changes, which are seen from the chunks of `reached` at most.
@@ -262,7 +332,12 @@ fn changes(
             }
             let now = now(shared, coord, &changes, problems);
             if let Some(change) = changes.get_mut(&coord) {
-                change.visible |= stroke.apply_to(coord, change.edits_mut(), strategy, Some(&now));
+                let ground = Ground {
+                    samples: &now,
+                    field: &shared.field,
+                };
+                change.visible |=
+                    stroke.apply_to(coord, change.edits_mut(), strategy, Some(ground));
             }
         }
         reached.extend(stroke.remeshed(strategy));

@@ -5,7 +5,7 @@ use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Metric};
-use antipode_terrain::{Earth, Moved, Owners, changed_cells};
+use antipode_terrain::{Earth, Moved, Owners, Stock, changed_cells};
 use glam::{DVec3, IVec3};
 
 use crate::api::NotUndone;
@@ -56,13 +56,18 @@ fn volume_share(metric: &dyn Metric, at: ChartPoint) -> f64 {
     x.dot(y.cross(z)).abs()
 }
 
-/// The changes that undo a press, and what it had moved.
+/// The changes that undo a press, what it had moved, and what of it had been gathered.
 pub(crate) fn undo(
     shared: &Shared,
     press: u64,
+    stock: Option<&Stock>,
     problems: &mut Vec<String>,
-) -> Result<(Vec<Change>, Earth), NotUndone> {
+) -> Result<(Vec<Change>, Earth, Stock), NotUndone> {
     let mut done = shared.history.take(press).ok_or(NotUndone::NoneLeft)?;
+    if stock.is_some_and(|stock| !stock.allows(&done.gathered.negative())) {
+        shared.history.put_back(press, done);
+        return Err(NotUndone::Spent);
+    }
     let mut changes: BTreeMap<ChunkCoord, Change> = BTreeMap::new();
     let mut end = Ok(());
     for (coord, layer) in done.back() {
@@ -83,7 +88,7 @@ pub(crate) fn undo(
         }
     }
     match end {
-        Ok(()) => Ok((changes.into_values().collect(), done.earth)),
+        Ok(()) => Ok((changes.into_values().collect(), done.earth, done.gathered)),
         Err(why) => {
             if why == NotUndone::Unreadable {
                 shared.history.put_back(press, done);

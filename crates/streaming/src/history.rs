@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use antipode_geometry::ChunkCoord;
-use antipode_terrain::{ChunkEdits, Earth, SampleChange};
+use antipode_terrain::{ChunkEdits, Earth, SampleChange, Stock};
 
 /// Presses that can be undone.
 pub(crate) const MOST_PRESSES: usize = 20;
@@ -26,6 +26,7 @@ pub(crate) struct History {
 #[derive(Debug, Default)]
 pub(crate) struct Press {
     pub(crate) earth: Earth,
+    pub(crate) gathered: Stock,
     /// Edits before it, and those that it made of them.
     whole: BTreeMap<ChunkCoord, [Arc<ChunkEdits>; 2]>,
     /// What it changed, in order.
@@ -60,6 +61,7 @@ impl History {
         &self,
         press: u64,
         earth: &Earth,
+        gathered: &Stock,
         chunks: impl Iterator<Item = (ChunkCoord, [Arc<ChunkEdits>; 2])>,
     ) {
         let mut presses = self.lock();
@@ -68,6 +70,7 @@ impl History {
         }
         let done = presses.entry(press).or_default();
         done.earth.add(earth);
+        done.gathered.add_all(gathered);
         for (coord, [before, after]) in chunks {
             let whole = done.whole.entry(coord);
             whole

@@ -23,6 +23,7 @@ mod batch_job;
 mod earthworks;
 mod edit_backend;
 mod edit_store;
+mod gathered;
 mod history;
 mod levels;
 mod maps;

@@ -1,7 +1,7 @@
 //! Reports of the workers and the saver to the game.
 
 use antipode_geometry::ChunkCoord;
-use antipode_terrain::Earth;
+use antipode_terrain::{Earth, Stock};
 
 use crate::api::{Chunk, NotUndone};
 use crate::edit_store::EditMap;
@@ -56,6 +56,8 @@ pub(crate) struct Edited {
     pub(crate) problems: Vec<String>,
     /// What a press has moved.
     pub(crate) moved: Option<(u64, Earth)>,
+    /// What that adds to a stock.
+    pub(crate) gathered: Stock,
     pub(crate) undone: Option<Undone>,
 }
 

@@ -6,14 +6,15 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use antipode_geometry::{Atlas, ChunkCoord, Strategy};
-use antipode_storage::{RecordChanges, WorldMeta, WorldStore};
-use antipode_terrain::{Field, Stroke};
+use antipode_storage::{EarthRecord, RecordChanges, WorldMeta, WorldStore};
+use antipode_terrain::{Field, Stock, Stroke};
 
 use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
 use crate::batch_job::{EditBatch, Job};
 use crate::edit_backend::{EditBackend, coord_of};
 use crate::edit_store::{EditMap, EditStore};
+use crate::gathered::Gathered;
 use crate::outcome::{Edited, Loaded, Outcome};
 use crate::saver::{Parts, Unsaved};
 use crate::scheduler::{ChunkScheduler, Verdict};
@@ -32,6 +33,7 @@ pub struct Streamer {
     pub(crate) worker_pool: WorkerPool,
     pub(crate) scheduler: ChunkScheduler,
     pub(crate) strokes: Strokes,
+    pub(crate) gathered: Gathered,
     pub(crate) batch_in_flight: bool,
     /// The last presses that have changed anything.
     presses: VecDeque<Pressed>,
@@ -56,7 +58,7 @@ pub(crate) struct Saves {
     /// Asked for; strokes made before are not all in the edit store yet. A save holds the land of its own moment: every
     /// stroke before its mark, and none after. The last gives way to a newer one, the first does not, so that one
     /// comes to its end however much is dug.
-    asked: VecDeque<(Mark, Parts)>,
+    asked: VecDeque<((Mark, Stock), Parts)>,
     /// With its land, waiting for the saver.
     whole: Option<Parts>,
     pub(crate) in_flight: bool,
@@ -136,6 +138,7 @@ impl Streamer {
             worker_pool,
             scheduler,
             strokes: Strokes::default(),
+            gathered: Gathered::default(),
             batch_in_flight: false,
             presses: VecDeque::new(),
             overdue: HashSet::new(),
@@ -153,6 +156,24 @@ impl Streamer {
         let left = self.scheduler.wish(wish);
         self.leaving.extend(left);
         self.feed();
+    }
+
+    /// From now on strokes of presses gather what they dig, and spend what they build; begins with what is kept of a world.
+    pub fn gather(&mut self, kept: Option<&EarthRecord>) {
+        self.gathered = Gathered::of(kept);
+    }
+
+    /// What there is to build with; none where nothing is gathered.
+    pub fn stock(&self) -> Option<&Stock> {
+        self.gathered.stock.as_ref()
+    }
+
+    /// Takes ground out of what was gathered, if there is as much of each kind; less than zero is given. Says whether it
+    /// was done.
+    pub fn spend(&mut self, price: &Stock) -> bool {
+        let is_done = self.gathered.spend(price);
+        self.saves.stale |= is_done;
+        is_done
     }
 
     /// Applies a brush stroke. Never waits: while a batch is under way strokes add up for the next.
@@ -175,7 +196,8 @@ impl Streamer {
             None
         };
         let parts = parts.or(older.map_or_else(Parts::default, |(_, parts)| parts));
-        self.saves.asked.push_back((self.strokes.mark(), parts));
+        let moment = (self.strokes.mark(), self.gathered.spent);
+        self.saves.asked.push_back((moment, parts));
         self.saves.stale = false;
         self.feed();
     }
@@ -277,10 +299,11 @@ impl Streamer {
     /// Takes the land for the saves whose moment the edit store has come to; before the next batch changes it.
     fn gather_saves(&mut self) {
         while !self.batch_in_flight
-            && let Some((mark, _)) = self.saves.asked.front()
+            && let Some(((mark, _), _)) = self.saves.asked.front()
             && self.strokes.has_passed(*mark)
-            && let Some((_, parts)) = self.saves.asked.pop_front()
+            && let Some(((_, spent), mut parts)) = self.saves.asked.pop_front()
         {
+            parts.records.extend(self.gathered.record(&spent));
             let land = std::mem::take(&mut self.saves.land);
             let older = self.saves.whole.take().unwrap_or_default();
             self.saves.whole = Some(Parts { land, ..parts }.or(older));
@@ -288,7 +311,7 @@ impl Streamer {
     }
 
     fn feed_batch(&mut self) {
-        let until = self.saves.asked.front().map(|(mark, _)| *mark);
+        let until = self.saves.asked.front().map(|((mark, _), _)| *mark);
         let Some(work) = self.strokes.take(until) else {
             return;
         };
@@ -318,6 +341,7 @@ impl Streamer {
         };
         let batch = EditBatch {
             job,
+            stock: self.gathered.stock,
             overdue: self.overdue.iter().copied().collect(),
             makes: self.scheduler.begin_batch(coords.into_iter()),
         };
@@ -399,6 +423,7 @@ impl Streamer {
 
     fn take_edited(&mut self, edited: Edited, updates: &mut Vec<Update>) {
         self.batch_in_flight = false;
+        self.gathered.add(&edited.gathered);
         self.take_press(&edited, updates);
         self.saves.land.extend(edited.land);
         updates.extend(edited.problems.into_iter().map(Update::Problem));

@@ -136,6 +136,7 @@ fn alike(a: &Stroke, b: &Stroke) -> bool {
         && a.part == b.part
         && a.kind == b.kind
         && a.shape == b.shape
+        && a.power == b.power
         && (a.amount > 0.0) == (b.amount > 0.0)
 }
 
@@ -155,6 +156,7 @@ mod tests {
             part: antipode_terrain::Part::Whole,
             kind: None,
             shape: antipode_terrain::Shape::Ball,
+            power: None,
         }
     }
 

@@ -1,5 +1,7 @@
 //! The rows of `assets/tables/items.ron`.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 
 use crate::reader::{Assets, Fault, Row, need};
@@ -15,10 +17,16 @@ pub(crate) struct Item {
     icon: String,
     most_in_slot: u32,
     at_start: u32,
+    #[serde(default)]
+    at_start_gathering: u32,
     lies: Lies,
     held: Held,
     #[serde(default)]
     digs_per_s: Option<f32>,
+    #[serde(default)]
+    power: Option<u8>,
+    #[serde(default)]
+    made: Option<Made>,
     #[serde(default)]
     shines: bool,
     #[serde(default)]
@@ -52,6 +60,26 @@ struct Stands {
     marker_m: f64,
     level_up: f64,
     turned_deg: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Made {
+    count: u32,
+    of: BTreeMap<String, f64>,
+}
+
+impl Made {
+    fn check(&self) -> Result<(), Fault> {
+        need("made.count", self.count > 0, "is to be 1 or more")?;
+        let is_some = !self.of.is_empty() && self.of.values().all(|m3| *m3 > 0.0);
+        need("made.of", is_some, "is to name kinds of ground, more than 0 of each")
+    }
+
+    fn expression(&self) -> String {
+        let parts: Vec<_> = self.of.iter().collect();
+        format!("Made {{ count: {}, of: &{parts:?} }}", self.count)
+    }
 }
 
 impl Stands {
@@ -93,6 +121,9 @@ impl Row for Item {
         need("lies.height_m", is_low, "is to be 0 to 2 m over the ground")?;
         let digs = self.digs_per_s.is_none_or(|rate| rate > 0.0);
         need("digs_per_s", digs, "is to be more than 0")?;
+        let has_power = self.power.is_some() == self.digs_per_s.is_some();
+        need("power", has_power, "is what only what digs has, and all of that")?;
+        self.made.as_ref().map_or(Ok(()), Made::check)?;
         self.stands.as_ref().map_or(Ok(()), Stands::check)
     }
 }
@@ -115,17 +146,21 @@ impl Source for Item {
     }
 
     fn expression(&self, _: &dyn Fn(&Fault) -> String) -> String {
+        let made = self.made.as_ref().map(Made::expression);
         format!(
-            "Row {{ id: {:?}, model: {}, icon: {}, most_in_slot: {}, at_start: {}, lies: Lies::{:?}, held: {:?}, digs_per_s: \
-             {:?}, shines: {}, stands: {:?} }}",
+            "Row {{ id: {:?}, model: {}, icon: {}, most_in_slot: {}, at_start: {}, at_start_gathering: {}, lies: Lies::{:?}, \
+             held: {:?}, digs_per_s: {:?}, power: {:?}, made: {}, shines: {}, stands: {:?} }}",
             self.id,
             embedded("models", &self.model),
             embedded("models", &self.icon),
             self.most_in_slot,
             self.at_start,
+            self.at_start_gathering,
             self.lies,
             self.held,
             self.digs_per_s,
+            self.power,
+            made.map_or_else(|| "None".to_owned(), |made| format!("Some({made})")),
             self.shines,
             self.stands,
         )
@@ -155,7 +190,7 @@ mod tests {
    at_start: 3,
    lies: OnItsSide(height_m: 0.25),
    held: (place_m: (0, 0, 1), turn_rad: (0, 0, 0), grip_m: (0, 0, 0)),
-   digs_per_s: 2,
+   digs_per_s: 2, power: 1, made: (count: 3, of: {"rock": 1.5}),
    stands: (
      most: 9,
      heights_m: (0, 1),
@@ -213,6 +248,9 @@ mod tests {
                     "dogs_per_s",
                     "19: \"b-c\": Unexpected field named `dogs_per_s`",
                 ),
+                ("power: 1, ", "", "11: power of \"b-c\""),
+                ("count: 3", "count: 0", "19: made.count of \"b-c\""),
+                ("1.5}", "0}", "19: made.of of \"b-c\""),
                 ("most: 9", "most: 0", "21: stands.most of \"b-c\""),
                 (
                     "radius_m: 0.3",

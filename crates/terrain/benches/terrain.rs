@@ -130,6 +130,7 @@ fn stroke_into_a_chunk(bencher: Bencher<'_, '_>, radius_m: f64) {
         part: antipode_terrain::Part::Whole,
         kind: None,
         shape: antipode_terrain::Shape::Ball,
+        power: None,
     };
     let mut edits = ChunkEdits::new();
     bencher.bench_local(|| stroke.apply(chunk(), &mut edits, &*strategy));

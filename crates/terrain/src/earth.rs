@@ -17,7 +17,7 @@ use crate::samples::Samples;
 use crate::strata::Strata;
 use crate::tables::{EDGES, TRIANGLES};
 
-const KINDS: usize = Kind::ALL.len();
+pub(crate) const KINDS: usize = Kind::ALL.len();
 const CELLS: usize = 32;
 /// Parts of a cell less than this are rounding, cubic metres.
 const LEAST_M3: f64 = 1e-6;
@@ -77,7 +77,7 @@ impl Earth {
     }
 }
 
-fn at(kind: Kind) -> usize {
+pub(crate) fn at(kind: Kind) -> usize {
     usize::from(kind.byte()) - 1
 }
 

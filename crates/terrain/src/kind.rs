@@ -106,6 +106,16 @@ impl Kind {
         self >= Self::Coal
     }
 
+    /// How hard it is to dig: 0 for loose ground, 1 for stone and coal, 2 for copper and 3 for crystal.
+    pub fn hardness(self) -> u8 {
+        match self {
+            Self::Rock | Self::Basalt | Self::Slate | Self::Coal => 1,
+            Self::Copper => 2,
+            Self::Crystal => 3,
+            _ => 0,
+        }
+    }
+
     /// What a steep face of untouched land shows in its place.
     #[must_use]
     pub const fn where_steep(self) -> Self {

@@ -1,17 +1,19 @@
 //! Strokes: what a pickaxe does in one step of time.
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord};
 use glam::{DVec2, DVec3, IVec3};
 
 use crate::edits::{ChunkEdits, owned_index};
-use crate::field::{RIM_REACH_M, editable_y_m};
-use crate::kind::Kind;
+use crate::field::{Field, RIM_REACH_M, editable_y_m};
+use crate::kind::{Kind, SKIN};
 use crate::level::Level;
 use crate::samples::Samples;
 use crate::shape::Shape;
+use crate::strata::Strata;
 
 /// How fast a stroke weakens: `exp(-FALLOFF_PER_M2 d^2)`, as in the reference game.
 pub const FALLOFF_PER_M2: f64 = 0.1;
@@ -37,6 +39,68 @@ pub struct Stroke {
     pub kind: Option<Kind>,
     /// The brush's shape and what it does.
     pub shape: Shape,
+    /// How hard ground it digs, as [`Kind::hardness`] has it: what is harder stays, and what is just so hard yields slowly.
+    /// Without it all ground yields alike.
+    pub power: Option<u8>,
+}
+
+/// What a chunk's ground is, with all edits before a stroke.
+#[derive(Debug, Clone, Copy)]
+pub struct Ground<'a> {
+    /// Its samples.
+    pub samples: &'a Samples,
+    /// The untouched land.
+    pub field: &'a Field,
+}
+
+/// How fast ground yields to what is just hard enough for it.
+const HARD_EASE: f32 = 0.4;
+
+/// How fast the kinds of a chunk's samples yield to a stroke.
+struct Ease<'a> {
+    samples: &'a Samples,
+    strata: Strata<'a>,
+    power: u8,
+}
+
+impl Ease<'_> {
+    /// Of a sample by its indices in the block: 1 where it does not resist, 0 where it is too hard. Of air it is that of the
+    /// hardest ground beside it, whose surface it moves.
+    fn of(&self, [i, j, k]: [usize; 3]) -> f32 {
+        if self.samples.get(i, j, k) < 0.0 {
+            return self.of_solid([i, j, k]);
+        }
+        let beside = [
+            [i - 1, j, k],
+            [i + 1, j, k],
+            [i, j - 1, k],
+            [i, j + 1, k],
+            [i, j, k - 1],
+            [i, j, k + 1],
+        ];
+        let solid = beside
+            .into_iter()
+            .filter(|&[i, j, k]| self.samples.get(i, j, k) < 0.0);
+        solid.map(|at| self.of_solid(at)).fold(1.0, f32::min)
+    }
+
+    fn of_solid(&self, at: [usize; 3]) -> f32 {
+        let [i, j, k] = at;
+        let land = self.samples.covered(self.samples.index(i, j, k));
+        // Strata tell what is within the chunk; beside it the kind is as good as that of the sample next to it.
+        let place = at.map(|c| (c as i32 - 1).clamp(0, CHUNK_CELLS as i32));
+        let byte = match land.laid {
+            0 => self.strata.at(IVec3::from(place), land.depth) & !SKIN,
+            laid => laid,
+        };
+        let hardness = Kind::of_byte(byte).unwrap_or(Kind::PLAIN).hardness();
+        match hardness.cmp(&self.power) {
+            Ordering::Less => 1.0,
+            Ordering::Equal if hardness == 0 => 1.0,
+            Ordering::Equal => HARD_EASE,
+            Ordering::Greater => 0.0,
+        }
+    }
 }
 
 /// The part of a stroke's ball that is changed: all of it, or what is reached from its middle through a gate or not.
@@ -171,7 +235,7 @@ impl Stroke {
     /// Whether the stroke goes by what the ground is: [`Self::apply_to`] needs samples then.
     pub fn needs_samples(&self, edits: &ChunkEdits) -> bool {
         let lays = self.amount < 0.0 && (self.kind.is_some() || !edits.kind_bytes().is_empty());
-        self.shape != Shape::Ball || lays
+        self.shape != Shape::Ball || lays || self.power.is_some()
     }
 
     /// Adds the stroke to the edits of the chunk at `coord`, as far as that needs no samples; says whether any edit's
@@ -187,8 +251,14 @@ impl Stroke {
         coord: ChunkCoord,
         edits: &mut ChunkEdits,
         strategy: &dyn Atlas,
-        now: Option<&Samples>,
+        now: Option<Ground<'_>>,
     ) -> bool {
+        let ease = now.zip(self.power).map(|(now, power)| Ease {
+            samples: now.samples,
+            strata: Strata::new(now.field, coord),
+            power,
+        });
+        let now = now.map(|now| (now.samples, ease.as_ref()));
         let [x0, y0, z0] = coord.index.to_array().map(|c| i64::from(c) * 32);
         let mut changed = false;
         for mut window in self.windows(strategy) {
@@ -218,7 +288,7 @@ impl Stroke {
         local: [usize; 3],
         off: DVec3,
         edits: &mut ChunkEdits,
-        now: Option<&Samples>,
+        now: Option<(&Samples, Option<&Ease<'_>>)>,
     ) -> bool {
         let [i, j, k] = local;
         let at = owned_index(i, j, k);
@@ -226,14 +296,18 @@ impl Stroke {
             (Shape::Ball, _) | (_, None) => {
                 f64::from(self.amount) * (-FALLOFF_PER_M2 * off.length_squared()).exp()
             }
-            (shape, Some(now)) => {
+            (shape, Some((now, _))) => {
                 let place = (off, self.centre.pos.y + off.y);
                 let change = shape.change(now, local, place, (self.radius_m(), self.amount > 0.0));
                 f64::from(change.clamp(-self.amount.abs(), self.amount.abs()))
             }
         };
+        let Some((now, ease)) = now else {
+            return edits.add_at(at, amount as f32);
+        };
+        let yields = |ease: &Ease<'_>| f64::from(ease.of([i + 1, j + 1, k + 1]));
+        let amount = amount * ease.filter(|_| amount > 0.0).map_or(1.0, yields);
         let changed = edits.add_at(at, amount as f32);
-        let Some(now) = now else { return changed };
         let before = now.get(i + 1, j + 1, k + 1);
         let turns = before >= 0.0 && before + (amount as f32) < 0.0;
         let laid = self.kind.map_or(0, Kind::byte);

@@ -27,6 +27,7 @@ fn seeded(geometry: Geometry, seed: u64) -> Scene {
         geometry,
         radius_m,
         generator: antipode_scene::Generator::OneBiome,
+        mode: antipode_scene::Mode::default(),
         view_distance: 2,
     };
     let mut scene = Scene::open(setup, None).unwrap();

@@ -37,6 +37,7 @@ impl Twins {
             geometry: Geometry::Euclidean,
             radius_m: 20.0,
             generator: GENERATOR,
+            mode: antipode_scene::Mode::default(),
             view_distance: 3,
         };
         let twins = Self {

@@ -6,7 +6,7 @@
 pub enum Argument {
     /// A space: `euclidean`, `hyperbolic`, `spherical`.
     Geometry,
-    /// `seed=`, `name=`, `radius=` or `generator=`.
+    /// `seed=`, `name=`, `radius=`, `generator=` or `mode=`.
     Option,
     /// The name of a saved world.
     World,
@@ -89,7 +89,7 @@ pub static COMMANDS: [CommandInfo; 37] = {
     [
         command(
             "new",
-            "GEOMETRY [seed=N] [name=NAME] [radius=M] [generator=N]",
+            "GEOMETRY [seed=N] [name=NAME] [radius=M] [generator=N] [mode=creative|gathering]",
             &[Geometry, Option],
         ),
         command("load", "NAME", &[World]),
@@ -112,7 +112,8 @@ pub static COMMANDS: [CommandInfo; 37] = {
         command("probe", "", &[]),
         command("shot", "FILE.png", &[Free]),
         command("set", "SETTING VALUE", &[Setting, Value]),
-        command("give", "ITEM N", &[Item, Free]),
+        command("give", "ITEM|GROUND N", &[Item, Free]),
+        command("make", "ITEM", &[Item]),
         command("teleport", "X Y Z [A|B]", &[Free, Free, Free, ChartId]),
         command(
             "spawn",

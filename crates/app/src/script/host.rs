@@ -2,7 +2,7 @@
 
 use antipode_geometry::{Atlas, ChartPoint};
 use antipode_room_scene::RoomScene;
-use antipode_scene::Scene;
+use antipode_scene::{Recipe, Scene};
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
 use antipode_settings::Value;
 use glam::{DVec3, Vec3Swizzles};
@@ -96,6 +96,15 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
         Order::Give(item, count) => {
             let left = host.scene()?.inventory_mut().give(*item, *count);
             possible(left == 0, "there is no room for all of them")
+        }
+        Order::GiveGround(kind, m3) => {
+            let is_given = host.scene()?.give_ground(*kind, *m3);
+            possible(is_given, "nothing is gathered in a creative world")
+        }
+        Order::Make(item) => {
+            let scene = host.scene()?;
+            let is_made = Recipe::of(*item).is_some_and(|recipe| scene.make(&recipe));
+            possible(is_made, "there is not enough ground of the kinds that it takes")
         }
         Order::NameFlag(name) => name_nearest_flag(host, name),
         Order::Teleport(place, chart) => {

@@ -30,7 +30,8 @@ fn only_in_worlds(order: &Order) -> Option<&'static str> {
     match order {
         Order::Save => Some("save"),
         Order::Scroll(_) => Some("scroll"),
-        Order::Give(..) => Some("give"),
+        Order::Give(..) | Order::GiveGround(..) => Some("give"),
+        Order::Make(_) => Some("make"),
         Order::NameFlag(_) => Some("name-flag"),
         Order::Spawn(..) => Some("spawn"),
         Order::Perf(_) => Some("perf"),

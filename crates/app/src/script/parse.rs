@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::str::FromStr;
 
 use antipode_geometry::{ChartId, Geometry};
-use antipode_scene::{Generator, Item, NpcMode};
+use antipode_scene::{Generator, Item, Kind, Mode, NpcMode};
 use antipode_storage::SavesDir;
 use thiserror::Error;
 
@@ -73,6 +73,10 @@ pub enum Order {
     Set(Setting),
     /// Put items into the hotbar.
     Give(Item, u32),
+    /// Give cubic metres of a kind of ground, in a world where it is gathered.
+    GiveGround(Kind, f64),
+    /// Make an item of ground.
+    Make(Item),
     /// Give the flag nearest to the player a name.
     NameFlag(String),
     /// Move the player's feet.
@@ -128,7 +132,7 @@ impl Order {
     /// Whether a world in which it was used is marked: it gives the player what play would not have given.
     pub fn cheats(&self) -> bool {
         match self {
-            Self::Give(..) | Self::Teleport(..) | Self::Spawn(..) => true,
+            Self::Give(..) | Self::GiveGround(..) | Self::Teleport(..) | Self::Spawn(..) => true,
             Self::Set(setting) => match setting {
                 Setting::Time(_) | Setting::Health(_) => true,
                 Setting::Fly(on) => *on,
@@ -158,6 +162,7 @@ impl Order {
             | Self::Wait(_)
             | Self::Settle(_)
             | Self::Probe
+            | Self::Make(_)
             | Self::Shot(_)
             | Self::NameFlag(_)
             | Self::Perf(_)
@@ -256,7 +261,8 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
         ("probe", []) => Order::Probe,
         ("shot", [file]) => Order::Shot(picture(file)?),
         ("set", [what, value]) => Order::Set(setting(what, value)?),
-        ("give", [item, count]) => give(item, count)?,
+        ("give", [what, count]) => items::give(what, count)?,
+        ("make", [item]) => items::make(item)?,
         ("teleport", [x, y, z, side @ ..]) if side.len() <= 1 => teleport([x, y, z], side)?,
         ("spawn", [what, x, y, z, side @ ..]) if side.len() <= 1 => spawn(what, [x, y, z], side)?,
         ("name-flag", [name]) => Order::NameFlag((*name).to_owned()),
@@ -292,6 +298,7 @@ fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
         seed: None,
         radius_m: None,
         generator: None,
+        mode: Mode::default(),
         start: Beginning::Middle,
     };
     for option in options {
@@ -305,11 +312,14 @@ fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
                 wanted.generator =
                     Some(number.ok_or_else(|| format!("{} is no generator", quoted(value)))?);
             }
+            Some(("mode", value)) => {
+                wanted.mode = value.parse()?;
+            }
             Some(("name", value)) => wanted.name = Some(new_name(value)?),
             Some(("radius", value)) => wanted.radius_m = Some(number(value, 0.0, 1e6)?),
             _ => {
                 return Err(format!(
-                    "{} is none of seed=, name=, radius=, generator=",
+                    "{} is none of seed=, name=, radius=, generator=, mode=",
                     quoted(option)
                 ));
             }
@@ -402,14 +412,6 @@ fn picture(file: &str) -> Result<String, String> {
     }
 }
 
-fn give(item: &str, count: &str) -> Result<Order, String> {
-    let kind = Item::from_id(item).ok_or_else(|| {
-        let ids = Item::ALL.map(Item::id).join(", ");
-        format!("there is no item {}; there are {ids}", quoted(item))
-    })?;
-    Ok(Order::Give(kind, whole(count, 1, 9999)?))
-}
-
 fn spawn(what: &str, at: [&str; 3], side: &[&str]) -> Result<Order, String> {
     let spawned = Spawned::named(what).ok_or_else(|| {
         let mut words: Vec<_> = Spawned::words().collect();
@@ -442,6 +444,7 @@ fn place(at: [&str; 3], side: &[&str]) -> Result<([f64; 3], ChartId), String> {
     Ok(([x?, y?, z?], chart))
 }
 
+mod items;
 mod room;
 mod setting;
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The backpack in the game: the world goes on behind it while keys and pointer move what is carried.
 
 use antipode_language::Texts;
-use antipode_scene::Scene;
+use antipode_scene::{Recipe, Scene};
 use antipode_scene::inventory::HOTBAR_SLOTS;
 use antipode_ui::{BackpackModel, BackpackWish, SlotView};
 
@@ -10,7 +10,7 @@ use super::phase::Phase;
 use super::play::Play;
 use super::press::{Press, Taken};
 use crate::bindings::{Action, Input};
-use crate::hud;
+use crate::{hud, hud_brush};
 
 /// The backpack, up or not.
 #[derive(Default)]
@@ -88,8 +88,10 @@ impl Backpack {
         let view = |stack| hud::slot(texts, stack);
         let slots: Vec<SlotView> = inventory.slots().iter().copied().map(view).collect();
         let carried = inventory.carried().map(|stack| view(Some(stack)));
+        let making = hud_brush::making(texts, &session.scene);
         let model = BackpackModel {
             texts,
+            making: making.as_ref(),
             slots: &slots,
             selected: inventory.selected(),
             carried: carried.as_ref(),
@@ -132,6 +134,12 @@ fn follow(scene: &mut Scene, wish: BackpackWish) {
         }
         BackpackWish::LetGo { whole } => inventory.let_go(whole),
         BackpackWish::Throw(slot) => inventory.take_from(slot, false),
+        BackpackWish::Make(at) => {
+            if let Some(recipe) = Recipe::all().nth(at) {
+                scene.make(&recipe);
+            }
+            None
+        }
         BackpackWish::Close => None,
     };
     if let Some(stack) = thrown {

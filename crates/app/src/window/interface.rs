@@ -1,8 +1,9 @@
 //! Shows the game to the interface, and does what the player asks for there.
 
 use antipode_geometry::Geometry;
+use antipode_scene::Mode;
 use antipode_settings::Value;
-use antipode_ui::{GeometryChoice, HintModel, Intent, Screen, ToastKind};
+use antipode_ui::{GeometryChoice, HintModel, Intent, ModeChoice, Screen, ToastKind};
 
 use super::game::Game;
 use super::hints::HintContext;
@@ -113,12 +114,14 @@ impl Game {
                 geometry,
                 seed,
                 radius_m,
+                mode,
             } => self.leave(Next::Open(Request::New(NewWorld {
                 geometry: geometry_of(geometry),
                 name: Some(name),
                 seed,
                 radius_m,
                 generator: None,
+                mode: mode_of(mode),
                 start: Beginning::View,
             }))),
             Intent::Load { slug } => match self.menus.list.work_on(&self.menus.texts, &slug) {
@@ -177,6 +180,13 @@ impl Game {
     fn option_changed(&mut self, id: &str) {
         let (menus, controls) = (&mut self.menus, &mut self.devices.controls);
         self.options.changed(id, menus, controls, &mut self.play);
+    }
+}
+
+fn mode_of(choice: ModeChoice) -> Mode {
+    match choice {
+        ModeChoice::Creative => Mode::Creative,
+        ModeChoice::Gathering => Mode::Gathering,
     }
 }
 

@@ -49,6 +49,7 @@ mod workshop;
 use std::path::PathBuf;
 
 use antipode_geometry::Geometry;
+use antipode_scene::Mode;
 use winit::event_loop::EventLoop;
 
 use crate::common::{Adapter, Common};
@@ -84,6 +85,8 @@ pub enum Start {
         name: Option<String>,
         /// Its radius, for a spherical world.
         radius_m: Option<f64>,
+        /// What building costs.
+        mode: Mode,
     },
     /// In the main menu, with words about how the game before it ended.
     After(After),
@@ -135,6 +138,7 @@ fn first_request(start: Start, worlds: &Worlds) -> Result<Option<Request>, Failu
             seed,
             name,
             radius_m,
+            mode,
         } => {
             let name = name.unwrap_or_else(|| worlds.free_name());
             Some(Request::New(NewWorld {
@@ -143,6 +147,7 @@ fn first_request(start: Start, worlds: &Worlds) -> Result<Option<Request>, Failu
                 seed,
                 radius_m,
                 generator: None,
+                mode,
                 start: Beginning::View,
             }))
         }

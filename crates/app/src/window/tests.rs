@@ -81,6 +81,7 @@ fn begun(dir: &TempDir) -> Game {
         seed: Some(7),
         radius_m: None,
         generator: None,
+        mode: antipode_scene::Mode::default(),
         start: Beginning::Middle,
     });
     Game::new(worlds(dir.path()), None, Some(request))

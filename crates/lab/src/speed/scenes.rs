@@ -43,6 +43,7 @@ pub fn made(geometry: Geometry, aspect: f64, view_distance: u32) -> Result<Frame
         geometry,
         radius_m: radius_m(geometry),
         generator: antipode_scene::Generator::OneBiome,
+        mode: antipode_scene::Mode::default(),
         view_distance,
     };
     let mut scene = Scene::open(setup, None).map_err(|e| LabError::Scene(e.to_string()))?;

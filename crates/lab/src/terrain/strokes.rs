@@ -102,6 +102,7 @@ fn stroke(corner: DVec3, n: usize) -> Stroke {
         part: antipode_terrain::Part::Whole,
         kind: None,
         shape: antipode_terrain::Shape::Ball,
+        power: None,
     }
 }
 

@@ -29,6 +29,7 @@ fn opened(geometry: Geometry) -> Scene {
         geometry,
         radius_m: 32.0,
         generator: antipode_terrain::Generator::default(),
+        mode: crate::setup::Mode::default(),
         view_distance: 2,
     };
     let mut scene = Scene::open(setup, None).unwrap();
@@ -166,6 +167,7 @@ fn prints_go_with_the_ground_that_is_dug_and_fade_where_it_stays() {
         part: Part::Whole,
         kind: None,
         shape: Shape::Ball,
+        power: None,
     });
     for _ in 0..90 {
         scene.step(&Actions::default());

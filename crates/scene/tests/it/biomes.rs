@@ -10,6 +10,7 @@ use crate::common::{LIMIT, setup, steps};
 fn varied() -> Scene {
     let setup = WorldSetup {
         generator: Generator::Climates,
+        mode: antipode_scene::Mode::default(),
         ..setup(Geometry::Euclidean)
     };
     let mut scene = Scene::open(setup, None).unwrap();
@@ -76,6 +77,7 @@ fn saves_tell_the_generator_and_unknown_ones_are_refused() {
     for generator in Generator::ALL {
         let setup = WorldSetup {
             generator,
+            mode: antipode_scene::Mode::default(),
             ..setup(Geometry::Spherical)
         };
         let again = WorldSetup::from_meta(&setup.to_meta(), setup.view_distance).unwrap();

@@ -31,6 +31,7 @@ fn world(geometry: Geometry, radius_m: f64, seed: u64) -> Scene {
         seed,
         radius_m,
         generator: Generator::Climates,
+        mode: antipode_scene::Mode::default(),
         view_distance: 1,
         ..setup(geometry)
     };

@@ -98,11 +98,12 @@ fn the_bytes_of_version_1_are_frozen() {
         played_s: 0.5,
         cheated: false,
         generator: 1,
+        gathering: false,
     };
     let today = codec::encode(&meta).unwrap();
-    // What versions after it have put to the end: whether one has cheated, and the generator.
-    let (body, later) = today.split_at(today.len() - 2);
-    assert_eq!(later, [0, 1]);
+    // What versions after it have put to the end: whether one has cheated, the generator, and whether one gathers.
+    let (body, later) = today.split_at(today.len() - 3);
+    assert_eq!(later, [0, 1, 0]);
     let mut expected = vec![3, b'A', 0xc3, 0xa9, 251, 44, 1, 9];
     expected.extend(b"spherical");
     expected.extend(32.0_f64.to_le_bytes());
@@ -113,10 +114,12 @@ fn the_bytes_of_version_1_are_frozen() {
         assert_eq!(WorldMeta::upgrade(version, body), Ok(meta.clone()));
         assert!(WorldMeta::upgrade(version, &today).is_err());
     }
-    let of_version_3 = &today[..today.len() - 1];
-    for version in 3..=8 {
-        assert_eq!(WorldMeta::upgrade(version, of_version_3), Ok(meta.clone()));
-        assert!(WorldMeta::upgrade(version, &today).is_err());
+    for (versions, less) in [(3..=8, 2), (9..=9, 1)] {
+        for version in versions {
+            let of_version = &today[..today.len() - less];
+            assert_eq!(WorldMeta::upgrade(version, of_version), Ok(meta.clone()));
+            assert!(WorldMeta::upgrade(version, &today).is_err());
+        }
     }
     assert!(WorldMeta::upgrade(3, body).is_err());
 }

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use crate::common::{meta, state};
 use antipode_storage::{
-    Batch, CHUNK_SAMPLES, ChunkKey, RecordKind, SavesDir, SlotRecord, WorldMeta, WorldState,
+    Batch, CHUNK_SAMPLES, ChunkKey, EarthRecord, Record, RecordChanges, RecordKind, SavesDir,
+    SlotRecord, WorldMeta, WorldState,
 };
 
 const V1: &str = concat!(
@@ -47,6 +48,11 @@ const V8: &str = concat!(
 const V9: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../tests/saves/v9/v9.antipode-world"
+);
+
+const V10: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v10/v10.antipode-world"
 );
 
 const FAR: ChunkKey = ChunkKey {
@@ -142,6 +148,22 @@ fn laid() -> Vec<u8> {
     (0..CHUNK_SAMPLES).map(|i| [0, 3, 200][i / 8 % 3]).collect()
 }
 
+/// What version 10 was saved with: ground was gathered in it.
+fn v10_meta() -> WorldMeta {
+    WorldMeta {
+        gathering: true,
+        name: "Żółw of v10".to_owned(),
+        ..v9_meta()
+    }
+}
+
+/// The ground that was gathered in the world of version 10.
+fn v10_earth() -> EarthRecord {
+    EarthRecord {
+        kinds: vec![(2, 1234.5), (12, -0.25), (200, 3.0)],
+    }
+}
+
 /// What version 9 was saved with: land of another generator.
 fn v9_meta() -> WorldMeta {
     WorldMeta {
@@ -206,19 +228,35 @@ fn v3_meta() -> WorldMeta {
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&v9_meta()).unwrap();
+    let (slug, world) = saves.create(&v10_meta()).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
             meta: None,
-            records: (&v6_state()).into(),
+            records: v10_records(),
             chunks,
             kinds: [(NEAR, laid())].into(),
         })
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V9)).unwrap();
+    saves.export(&slug, Path::new(V10)).unwrap();
+}
+
+fn v10_records() -> RecordChanges {
+    let mut records: RecordChanges = (&v6_state()).into();
+    let earth = RecordKind::Earth.numbered(0);
+    records.insert(earth, Some(Record::Earth(v10_earth())));
+    records
+}
+
+#[test]
+fn gathered_ground_comes_back() {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    let slug = saves.import(Path::new(V10)).unwrap();
+    let records = saves.open(&slug).unwrap().records().unwrap();
+    assert_eq!(records.earth(), Some(&v10_earth()));
 }
 
 #[test]
@@ -232,6 +270,7 @@ fn the_worlds_of_all_versions_open_with_their_values() {
     opens(V7, &v7_meta(), &v6_state());
     opens(V8, &v8_meta(), &v6_state());
     opens(V9, &v9_meta(), &v6_state());
+    opens(V10, &v10_meta(), &v6_state());
 }
 
 /// Through import, a commit beside it, a copy and a repair.

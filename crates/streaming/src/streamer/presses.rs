@@ -70,7 +70,7 @@ impl Streamer {
             }
         }
         if let Some((press, end)) = edited.undone {
-            if !matches!(end, Err(NotUndone::Unreadable)) {
+            if !matches!(end, Err(NotUndone::Unreadable | NotUndone::Spent)) {
                 self.presses.retain(|it| it.number != press);
             }
             updates.push(Update::Undone(end));

@@ -87,6 +87,7 @@ fn a_hole_is_in_every_chart_that_has_it_and_stays() {
             part: antipode_terrain::Part::Whole,
             kind: None,
             shape: antipode_terrain::Shape::Ball,
+            power: None,
         });
         game.wait(Until::Idle);
         let dug = triangles(&game);

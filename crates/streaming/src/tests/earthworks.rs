@@ -106,6 +106,7 @@ fn what_is_dug_and_built_is_what_the_meshes_lose_and_gain() {
                         let aside = DVec3::X * 0.2 * f64::from(n);
                         let it = Stroke {
                             shape,
+                            power: None,
                             radius_m: 3.3,
                             ..stroke(ground + aside, sign * 0.6)
                         };

@@ -152,6 +152,7 @@ fn a_coarse_neighbour_looks_the_same_whether_it_was_there_before_the_edit_or_cam
         part: antipode_terrain::Part::Whole,
         kind: None,
         shape: antipode_terrain::Shape::Ball,
+        power: None,
     };
     assert!(!stroke.remeshed(&*game.space).contains(&coarse));
     let before = Arc::clone(&game.chunks[&coarse].mesh);

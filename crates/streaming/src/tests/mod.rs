@@ -11,6 +11,7 @@ mod damaged;
 mod earthworks;
 mod editing;
 mod failing;
+mod gathering;
 mod kinds;
 mod levels;
 mod loading;
@@ -192,6 +193,7 @@ fn stroke(at: DVec3, amount: f32) -> Stroke {
         part: antipode_terrain::Part::Whole,
         kind: None,
         shape: antipode_terrain::Shape::Ball,
+        power: None,
     }
 }
 

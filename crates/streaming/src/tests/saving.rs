@@ -39,6 +39,7 @@ pub(super) fn meta() -> WorldMeta {
         played_s: 3.0,
         cheated: false,
         generator: 1,
+        gathering: false,
     }
 }
 

@@ -74,6 +74,7 @@ fn a_hole_at_a_corner_is_in_every_chart_that_meets_there_and_stays() {
         part: antipode_terrain::Part::Whole,
         kind: None,
         shape: antipode_terrain::Shape::Ball,
+        power: None,
     });
     game.wait(Until::Idle);
     let dug = triangles(&game);

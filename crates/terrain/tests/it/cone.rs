@@ -107,6 +107,7 @@ fn strokes() -> Vec<Stroke> {
         part: antipode_terrain::Part::Whole,
         kind: None,
         shape: antipode_terrain::Shape::Ball,
+        power: None,
     };
     places.into_iter().map(stroke).collect()
 }
@@ -191,6 +192,7 @@ fn meshes_agree_to_the_bit_on_every_edge_also_where_it_was_dug() {
                     part: antipode_terrain::Part::Whole,
                     kind: None,
                     shape: antipode_terrain::Shape::Ball,
+                    power: None,
                 });
             }
         }

@@ -18,6 +18,7 @@ fn stroke(pos: DVec3, radius_m: f64, amount: f32) -> Stroke {
         part: Part::Whole,
         kind: None,
         shape: antipode_terrain::Shape::Ball,
+        power: None,
     }
 }
 

@@ -24,6 +24,7 @@ fn build(pos: DVec3, kind: Option<Kind>) -> Stroke {
         part: Part::Whole,
         kind,
         shape: Shape::Ball,
+        power: None,
     }
 }
 
@@ -282,6 +283,7 @@ fn bodies_come_out_as_they_are() {
         let dig = Stroke {
             amount: 30.0,
             shape,
+            power: None,
             ..build(middle, None)
         };
         apply(&mut world, &dig);
@@ -317,6 +319,7 @@ fn flattened_ground_is_flat_and_smoothed_ground_is_less_rough() {
     let flatten = Stroke {
         amount: 30.0,
         shape: Shape::Flatten { height_m },
+        power: None,
         ..build(DVec3::new(16.0, y, 16.0), None)
     };
     apply(&mut world, &flatten);
@@ -340,6 +343,7 @@ fn flattened_ground_is_flat_and_smoothed_ground_is_less_rough() {
         amount: 30.0,
         radius_m: 8.0,
         shape: Shape::Smooth,
+        power: None,
         ..build(DVec3::new(16.0, y, 16.0), None)
     };
     let rough = |world: &mut World| {

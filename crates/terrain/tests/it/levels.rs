@@ -129,6 +129,7 @@ fn tunnel(world: &mut World, chart: ChartId, first: IVec3, size: i32, random: &m
                 part: antipode_terrain::Part::Whole,
                 kind: None,
                 shape: antipode_terrain::Shape::Ball,
+                power: None,
             });
         }
     }

@@ -122,6 +122,7 @@ fn edit_corners(space: &Arc<dyn Strategy>, chart: ChartId, count: usize, first: 
             part: antipode_terrain::Part::Whole,
             kind: None,
             shape: antipode_terrain::Shape::Ball,
+            power: None,
         };
         world.apply(&stroke);
         let again = stroke.remeshed(&**space);

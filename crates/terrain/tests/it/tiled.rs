@@ -103,6 +103,7 @@ fn strokes() -> Vec<Stroke> {
         part: antipode_terrain::Part::Whole,
         kind: None,
         shape: antipode_terrain::Shape::Ball,
+        power: None,
     };
     places.into_iter().zip(radii).map(stroke).collect()
 }
@@ -226,6 +227,7 @@ fn the_surface_over_an_edge_and_a_corner_is_that_of_one_chart() {
             part: antipode_terrain::Part::Whole,
             kind: None,
             shape: antipode_terrain::Shape::Ball,
+            power: None,
         };
         many.apply(&stroke);
         one.apply(&in_one_chart(&stroke));

@@ -111,6 +111,7 @@ impl Flight {
             geometry: world.geometry,
             radius_m: world.radius_m,
             generator: Generator::OneBiome,
+            mode: antipode_scene::Mode::default(),
             view_distance: if software {
                 VIEW_DISTANCE.0
             } else {

@@ -47,6 +47,7 @@ impl Play {
             seed: Some(7),
             radius_m: None,
             generator: None,
+            mode: antipode_scene::Mode::default(),
             start: Beginning::Middle,
         })));
         for _ in 0..1_000_000 {

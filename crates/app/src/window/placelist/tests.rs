@@ -27,6 +27,7 @@ fn three() -> (tempfile::TempDir, WorldList) {
             seed: Some(1),
             radius_m: None,
             generator: None,
+            mode: antipode_scene::Mode::default(),
             start: Beginning::Middle,
         });
         let mut session = made.unwrap();

@@ -13,6 +13,7 @@ fn over_the_far_side(dir: &TempDir) -> Game {
         seed: Some(7),
         radius_m: Some(16.0),
         generator: None,
+        mode: antipode_scene::Mode::default(),
         start: Beginning::Middle,
     });
     let mut game = Game::new(worlds(dir.path()), None, Some(request));

@@ -37,6 +37,7 @@ impl Film {
             seed: Some(3),
             radius_m: (geometry == Geometry::Spherical).then_some(RADIUS_M),
             generator: Some(antipode_scene::Generator::OneBiome),
+            mode: antipode_scene::Mode::default(),
             start: Beginning::Middle,
         });
         let mut game = Game::new(worlds(dir.path()), None, Some(request));

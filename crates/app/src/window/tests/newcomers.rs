@@ -34,6 +34,7 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         seed: Some(7),
         radius_m: None,
         generator: None,
+        mode: antipode_scene::Mode::default(),
         start: Beginning::Middle,
     })));
     tick_until(&mut game, |game| told(game).starts_with("Change how space"));
@@ -45,6 +46,7 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         seed: Some(7),
         radius_m: Some(16.0),
         generator: None,
+        mode: antipode_scene::Mode::default(),
         start: Beginning::Middle,
     })));
     for words in ["Look up", "Walk to the equator"] {
@@ -134,6 +136,7 @@ fn no_world_flies_behind_a_menu_with_less_motion_or_while_one_is_played() {
         seed: Some(7),
         radius_m: None,
         generator: None,
+        mode: antipode_scene::Mode::default(),
         start: Beginning::Middle,
     });
     game.play.open(request, &mut game.menus);

@@ -166,6 +166,7 @@ fn the_camera_crosses_the_equator_of_a_closed_world() {
         seed: Some(7),
         radius_m: Some(16.0),
         generator: Some(antipode_scene::Generator::OneBiome),
+        mode: antipode_scene::Mode::default(),
         start: Beginning::Middle,
     });
     let mut game = Game::new(worlds(dir.path()), None, Some(request));

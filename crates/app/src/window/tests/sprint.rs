@@ -91,6 +91,7 @@ impl Run {
             seed: Some(SEED),
             radius_m: None,
             generator: Some(antipode_scene::Generator::OneBiome),
+            mode: antipode_scene::Mode::default(),
             start: Beginning::View,
         });
         let path = dir.path().to_str().unwrap();

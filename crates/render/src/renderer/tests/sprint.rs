@@ -85,6 +85,7 @@ fn player() -> Scene {
         geometry: Geometry::Hyperbolic,
         radius_m: antipode_geometry::DEFAULT_HYPERBOLIC_RADIUS_M,
         generator: antipode_scene::Generator::OneBiome,
+        mode: antipode_scene::Mode::default(),
         view_distance: 4,
     };
     let mut scene = Scene::open(setup, None).unwrap();

@@ -27,6 +27,7 @@ impl World {
             geometry,
             radius_m,
             generator: antipode_scene::Generator::OneBiome,
+            mode: antipode_scene::Mode::default(),
             view_distance,
         };
         let mut scene = Scene::open(setup, None).unwrap();

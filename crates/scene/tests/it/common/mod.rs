@@ -28,6 +28,7 @@ pub fn setup(geometry: Geometry) -> WorldSetup {
         geometry,
         radius_m,
         generator: antipode_scene::Generator::OneBiome,
+        mode: antipode_scene::Mode::default(),
         view_distance: 2,
     }
 }

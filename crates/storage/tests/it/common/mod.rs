@@ -21,6 +21,7 @@ pub fn meta(name: &str) -> WorldMeta {
         played_s: 600.25,
         cheated: false,
         generator: 1,
+        gathering: false,
     }
 }
 

@@ -246,6 +246,7 @@ fn world(geometry: Geometry) -> Scene {
         geometry,
         radius_m: RADIUS_M,
         generator: antipode_scene::Generator::OneBiome,
+        mode: antipode_scene::Mode::default(),
         view_distance: 1,
     };
     let mut scene = Scene::open(setup, None).unwrap();
