@@ -45,7 +45,7 @@ pub use hud::{
 };
 pub use legible::{legible, legible_name};
 pub use model::{
-    Backdrop, GeometryChoice, Intent, MenuModel, OwnRoom, Screen, ToastKind, WorldRow,
+    Backdrop, GeometryChoice, Intent, MenuModel, ModeChoice, OwnRoom, Screen, ToastKind, WorldRow,
 };
 pub use naming::Naming;
 pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, photo_panel, show_photo};
