@@ -33,7 +33,9 @@ pub mod workshop;
 mod worlds;
 
 pub use about::AboutModel;
-pub use backpack::{Backpack, BackpackModel, BackpackWish};
+pub use backpack::{
+    Backpack, BackpackModel, BackpackWish, EarthView, MakingModel, PartView, RecipeView,
+};
 pub use console::{Completion, Console, LineKind};
 pub use contrast::{heighten_contrast, set_calm};
 pub use controls::{action_label, first_input_label, input_label, pad_input_label};
