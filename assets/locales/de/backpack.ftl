@@ -9,6 +9,15 @@ backpack-slot-empty = Platz { $number }: leer
 backpack-item = { $item } × { $count }
 backpack-throw = Wegwerfen
 backpack-close = Schließen
+# The page on which things are made of ground, the way to it and back, what is carried of ground, and what a thing takes of a kind out of what is there.
+backpack-make = Herstellen
+backpack-slots = Plätze
+making-carried = Du hast dabei:
+making-nothing = Du hast kein Material dabei. Grabe, um welches zu sammeln.
+making-earth = { $kind } { $volume } m³
+making-part = { $kind } { $needs } von { $has } m³
+# What the button that makes a thing is called, with what it takes.
+making-recipe = { $item } herstellen: { $parts }
 # What the mouse does, and what the keys do, in a few lines.
 backpack-how = Linke Taste: nehmen, ablegen, ziehen · Rechte: die Hälfte nehmen, eins ablegen · Umschalt + links: in den anderen Teil · Außerhalb: wegwerfen
 backpack-how-keys = Pfeile: bewegen · Enter: nehmen, ablegen · Strg + Enter: die Hälfte nehmen, eins ablegen · Umschalt + Enter: in den anderen Teil · Ziffer: mit der Leiste tauschen

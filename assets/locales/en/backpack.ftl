@@ -9,6 +9,15 @@ backpack-slot-empty = Slot { $number }: empty
 backpack-item = { $item } × { $count }
 backpack-throw = Throw away
 backpack-close = Close
+# The page on which things are made of ground, the way to it and back, what is carried of ground, and what a thing takes of a kind out of what is there.
+backpack-make = Make things
+backpack-slots = Slots
+making-carried = You carry:
+making-nothing = You carry no ground. Dig to gather some.
+making-earth = { $kind } { $volume } m³
+making-part = { $kind } { $needs } of { $has } m³
+# What the button that makes a thing is called, with what it takes.
+making-recipe = Make { $item }: { $parts }
 # What the mouse does, and what the keys do, in a few lines.
 backpack-how = Left button: take, put down, drag · Right: take half, put one · Shift + left: to the other part · Outside: throw away
 backpack-how-keys = Arrows: move · Enter: take, put down · Ctrl + Enter: take half, put one · Shift + Enter: to the other part · Number: swap with the hotbar

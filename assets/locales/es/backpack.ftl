@@ -9,6 +9,15 @@ backpack-slot-empty = Hueco { $number }: vacío
 backpack-item = { $item } × { $count }
 backpack-throw = Tirar
 backpack-close = Cerrar
+# The page on which things are made of ground, the way to it and back, what is carried of ground, and what a thing takes of a kind out of what is there.
+backpack-make = Fabricar
+backpack-slots = Huecos
+making-carried = Llevas:
+making-nothing = No llevas material. Cava para reunirlo.
+making-earth = { $kind } { $volume } m³
+making-part = { $kind } { $needs } de { $has } m³
+# What the button that makes a thing is called, with what it takes.
+making-recipe = Fabricar { $item }: { $parts }
 # What the mouse does, and what the keys do, in a few lines.
 backpack-how = Botón izquierdo: tomar, dejar, arrastrar · Derecho: tomar la mitad, dejar uno · Mayús + izquierdo: a la otra parte · Fuera: tirar
 backpack-how-keys = Flechas: mover · Intro: tomar, dejar · Ctrl + Intro: tomar la mitad, dejar uno · Mayús + Intro: a la otra parte · Número: cambiar con la barra

@@ -9,6 +9,15 @@ backpack-slot-empty = Miejsce { $number }: puste
 backpack-item = { $item } × { $count }
 backpack-throw = Wyrzuć
 backpack-close = Zamknij
+# The page on which things are made of ground, the way to it and back, what is carried of ground, and what a thing takes of a kind out of what is there.
+backpack-make = Wytwarzanie
+backpack-slots = Miejsca
+making-carried = Masz przy sobie:
+making-nothing = Nie masz materiału. Kop, żeby go zebrać.
+making-earth = { $kind } { $volume } m³
+making-part = { $kind } { $needs } z { $has } m³
+# What the button that makes a thing is called, with what it takes.
+making-recipe = Wytwórz { $item }: { $parts }
 # What the mouse does, and what the keys do, in a few lines.
 backpack-how = Lewy przycisk: weź, odłóż, przeciągnij · Prawy: weź połowę, odłóż sztukę · Shift + lewy: do drugiej części · Poza plecakiem: wyrzuć
 backpack-how-keys = Strzałki: ruch · Enter: weź, odłóż · Ctrl + Enter: weź połowę, odłóż sztukę · Shift + Enter: do drugiej części · Cyfra: zamień z paskiem

@@ -9,6 +9,15 @@ backpack-slot-empty = 第 { $number } 格：空
 backpack-item = { $item } × { $count }
 backpack-throw = 扔掉
 backpack-close = 关闭
+# The page on which things are made of ground, the way to it and back, what is carried of ground, and what a thing takes of a kind out of what is there.
+backpack-make = 制作
+backpack-slots = 格子
+making-carried = 随身带着：
+making-nothing = 你没有带任何土石。挖掘即可收集。
+making-earth = { $kind } { $volume } 立方米
+making-part = { $kind } { $needs } / { $has } 立方米
+# What the button that makes a thing is called, with what it takes.
+making-recipe = 制作{ $item }：{ $parts }
 # What the mouse does, and what the keys do, in a few lines.
 backpack-how = 左键：拿起、放下、拖动 · 右键：拿一半、放一个 · Shift + 左键：移到另一部分 · 框外：扔掉
 backpack-how-keys = 方向键：移动 · Enter：拿起、放下 · Ctrl + Enter：拿一半、放一个 · Shift + Enter：移到另一部分 · 数字键：与快捷栏交换

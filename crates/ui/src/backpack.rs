@@ -1,20 +1,25 @@
-//! The backpack over the running world. It shows all slots and the stack at the pointer, and returns what the player
-//! asks for. The game owns the items and decides what happens.
+//! The backpack over the running world. It shows all slots, or what can be made of ground, and the stack at the pointer,
+//! and returns what the player asks for. The game owns the items and decides what happens.
 
+mod foot;
 mod layout;
+mod making;
 mod pointer;
 mod tip;
 
 use antipode_language::Texts;
 use egui::{
-    Context, Event, EventFilter, Id, Key, LayerId, Modifiers, Order, Rect, Response, RichText,
-    Role, Sense, Ui, UiBuilder, WidgetInfo,
+    Context, Event, EventFilter, Id, Key, LayerId, Modifiers, Order, Rect, Response, Role, Sense,
+    Ui, UiBuilder, WidgetInfo,
 };
 
 use crate::hud::{SlotView, hotbar};
-use crate::theme::{SCRIM, WEAK, panel, small};
-use crate::widgets::{button, focus_ring};
+use crate::layout::Stops;
+use crate::theme::{SCRIM, panel};
+use crate::widgets::focus_ring;
+use foot::Buttons;
 use layout::Places;
+pub use making::{EarthView, MakingModel, PartView, RecipeView};
 use pointer::Presses;
 
 /// Slots of the hotbar, and with the backpack's.
@@ -31,6 +36,8 @@ pub struct BackpackModel<'a> {
     pub selected: u8,
     /// What is at the pointer.
     pub carried: Option<&'a SlotView>,
+    /// What can be made of ground; none where nothing is.
+    pub making: Option<&'a MakingModel>,
 }
 
 /// What the player asked for; slots count from 0, those of the hotbar first.
@@ -53,6 +60,8 @@ pub enum BackpackWish {
     },
     /// Throw away one of what lies in a slot.
     Throw(u8),
+    /// Make what the recipe at that index of [`MakingModel::recipes`] is of; it is possible.
+    Make(usize),
     /// Close the backpack.
     Close,
 }
@@ -61,7 +70,9 @@ pub enum BackpackWish {
 #[derive(Debug, Default)]
 pub struct Backpack {
     open: bool,
-    /// It has not been drawn yet: a slot takes the focus then.
+    /// Whether what can be made is shown in place of the slots.
+    makes: bool,
+    /// What is shown has not been drawn yet: a slot or a recipe takes the focus then.
     fresh: bool,
     /// Whether the player last used keys rather than the pointer.
     by_keys: bool,
@@ -120,8 +131,14 @@ impl Backpack {
         }
         let mut wishes = std::mem::take(&mut self.asked);
         let screen = ctx.content_rect();
-        let places = Places::new(screen);
+        let making = model.making.filter(|_| self.makes);
+        self.makes = making.is_some();
+        let mut places = Places::new(screen);
+        places.has_slots = making.is_none();
         self.note_device(ctx);
+        if model.making.is_some() {
+            drop_repeats(ctx);
+        }
         let builder = UiBuilder::new()
             .layer_id(LayerId::new(Order::Middle, Id::unique("antipode-backpack")))
             .max_rect(screen);
@@ -135,15 +152,21 @@ impl Backpack {
             Sense::click_and_drag(),
         );
         self.at = None;
-        let mut focused = None;
-        for slot in 0..SLOTS {
-            let response = self.slot(&mut ui, &places, model, slot, &mut wishes);
-            focused = focused.or(response.has_focus().then_some((slot, response)));
+        self.head(&mut ui, &places, model.texts);
+        let fresh = self.fresh;
+        let (mut stops, mut leaves) = (None, false);
+        if let Some(making) = making {
+            let (rows, asked) = making::show(&mut ui, places.page, model.texts, making, fresh);
+            wishes.extend(asked.map(BackpackWish::Make));
+            stops = Some(rows);
+        } else {
+            leaves = self.slots(&mut ui, &places, model, &mut wishes);
         }
-        // Once all are there: a slot that gets the focus now would hand it on.
-        let leaves = focused.is_some_and(|(slot, response)| walk(&ui, slot, &response));
         self.fresh = false;
         let buttons = self.foot(&mut ui, &places, model, leaves, &mut wishes);
+        if let Some(stops) = stops {
+            stops.step(&ui, &Stops::within(&ui, buttons.all));
+        }
         let carries = model.carried.is_some();
         wishes.extend(
             self.presses
@@ -163,6 +186,23 @@ impl Backpack {
                 }
             }
         });
+    }
+
+    /// All slots; whether the focus leaves them for the buttons below.
+    fn slots(
+        &mut self,
+        ui: &mut Ui,
+        places: &Places,
+        model: &BackpackModel<'_>,
+        wishes: &mut Vec<BackpackWish>,
+    ) -> bool {
+        let mut focused = None;
+        for slot in 0..SLOTS {
+            let response = self.slot(ui, places, model, slot, wishes);
+            focused = focused.or(response.has_focus().then_some((slot, response)));
+        }
+        // Once all are there: a slot that gets the focus now would hand it on.
+        focused.is_some_and(|(slot, response)| walk(ui, slot, &response))
     }
 
     fn slot(
@@ -199,56 +239,6 @@ impl Backpack {
         response
     }
 
-    /// The buttons below, and what the mouse or the keys do; what the buttons cover.
-    fn foot(
-        &mut self,
-        ui: &mut Ui,
-        places: &Places,
-        model: &BackpackModel<'_>,
-        takes_focus: bool,
-        wishes: &mut Vec<BackpackWish>,
-    ) -> Buttons {
-        let texts = model.texts;
-        if let Some(title) = places.title {
-            let mut head = ui.new_child(UiBuilder::new().id_salt("title").max_rect(title));
-            head.label(RichText::new(texts.say("backpack-title")).heading());
-        }
-        if let Some(help) = places.help {
-            let key = if self.by_keys {
-                "backpack-how-keys"
-            } else {
-                "backpack-how"
-            };
-            let words = RichText::new(texts.say(key)).font(small()).color(WEAK);
-            let mut below = ui.new_child(UiBuilder::new().id_salt("how").max_rect(help));
-            below.set_clip_rect(help);
-            below.add(egui::Label::new(words).wrap());
-        }
-        let mut foot = ui.new_child(UiBuilder::new().id_salt("foot").max_rect(places.foot));
-        foot.spacing_mut().interact_size.y = places.foot.height();
-        foot.spacing_mut().button_padding.y = 0.0;
-        foot.horizontal(|ui| {
-            let throw = ui
-                .add_enabled_ui(model.carried.is_some(), |ui| {
-                    button(ui, &texts.say("backpack-throw"))
-                })
-                .inner;
-            if throw.clicked() {
-                wishes.push(BackpackWish::LetGo { whole: true });
-            }
-            let close = button(ui, &texts.say("backpack-close"));
-            if close.clicked() {
-                wishes.push(BackpackWish::Close);
-            }
-            if takes_focus {
-                let first = if throw.enabled() { &throw } else { &close };
-                first.request_focus();
-            }
-            Buttons { throw: throw.rect }
-        })
-        .inner
-    }
-
     /// The stack at the pointer, or by the slot with the focus; without one, what lies in the slot pointed at.
     fn show_at_pointer(&self, ctx: &Context, places: &Places, model: &BackpackModel<'_>) {
         let at = self.at.map(|slot| places.slot(slot));
@@ -258,6 +248,12 @@ impl Backpack {
             (Some(carried), Some(at), true) => {
                 let half = 0.5 * at.width();
                 hotbar::contents(&painter, at.translate(egui::vec2(half, -half)), carried);
+            }
+            // Beside the buttons, where it lies on no words.
+            (Some(carried), None, true) if self.makes => {
+                let side = egui::Vec2::splat(places.foot.height());
+                let corner = places.foot.right_top() - egui::vec2(side.x, 0.0);
+                hotbar::contents(&painter, Rect::from_min_size(corner, side), carried);
             }
             (Some(carried), _, _) => {
                 let pointer = ctx.pointer_latest_pos().unwrap_or(places.panel.center());
@@ -275,9 +271,20 @@ impl Backpack {
     }
 }
 
-/// What the buttons cover that something may be dragged to.
-struct Buttons {
-    throw: Rect,
+/// Forgets repeats of keys that press: the press that turns the page, held a little long, would spend what is carried on
+/// what has the focus there.
+fn drop_repeats(ctx: &Context) {
+    let repeats = |event: &Event| {
+        matches!(
+            event,
+            Event::Key {
+                key: Key::Enter | Key::Space,
+                repeat: true,
+                ..
+            }
+        )
+    };
+    ctx.input_mut(|input| input.events.retain(|event| !repeats(event)));
 }
 
 fn id(slot: u8) -> Id {

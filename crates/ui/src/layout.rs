@@ -96,7 +96,7 @@ impl Stops {
     }
 
     /// Everything that can hold the focus within `rect`.
-    fn within(ui: &Ui, rect: Rect) -> Self {
+    pub(crate) fn within(ui: &Ui, rect: Rect) -> Self {
         let layer = ui.layer_id();
         Self(ui.ctx().viewport(|viewport| {
             let widgets = viewport.this_pass.widgets.get_layer(layer);

@@ -33,7 +33,9 @@ pub mod workshop;
 mod worlds;
 
 pub use about::AboutModel;
-pub use backpack::{Backpack, BackpackModel, BackpackWish};
+pub use backpack::{
+    Backpack, BackpackModel, BackpackWish, EarthView, MakingModel, PartView, RecipeView,
+};
 pub use console::{Completion, Console, LineKind};
 pub use contrast::{heighten_contrast, set_calm};
 pub use controls::{action_label, first_input_label, input_label, pad_input_label};
@@ -45,7 +47,7 @@ pub use hud::{
 };
 pub use legible::{legible, legible_name};
 pub use model::{
-    Backdrop, GeometryChoice, Intent, MenuModel, OwnRoom, Screen, ToastKind, WorldRow,
+    Backdrop, GeometryChoice, Intent, MenuModel, ModeChoice, OwnRoom, Screen, ToastKind, WorldRow,
 };
 pub use naming::Naming;
 pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, photo_panel, show_photo};

@@ -42,6 +42,39 @@ impl GeometryChoice {
     }
 }
 
+/// How a new world is played.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ModeChoice {
+    /// Everything is there from the start, and building costs nothing.
+    #[default]
+    Creative,
+    /// What is dug is kept, and things are built and made of it.
+    Gathering,
+}
+
+impl ModeChoice {
+    /// Every choice, in the order in which the cards stand.
+    pub const ALL: [Self; 2] = [Self::Creative, Self::Gathering];
+
+    /// The name on the card.
+    pub fn label(self, texts: &Texts) -> String {
+        texts.say(&format!("mode-{}", self.id()))
+    }
+
+    /// The lower-case word that the command line, scripts and saves use.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Creative => "creative",
+            Self::Gathering => "gathering",
+        }
+    }
+
+    /// One sentence for somebody who has never heard the word.
+    pub fn description(self, texts: &Texts) -> String {
+        texts.say(&format!("mode-{}-about", self.id()))
+    }
+}
+
 /// One world in the Load and Delete lists, or one room in theirs, already put into words.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WorldRow {
@@ -204,6 +237,8 @@ pub enum Intent {
         name: String,
         /// Its space.
         geometry: GeometryChoice,
+        /// How it is played.
+        mode: ModeChoice,
         /// `None` for a random one.
         seed: Option<u64>,
         /// 16 to 256 m, in spherical worlds only.

@@ -1,23 +1,22 @@
 //! The form for a new world. It says in words what is wrong while the player types.
 
+mod cards;
 mod radius;
 
 use antipode_language::Texts;
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
-use egui::{
-    Align2, Color32, FontId, Key, Label, Pos2, Rect, Response, RichText, Role, Sense, Shape,
-    Stroke, Ui, WidgetInfo, pos2, vec2,
-};
+use egui::{Color32, Key, Label, Response, RichText, Ui};
 
 use crate::entry::line;
 use crate::layout::{Stops, pane};
 use crate::legible::is_partly_shown;
-use crate::model::{GeometryChoice, Intent, Screen};
+use crate::model::{GeometryChoice, Intent, ModeChoice, Screen};
 use crate::seed::{SeedError, parse_seed};
 use crate::shell::Pass;
-use crate::theme::{ACCENT, BAD, GOOD, GRID, TEXT, WEAK, small};
-use crate::widgets::{button, paint_card, primary_button};
+use crate::theme::{BAD, GOOD, WEAK, small};
+use crate::widgets::{button, primary_button};
+use cards::Card;
 
 /// Longest text a field takes: far beyond what is valid, so that too long is
 /// said and not silently cut, but a pasted book stays out.
@@ -31,6 +30,7 @@ pub(crate) struct NewGameForm {
     /// The name: one that is free is offered until the player types another.
     name: String,
     geometry: GeometryChoice,
+    mode: ModeChoice,
     seed: String,
     radius_m: f64,
     /// Whether the name is the player's own.
@@ -59,6 +59,7 @@ impl Default for NewGameForm {
         Self {
             name: String::new(),
             geometry: GeometryChoice::default(),
+            mode: ModeChoice::default(),
             seed: String::new(),
             radius_m: radius::DEFAULT_M,
             touched: false,
@@ -88,7 +89,8 @@ impl NewGameForm {
                 select_all(&name, &self.name);
             }
             stops.add(&name);
-            self.cards(ui, texts, stops);
+            self.space(ui, texts, stops);
+            self.mode(ui, texts, stops);
             let seed = self.seed_field(ui, texts, seed);
             stops.add(&seed);
             let spherical = self.geometry == GeometryChoice::Spherical;
@@ -148,6 +150,7 @@ impl NewGameForm {
         Intent::NewGame {
             name: self.name.trim().to_owned(),
             geometry: self.geometry,
+            mode: self.mode,
             seed,
             radius_m: spherical.then_some(self.radius_m),
         }
@@ -195,32 +198,29 @@ impl NewGameForm {
         field
     }
 
-    fn cards(&mut self, ui: &mut Ui, texts: &Texts, stops: &mut Stops) {
-        ui.label(texts.say("space"));
-        let across = ui.available_width() >= 480.0;
-        let width = if across {
-            (ui.available_width() - 2.0 * GRID) / 3.0
-        } else {
-            ui.available_width()
+    fn space(&mut self, ui: &mut Ui, texts: &Texts, stops: &mut Stops) {
+        let card = |choice: GeometryChoice| Card {
+            label: choice.label(texts),
+            about: choice.description(texts),
+            space: Some(choice),
+            chosen: self.geometry == choice,
         };
-        let height = GeometryChoice::ALL
-            .map(|choice| card_height(ui, &choice.description(texts), width, across))
-            .into_iter()
-            .fold(0.0, f32::max);
-        let size = vec2(width, height);
-        let mut draw = |ui: &mut Ui| {
-            for choice in GeometryChoice::ALL {
-                let response = card(ui, texts, choice, self.geometry == choice, size, across);
-                stops.add(&response);
-                if response.clicked() {
-                    self.geometry = choice;
-                }
-            }
+        let cards = GeometryChoice::ALL.map(card);
+        if let Some(index) = cards::choose(ui, &texts.say("space"), &cards, stops) {
+            self.geometry = GeometryChoice::ALL[index];
+        }
+    }
+
+    fn mode(&mut self, ui: &mut Ui, texts: &Texts, stops: &mut Stops) {
+        let card = |choice: ModeChoice| Card {
+            label: choice.label(texts),
+            about: choice.description(texts),
+            space: None,
+            chosen: self.mode == choice,
         };
-        if across {
-            ui.horizontal(draw);
-        } else {
-            draw(ui);
+        let cards = ModeChoice::ALL.map(card);
+        if let Some(index) = cards::choose(ui, &texts.say("mode"), &cards, stops) {
+            self.mode = ModeChoice::ALL[index];
         }
     }
 }
@@ -235,112 +235,4 @@ fn select_all(field: &Response, text: &str) {
 
 fn verdict(ui: &mut Ui, words: &str, colour: Color32) {
     ui.label(RichText::new(words).font(small()).color(colour));
-}
-
-/// Side of a card's picture, in points.
-const ICON: f32 = 40.0;
-
-/// Width left for a card's words.
-fn card_wrap(width: f32, across: bool) -> f32 {
-    let beside = if across { 0.0 } else { ICON + 12.0 };
-    (width - 24.0 - beside).max(1.0)
-}
-
-fn card_height(ui: &Ui, description: &str, width: f32, across: bool) -> f32 {
-    let words = ui
-        .painter()
-        .layout(
-            description.to_owned(),
-            small(),
-            WEAK,
-            card_wrap(width, across),
-        )
-        .size()
-        .y;
-    let words = words + 24.0 + 20.0;
-    if across {
-        words + ICON + GRID
-    } else {
-        words.max(ICON + 20.0)
-    }
-}
-
-fn card(
-    ui: &mut Ui,
-    texts: &Texts,
-    choice: GeometryChoice,
-    chosen: bool,
-    size: egui::Vec2,
-    across: bool,
-) -> Response {
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let label = choice.label(texts);
-    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, chosen, &label));
-    paint_card(ui, &response, chosen);
-    let painter = ui.painter().with_clip_rect(ui.clip_rect().intersect(rect));
-    let corner = rect.min + vec2(12.0, 10.0);
-    let icon = Rect::from_min_size(corner, vec2(ICON, ICON));
-    let colour = if chosen { ACCENT } else { TEXT };
-    ui.painter()
-        .extend(icon_shapes(choice, icon, Stroke::new(1.5, colour)));
-    let words = if across {
-        corner + vec2(0.0, ICON + GRID)
-    } else {
-        corner + vec2(ICON + 12.0, 0.0)
-    };
-    painter.text(
-        words,
-        Align2::LEFT_TOP,
-        label,
-        FontId::proportional(16.0),
-        TEXT,
-    );
-    let wrap = card_wrap(size.x, across);
-    let text = painter.layout(choice.description(texts), small(), WEAK, wrap);
-    painter.galley(words + vec2(0.0, 22.0), text, WEAK);
-    response
-}
-
-/// A patch of each space in lines: geodesics that part, stay apart, or meet.
-fn icon_shapes(choice: GeometryChoice, rect: Rect, stroke: Stroke) -> Vec<Shape> {
-    let bend = match choice {
-        GeometryChoice::Hyperbolic => -0.45,
-        GeometryChoice::Euclidean => 0.0,
-        GeometryChoice::Spherical => 1.0,
-    };
-    let at = |x: f32, y: f32| -> Pos2 {
-        pos2(
-            rect.center().x + 0.5 * x * rect.width(),
-            rect.center().y + 0.5 * y * rect.height(),
-        )
-    };
-    // A line at offset d runs at d * width(t): narrow ends where geodesics meet.
-    let width = |t: f32| {
-        if bend > 0.0 {
-            (1.0 - t * t).max(0.0).sqrt()
-        } else {
-            0.62 - bend * (t * t - 0.4)
-        }
-    };
-    let mut shapes = Vec::new();
-    for d in [-1.0, -0.5, 0.0, 0.5, 1.0_f32] {
-        let steps = (-8..=8).map(|step| step as f32 / 8.0);
-        shapes.push(Shape::line(
-            steps.clone().map(|t| at(d * width(t), t)).collect(),
-            stroke,
-        ));
-        if bend <= 0.0 {
-            shapes.push(Shape::line(
-                steps.map(|t| at(t, d * width(t))).collect(),
-                stroke,
-            ));
-        } else if d.abs() < 1.0 {
-            let half = (1.0 - d * d).sqrt();
-            shapes.push(Shape::line(
-                steps.map(|t| at(t * half, d)).collect(),
-                stroke,
-            ));
-        }
-    }
-    shapes
 }

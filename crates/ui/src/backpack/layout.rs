@@ -28,6 +28,10 @@ pub(super) struct Places {
     pub title: Option<Rect>,
     pub help: Option<Rect>,
     pub foot: Rect,
+    /// What is made of ground is shown here, in place of the slots and the help.
+    pub page: Rect,
+    /// Whether the slots are there to be pointed at.
+    pub has_slots: bool,
     corner: Pos2,
     side: f32,
 }
@@ -62,6 +66,8 @@ impl Places {
             title: (title > 0.0).then(|| line(inner.min.y, TITLE)),
             help: (help > 0.0).then(|| line(below, help)),
             foot: line(below + help, foot),
+            page: line(corner.y, below + help - GRID - corner.y),
+            has_slots: true,
             corner,
             side,
         }
@@ -79,7 +85,8 @@ impl Places {
 
     /// The slot at a place.
     pub(super) fn slot_at(&self, at: Pos2) -> Option<u8> {
-        (0..SLOTS).find(|slot| self.slot(*slot).contains(at))
+        let all = if self.has_slots { 0..SLOTS } else { 0..0 };
+        all.into_iter().find(|slot| self.slot(*slot).contains(at))
     }
 }
 
@@ -126,6 +133,14 @@ mod tests {
                 assert_eq!(places.slot_at(rect.center()), Some(place as u8));
             }
             assert!(all[0].min.y > all[39].max.y, "the hotbar is below");
+            assert!(places.panel.contains_rect(places.page), "{places:?}");
+            assert!(!places.page.intersects(places.foot));
+            assert!(places.title.is_none_or(|it| !it.intersects(places.page)));
+            let turned = Places {
+                has_slots: false,
+                ..places
+            };
+            assert_eq!(turned.slot_at(all[0].center()), None);
         }
         Places::new(Rect::from_min_size(Pos2::ZERO, vec2(1.0, 1.0)));
     }

@@ -55,6 +55,11 @@ impl Presses {
         None
     }
 
+    /// A drag that has begun is none any more: what it took stays at the pointer.
+    pub(super) fn end_drag(&mut self) {
+        self.from = None;
+    }
+
     fn down(
         &mut self,
         press: Press,

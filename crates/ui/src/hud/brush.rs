@@ -153,6 +153,13 @@ pub(super) fn form(
     }
 }
 
+/// A colour of ground about a place, beside words on it.
+pub(crate) fn dot(painter: &Painter, centre: Pos2, tint: Tint) {
+    let rect = Rect::from_center_size(centre, Vec2::splat(10.0));
+    let line = Stroke::new(1.0, LINE);
+    painter.rect(rect, 3, colour(tint), line, StrokeKind::Outside);
+}
+
 /// What the last stroke has moved, beside the crosshair.
 pub(super) fn heaps(painter: &Painter, screen: Rect, centre: Pos2, model: &BrushModel) {
     let mut at = centre + vec2(22.0, 16.0);
@@ -166,14 +173,7 @@ pub(super) fn heaps(painter: &Painter, screen: Rect, centre: Pos2, model: &Brush
             small(),
             TEXT,
         );
-        let dot = Rect::from_center_size(pos2(at.x + 4.0, words.center().y), Vec2::splat(10.0));
-        painter.rect(
-            dot,
-            3,
-            colour(heap.tint),
-            Stroke::new(1.0, LINE),
-            StrokeKind::Outside,
-        );
+        dot(painter, pos2(at.x + 4.0, words.center().y), heap.tint);
         at.y = words.max.y + 2.0;
     }
 }

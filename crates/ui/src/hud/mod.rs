@@ -23,6 +23,7 @@ use crate::layout::inset;
 use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
 use plate::{Lines, plate};
 
+pub(crate) use brush::dot;
 pub use brush::{BrushForm, BrushModel, BrushRow, HeapModel, Tint};
 pub use compass::{CompassModel, EquatorView, FlagView};
 pub use damage::DamageModel;

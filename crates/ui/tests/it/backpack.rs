@@ -3,21 +3,22 @@
 use crate::common::painted;
 use antipode_items::Item;
 use antipode_language::{Language, Texts};
-use antipode_ui::{Backpack, BackpackModel, BackpackWish, SlotView, apply_theme};
+use antipode_ui::{Backpack, BackpackModel, BackpackWish, MakingModel, SlotView, apply_theme};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// The screen over slots that never change: what was asked for is noted.
-struct Bag {
-    texts: Texts,
-    screen: Backpack,
-    slots: Vec<SlotView>,
-    carried: Option<SlotView>,
-    wishes: Vec<BackpackWish>,
+pub struct Bag {
+    pub texts: Texts,
+    pub screen: Backpack,
+    pub slots: Vec<SlotView>,
+    pub carried: Option<SlotView>,
+    pub making: Option<MakingModel>,
+    pub wishes: Vec<BackpackWish>,
 }
 
-fn view(label: &str, item: Item, count: u32) -> SlotView {
+pub fn view(label: &str, item: Item, count: u32) -> SlotView {
     SlotView {
         label: label.to_owned(),
         item: Some(item),
@@ -26,7 +27,7 @@ fn view(label: &str, item: Item, count: u32) -> SlotView {
 }
 
 /// A gun, bullets and lamps in the hotbar, one lamp in the backpack.
-fn bag() -> Bag {
+pub fn bag() -> Bag {
     let mut slots = vec![SlotView::default(); 40];
     slots[0] = view("Gun", Item::Gun, 1);
     slots[4] = view("Bullet", Item::Bullet, 64);
@@ -39,6 +40,7 @@ fn bag() -> Bag {
         screen,
         slots,
         carried: None,
+        making: None,
         wishes: Vec::new(),
     }
 }
@@ -49,6 +51,7 @@ fn show(ctx: &egui::Context, bag: &mut Bag) {
         slots: &bag.slots,
         selected: 0,
         carried: bag.carried.as_ref(),
+        making: bag.making.as_ref(),
     };
     let wishes = bag.screen.show(ctx, &model);
     for wish in &wishes {
@@ -59,13 +62,14 @@ fn show(ctx: &egui::Context, bag: &mut Bag) {
                 let carries = bag.carried.is_some();
                 bag.carried = Some(there).filter(|there| !carries && there.count.is_some());
             }
+            BackpackWish::Make(_) => {}
             _ => bag.carried = None,
         }
     }
     bag.wishes.extend(wishes);
 }
 
-fn harness(bag: Bag, size: Vec2) -> Harness<'static, Bag> {
+pub fn harness(bag: Bag, size: Vec2) -> Harness<'static, Bag> {
     let mut harness = Harness::builder()
         .with_size(size)
         .with_max_steps(8)
@@ -80,7 +84,7 @@ fn window() -> Harness<'static, Bag> {
     harness(bag(), vec2(1280.0, 720.0))
 }
 
-fn asked(harness: &mut Harness<'_, Bag>) -> Vec<BackpackWish> {
+pub fn asked(harness: &mut Harness<'_, Bag>) -> Vec<BackpackWish> {
     harness.run_ok();
     std::mem::take(&mut harness.state_mut().wishes)
 }
@@ -198,7 +202,7 @@ fn what_is_at_the_pointer_is_thrown_outside_and_by_its_button() {
     assert_eq!(asked(&mut harness), [BackpackWish::Close]);
 }
 
-fn focused(harness: &Harness<'_, Bag>) -> String {
+pub fn focused(harness: &Harness<'_, Bag>) -> String {
     harness
         .root()
         .children_recursive()

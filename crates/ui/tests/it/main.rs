@@ -15,6 +15,7 @@ mod focus;
 mod fonts;
 mod instruments;
 mod look;
+mod making;
 mod menus;
 mod names;
 mod new_game;

@@ -1,8 +1,10 @@
 //! The form for a new world, driven as a player drives it.
 
-use crate::common::{Game, click, focused, intents, press, type_text, window, world};
+use crate::common::{
+    Game, SIZES, click, everywhere, focused, intents, painted, press, type_text, window, world,
+};
 use antipode_language::{Language, Texts};
-use antipode_ui::{GeometryChoice, Intent, Screen};
+use antipode_ui::{GeometryChoice, Intent, ModeChoice, Screen};
 use egui::{Key, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -23,6 +25,7 @@ fn new_game(
     Intent::NewGame {
         name: name.to_owned(),
         geometry,
+        mode: ModeChoice::Creative,
         seed,
         radius_m,
     }
@@ -122,6 +125,79 @@ fn a_closed_world_has_a_named_size_or_any_other_and_tells_the_way_round() {
     assert_eq!(intents(&mut harness), expected);
 }
 
+/// The roles of what bears these labels, and whether each is chosen.
+fn cards(harness: &Harness<'_, Game>, labels: [&str; 2]) -> [(egui::Role, bool); 2] {
+    labels.map(|label| {
+        let node = harness.get_by_label(label).accesskit_node();
+        let chosen = node.toggled() == Some(egui::accesskit::Toggled::True);
+        (node.role(), chosen)
+    })
+}
+
+#[test]
+fn the_mode_is_asked_for_by_mouse_and_by_keys_and_comes_with_the_world() {
+    let radio = egui::Role::RadioButton;
+    let modes = ["Creative", "Gathering"];
+    let mut harness = form(vec2(1280.0, 720.0));
+    assert_eq!(cards(&harness, modes), [(radio, true), (radio, false)]);
+    harness.get_by_label("Mode");
+    click(&mut harness, "Gathering");
+    assert_eq!(cards(&harness, modes), [(radio, false), (radio, true)]);
+    click(&mut harness, "Create");
+    click(&mut harness, "Creative");
+    click(&mut harness, "Create");
+    for size in [vec2(1280.0, 720.0), vec2(640.0, 360.0), vec2(320.0, 200.0)] {
+        let mut by_keys = form(size);
+        for key in [Key::ArrowDown, Key::Tab].into_iter().cycle().take(40) {
+            if focused(&by_keys) == "Gathering" {
+                break;
+            }
+            press(&mut by_keys, key);
+        }
+        press(&mut by_keys, Key::Space);
+        assert_eq!(cards(&by_keys, modes)[1], (radio, true), "{size}");
+        by_keys.get_by_label("Name").focus();
+        by_keys.run();
+        press(&mut by_keys, Key::Enter);
+        let mut made = intents(&mut by_keys);
+        harness.state_mut().intents.append(&mut made);
+    }
+    let made = intents(&mut harness)
+        .into_iter()
+        .map(|intent| match intent {
+            Intent::NewGame { mode, .. } => mode.id(),
+            _ => "none",
+        });
+    let made: Vec<_> = made.collect();
+    let by_keys = ["gathering"; 3];
+    assert_eq!(made, [&["gathering", "creative"][..], &by_keys].concat());
+}
+
+#[test]
+fn every_mode_is_told_in_a_sentence_beside_no_other_words() {
+    for (language, size) in everywhere(&SIZES) {
+        let mut game = Game::new();
+        game.texts = Texts::new(language);
+        game.shell.open(Screen::NewGame);
+        let told = ModeChoice::ALL.map(|mode| mode.description(&game.texts));
+        // As high as the form is long: everything is drawn.
+        let mut harness = crate::common::harness(game, size.max(vec2(0.0, 1400.0)));
+        harness.run();
+        let texts = painted(harness.output());
+        for told in told {
+            let found = texts.iter().position(|text| text.text == told);
+            let found = found.unwrap_or_else(|| panic!("{told} in {language:?} at {size}"));
+            let at = texts[found].rect;
+            assert!(texts[found].clip.expand(0.5).contains_rect(at), "{told}");
+            let others = texts.iter().enumerate().filter(|(n, _)| *n != found);
+            for (_, other) in others {
+                let apart = !other.rect.shrink(1.0).intersects(at.shrink(1.0));
+                assert!(apart, "{told} lies on {} at {size}", other.text);
+            }
+        }
+    }
+}
+
 #[test]
 fn enter_in_the_name_creates() {
     let mut harness = form(vec2(1280.0, 720.0));
@@ -191,6 +267,8 @@ fn arrows_and_enter_alone_reach_every_part() {
             "Hyperbolic",
             "Euclidean",
             "Spherical",
+            "Creative",
+            "Gathering",
             "Seed (optional)",
             "Create",
             "Back",
