@@ -9,7 +9,7 @@ use antipode_ui::{
 use crate::hud;
 
 /// Less of a kind is not told, cubic metres.
-const LEAST_TOLD_M3: f64 = 0.05;
+const LEAST_TOLD_M3: f64 = 0.1;
 
 /// What the display shows of the brush in hand, if one is.
 pub fn model(texts: &Texts, scene: &Scene) -> BrushModel {
@@ -22,7 +22,9 @@ pub fn model(texts: &Texts, scene: &Scene) -> BrushModel {
         form: form(brush.shape),
         words: words(texts, scene, brush),
         tint: brush.kind.map(tint),
-        row: scene.brush_chosen().map(|choice| row(texts, scene, brush, choice)),
+        row: scene
+            .brush_chosen()
+            .map(|choice| row(texts, scene, brush, choice)),
         heaps: scene
             .heaps_shown()
             .iter()
@@ -54,10 +56,7 @@ fn words(texts: &Texts, scene: &Scene, brush: Brush) -> String {
 /// What is built of; in gathering worlds with how much of it there is.
 fn built_words(texts: &Texts, scene: &Scene, kind: Option<Kind>) -> String {
     let Some(stock) = scene.stock() else {
-        return kind.map_or_else(
-            || texts.say("ground-found"),
-            |kind| kind_word(texts, kind),
-        );
+        return kind.map_or_else(|| texts.say("ground-found"), |kind| kind_word(texts, kind));
     };
     match kind.or_else(|| stock.most()) {
         Some(kind) => {

@@ -21,7 +21,9 @@ impl Recipe {
     /// How an item is made; none for what is not, and where the table has a kind that there is not.
     pub fn of(item: Item) -> Option<Self> {
         let Made { count, of } = *item.made()?;
-        let parts = of.iter().map(|(name, m3)| Some((Kind::of_name(name)?, *m3)));
+        let parts = of
+            .iter()
+            .map(|(name, m3)| Some((Kind::of_name(name)?, *m3)));
         Some(Self {
             made: Stack { item, count },
             parts: parts.collect::<Option<_>>()?,
@@ -106,7 +108,10 @@ mod tests {
             let recipe = Recipe::of(item);
             let parts = recipe.iter().flat_map(|recipe| &recipe.parts);
             assert!(parts.clone().count() > 0);
-            assert!(parts.into_iter().all(|(kind, _)| kind.hardness() <= power), "{item:?}");
+            assert!(
+                parts.into_iter().all(|(kind, _)| kind.hardness() <= power),
+                "{item:?}"
+            );
             power = item.power().unwrap_or_default();
         }
         let hardest = Kind::ALL.into_iter().map(Kind::hardness).max();

@@ -58,7 +58,9 @@ impl Inventory {
         }
         let digs = |slot: &Option<Stack>| slot.is_some_and(|it| it.item.power().is_some());
         let pickaxe = start.slots.iter().position(digs);
-        start.selected = pickaxe.and_then(|at| u8::try_from(at).ok()).unwrap_or_default();
+        start.selected = pickaxe
+            .and_then(|at| u8::try_from(at).ok())
+            .unwrap_or_default();
         start
     }
 

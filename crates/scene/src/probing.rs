@@ -68,7 +68,9 @@ pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
         generator: world.setup.generator.number(),
         mode: world.setup.mode.name(),
         stock: world.streamer.stock().map(|stock| {
-            let all = Kind::ALL.into_iter().map(|kind| (kind.name(), stock.of(kind)));
+            let all = Kind::ALL
+                .into_iter()
+                .map(|kind| (kind.name(), stock.of(kind)));
             all.filter(|(_, m3)| *m3 > 0.0).collect()
         }),
         biome: world.ground.field().biome_at(now.feet()).name(),

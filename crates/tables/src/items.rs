@@ -73,7 +73,11 @@ impl Made {
     fn check(&self) -> Result<(), Fault> {
         need("made.count", self.count > 0, "is to be 1 or more")?;
         let is_some = !self.of.is_empty() && self.of.values().all(|m3| *m3 > 0.0);
-        need("made.of", is_some, "is to name kinds of ground, more than 0 of each")
+        need(
+            "made.of",
+            is_some,
+            "is to name kinds of ground, more than 0 of each",
+        )
     }
 
     fn expression(&self) -> String {
@@ -122,7 +126,11 @@ impl Row for Item {
         let digs = self.digs_per_s.is_none_or(|rate| rate > 0.0);
         need("digs_per_s", digs, "is to be more than 0")?;
         let has_power = self.power.is_some() == self.digs_per_s.is_some();
-        need("power", has_power, "is what only what digs has, and all of that")?;
+        need(
+            "power",
+            has_power,
+            "is what only what digs has, and all of that",
+        )?;
         self.made.as_ref().map_or(Ok(()), Made::check)?;
         self.stands.as_ref().map_or(Ok(()), Stands::check)
     }

@@ -81,7 +81,7 @@ const fn command(
 }
 
 /// Every command.
-pub static COMMANDS: [CommandInfo; 37] = {
+pub static COMMANDS: [CommandInfo; 38] = {
     use Argument::{
         Button, ChartId, Free, Geometry, Item, Key, KeyOrButton, Option, RoomAct, RoomKind,
         Setting, Spawned, Value, World,

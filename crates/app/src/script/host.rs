@@ -2,8 +2,8 @@
 
 use antipode_geometry::{Atlas, ChartPoint};
 use antipode_room_scene::RoomScene;
-use antipode_scene::{Recipe, Scene};
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
+use antipode_scene::{Recipe, Scene};
 use antipode_settings::Value;
 use glam::{DVec3, Vec3Swizzles};
 
@@ -104,7 +104,10 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
         Order::Make(item) => {
             let scene = host.scene()?;
             let is_made = Recipe::of(*item).is_some_and(|recipe| scene.make(&recipe));
-            possible(is_made, "there is not enough ground of the kinds that it takes")
+            possible(
+                is_made,
+                "there is not enough ground of the kinds that it takes",
+            )
         }
         Order::NameFlag(name) => name_nearest_flag(host, name),
         Order::Teleport(place, chart) => {

@@ -1,8 +1,8 @@
 //! The backpack in the game: the world goes on behind it while keys and pointer move what is carried.
 
 use antipode_language::Texts;
-use antipode_scene::{Recipe, Scene};
 use antipode_scene::inventory::HOTBAR_SLOTS;
+use antipode_scene::{Recipe, Scene};
 use antipode_ui::{BackpackModel, BackpackWish, SlotView};
 
 use super::devices::Devices;
