@@ -50,17 +50,20 @@ pub(crate) fn mark(now: Situation<'_>) -> Option<ToolMark> {
         level_m: stroke.map_or(point.pos.y, |before| before.level_m),
         press: stroke.map_or(0, |before| before.press),
         digs: stroke.is_some_and(|before| before.digs),
-        kind: stroke.map_or_else(|| chosen_kind(now), |before| before.kind),
+        kind: built_kind(now, stroke.and_then(|before| before.kind)),
     })
 }
 
-/// What would be built of: in gathering worlds what is chosen or there is most of, as long as there is some.
-fn chosen_kind(now: Situation<'_>) -> Option<Kind> {
+/// What would be built of. In gathering worlds that is what is chosen; where nothing is, what there was most of when the press
+/// began, and when that is used up what there is most of then.
+fn built_kind(now: Situation<'_>, before: Option<Kind>) -> Option<Kind> {
     let chosen = now.player.brush.kind;
-    match now.world.streamer.stock() {
-        None => chosen,
-        Some(stock) => chosen.or_else(|| stock.most()),
-    }
+    let Some(stock) = now.world.streamer.stock() else {
+        return chosen;
+    };
+    let goes_on = before.filter(|kind| has(now, *kind));
+    let most = || stock.most().filter(|kind| has(now, *kind));
+    chosen.or(goes_on).or_else(most)
 }
 
 /// Whether there is enough of a kind to build with.
@@ -120,7 +123,8 @@ pub(crate) fn work(
     if strokes.len() < all && !now.player.secondary_before {
         outbox.hints.push(Hint::InTheWay);
     }
-    let goes_on = before.is_some_and(|before| before.digs == (sign > 0.0));
+    let is_same = |before: ToolMark| before.digs == (sign > 0.0) && before.kind == mark.kind;
+    let goes_on = before.is_some_and(is_same);
     let mark = ToolMark {
         active: true,
         press: if goes_on {
@@ -139,11 +143,9 @@ pub(crate) fn work(
 fn stroke(now: Situation<'_>, mark: &ToolMark, amount: f32) -> Stroke {
     let player = now.player;
     let gathers = now.world.streamer.stock().is_some();
-    let kind = if gathers {
-        mark.kind.filter(|kind| has(now, *kind))
-    } else {
-        player.brush.kind
-    };
+    let builds = amount < 0.0 || player.brush.shape.is_for_both();
+    let kind = mark.kind.filter(|_| builds);
+    let kind = kind.filter(|kind| !gathers || has(now, *kind));
     let power = player.inventory.held().and_then(Item::power);
     Stroke {
         centre: mark.point,

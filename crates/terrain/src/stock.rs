@@ -72,19 +72,27 @@ impl Stock {
 }
 
 impl Earth {
-    /// What this adds to a stock, and takes from it, of who builds of a kind; without one, of what was built.
+    /// What this adds to a stock, and takes from it, of who builds of a kind; without one, of what was dug most of.
     ///
     /// A surface between two samples moves before a sample turns, and what grows so is of the kind that is there. It is paid for
     /// with what is built all the same, but for ores: each is paid for with itself, at once or when it is dug again, so that
     /// nobody grows copper with soil.
     pub fn gathered(&self, builds: Option<Kind>) -> Stock {
         let mut stock = Stock::default();
+        let builds = builds.or_else(|| self.most_dug());
         for kind in Kind::ALL {
             let pays = builds.filter(|_| !kind.is_ore()).unwrap_or(kind);
             stock.add(kind, self.dug_m3(kind));
             stock.add(pays, -self.built_m3(kind));
         }
         stock
+    }
+
+    /// The kind, no ore, of which most was dug.
+    fn most_dug(&self) -> Option<Kind> {
+        let dug = Kind::ALL.into_iter().filter(|kind| !kind.is_ore());
+        let dug = dug.filter(|kind| self.dug_m3(*kind) > 0.0);
+        dug.max_by(|a, b| self.dug_m3(*a).total_cmp(&self.dug_m3(*b)))
     }
 }
 

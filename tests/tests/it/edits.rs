@@ -194,6 +194,7 @@ fn a_thousand_edits_at_chunk_corners_leave_no_gap_and_what_is_seen_carries() {
             part: antipode_terrain::Part::Whole,
             kind: None,
             shape: antipode_terrain::Shape::Ball,
+            power: None,
         });
         if n % STROKES_A_BATCH == STROKES_A_BATCH - 1 {
             batches += shown.take(streamer.wait(Until::Edits, LIMIT));

@@ -80,6 +80,7 @@ pub fn setup(geometry: Geometry, view_distance: u32) -> WorldSetup {
         geometry,
         radius_m: radius_m(geometry),
         generator: Generator::OneBiome,
+        mode: antipode_scene::Mode::default(),
         view_distance,
     }
 }

@@ -25,6 +25,7 @@ mod doors_seen;
 mod drops;
 mod earthworks;
 mod flags;
+mod gathering;
 mod gun;
 mod hidden;
 mod hit_shapes;

@@ -215,7 +215,7 @@ fn who_is_far_from_the_car_in_a_save_does_not_drive_it() {
 
 #[test]
 fn worlds_of_every_version_are_played_and_saved_whole() {
-    for version in 1..=7 {
+    for version in 1..=10 {
         let dir = tempfile::tempdir().unwrap();
         let saves = SavesDir::new(dir.path());
         let file = format!(

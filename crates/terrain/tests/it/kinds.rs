@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, strategy};
 use antipode_terrain::{
-    ChunkEdits, Field, Generator, Kind, Level, Part, Samples, Shape, Stroke, march,
+    ChunkEdits, Field, Generator, Ground, Kind, Level, Part, Samples, Shape, Stroke, march,
 };
 use glam::{DVec3, IVec3, Vec3};
 
@@ -33,8 +33,12 @@ fn apply(world: &mut World, stroke: &Stroke) {
     let space = Arc::clone(world.field.strategy());
     for coord in stroke.touched(&*space) {
         let now = world.samples(coord);
+        let ground = Ground {
+            samples: &now,
+            field: &world.field,
+        };
         let edits = world.edits.entry(coord).or_default();
-        stroke.apply_to(coord, Arc::make_mut(edits), &*space, Some(&now));
+        stroke.apply_to(coord, Arc::make_mut(edits), &*space, Some(ground));
     }
 }
 
