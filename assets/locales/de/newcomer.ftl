@@ -13,6 +13,7 @@ hints-photo = Bilder machen: { $key }
 hints-home = Geh zum Äquator, wohin der Kompass zeigt, und immer geradeaus weiter, bis du zu Hause bist.
 hints-dig = Graben, gedrückt halten: { $key }
 hints-build = Bauen, gedrückt halten: { $key }
+hints-make = Du baust mit dem, was du abbaust. Mach Werkzeug daraus: { $key }, dann „Herstellen“
 hints-curve = Den Raum anders abbilden: { $up } und { $down }
 hints-backpack = Den Rucksack öffnen: { $key }
 hints-menu = Pause, Einstellungen, alle Tasten: { $key }

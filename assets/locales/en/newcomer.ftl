@@ -13,6 +13,7 @@ hints-photo = Take pictures: { $key }
 hints-home = Walk to the equator, where the compass points, and straight on until you are home.
 hints-dig = Dig, held down: { $key }
 hints-build = Build, held down: { $key }
+hints-make = You build with what you dig. Make tools of it: { $key }, then Make things
 hints-curve = Change how space is pictured: { $up } and { $down }
 hints-backpack = Open the backpack: { $key }
 hints-menu = Pause, settings, all the keys: { $key }

@@ -13,6 +13,7 @@ hints-photo = Hacer fotos: { $key }
 hints-home = Camina hacia el ecuador, adonde apunta la brújula, y sigue recto hasta llegar a casa.
 hints-dig = Cavar, sin soltar: { $key }
 hints-build = Construir, sin soltar: { $key }
+hints-make = Construyes con lo que cavas. Haz herramientas con ello: { $key } y después «Fabricar»
 hints-curve = Cambiar la imagen del espacio: { $up } y { $down }
 hints-backpack = Abrir la mochila: { $key }
 hints-menu = Pausa, ajustes, todas las teclas: { $key }

@@ -13,6 +13,7 @@ hints-photo = Robienie zdjęć: { $key }
 hints-home = Idź do równika, dokąd wskazuje kompas, i dalej wciąż prosto, aż będziesz w domu.
 hints-dig = Kopanie, z przytrzymaniem: { $key }
 hints-build = Budowanie, z przytrzymaniem: { $key }
+hints-make = Budujesz z tego, co wykopiesz. Zrób z tego narzędzia: { $key }, potem „Wytwarzanie”
 hints-curve = Inny obraz przestrzeni: { $up } i { $down }
 hints-backpack = Otwórz plecak: { $key }
 hints-menu = Pauza, ustawienia, wszystkie klawisze: { $key }

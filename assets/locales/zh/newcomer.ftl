@@ -13,6 +13,7 @@ hints-photo = 拍照：{ $key }
 hints-home = 朝罗盘所指的赤道走，再一直往前，直到回家。
 hints-dig = 按住挖掘：{ $key }
 hints-build = 按住建造：{ $key }
+hints-make = 你用挖到的东西建造，也可以用它做工具：{ $key }，然后选“制作”
 hints-curve = 改变空间的画面：{ $up }和{ $down }
 hints-backpack = 打开背包：{ $key }
 hints-menu = 暂停、设置和全部按键：{ $key }

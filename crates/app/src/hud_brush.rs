@@ -100,7 +100,7 @@ pub fn making(texts: &Texts, scene: &Scene) -> Option<MakingModel> {
         needs_m3,
         has_m3: stock.of(kind),
     };
-    let recipes = Recipe::all().map(|recipe| RecipeView {
+    let recipes = Recipe::all().into_iter().map(|recipe| RecipeView {
         made: hud::slot(texts, Some(recipe.made)),
         parts: recipe.parts.iter().map(part).collect(),
         possible: scene.can_make(&recipe),

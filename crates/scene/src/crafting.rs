@@ -30,9 +30,15 @@ impl Recipe {
         })
     }
 
-    /// All of them, in the order of the items.
-    pub fn all() -> impl Iterator<Item = Self> {
-        Item::ALL.into_iter().filter_map(Self::of)
+    /// All of them: those of soft ground first, as they come in reach.
+    pub fn all() -> Vec<Self> {
+        let mut all: Vec<_> = Item::ALL.into_iter().filter_map(Self::of).collect();
+        all.sort_by_key(Self::hardness);
+        all
+    }
+
+    fn hardness(&self) -> Option<u8> {
+        self.parts.iter().map(|(kind, _)| kind.hardness()).max()
     }
 
     fn price(&self) -> Stock {
@@ -94,7 +100,7 @@ mod tests {
 
     #[test]
     fn there_are_at_most_a_dozen_recipes_of_kinds_that_there_are() {
-        let known = Recipe::all().count();
+        let known = Recipe::all().len();
         let told = Item::ALL.into_iter().filter(|item| item.made().is_some());
         assert_eq!(known, told.count());
         assert!((6..=12).contains(&known));

@@ -27,6 +27,8 @@ pub enum Needs {
     OtherPicture,
     /// A way round that leads home.
     Closed,
+    /// That what is built is gathered first.
+    Gathering,
 }
 
 /// What ends a lesson.

@@ -33,6 +33,7 @@ enum Needs {
     Dial,
     OtherPicture,
     Closed,
+    Gathering,
 }
 
 #[derive(Debug, Deserialize)]

@@ -135,8 +135,8 @@ fn follow(scene: &mut Scene, wish: BackpackWish) {
         BackpackWish::LetGo { whole } => inventory.let_go(whole),
         BackpackWish::Throw(slot) => inventory.take_from(slot, false),
         BackpackWish::Make(at) => {
-            if let Some(recipe) = Recipe::all().nth(at) {
-                scene.make(&recipe);
+            if let Some(recipe) = Recipe::all().get(at) {
+                scene.make(recipe);
             }
             None
         }

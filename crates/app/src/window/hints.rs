@@ -27,6 +27,8 @@ pub struct HintContext {
     pub only_view: bool,
     /// Whether the world is closed: the land is overhead, and a way round leads home.
     pub closed: bool,
+    /// Whether what is built is gathered first.
+    pub gathering: bool,
     /// Elevation of the view, radians.
     pub pitch_rad: f64,
 }
@@ -38,6 +40,7 @@ impl HintContext {
             has_dial: scene.lens().range().is_some(),
             only_view: scene.strategy().view_modes().len() == 1,
             closed: scene.strategy().globe().is_some(),
+            gathering: scene.stock().is_some(),
             pitch_rad: scene.head().pitch,
         }
     }
@@ -55,6 +58,7 @@ impl HintContext {
             Needs::Dial => self.has_dial,
             Needs::OtherPicture => !self.only_view,
             Needs::Closed => self.closed,
+            Needs::Gathering => self.gathering,
         }
     }
 }

@@ -27,7 +27,8 @@ pub(super) fn make(item: &str) -> Result<Order, String> {
     let known = Item::from_id(item).filter(|item| Recipe::of(*item).is_some());
     let order = known.map(Order::Make);
     order.ok_or_else(|| {
-        let ids: Vec<_> = Recipe::all().map(|recipe| recipe.made.item.id()).collect();
+        let all = Recipe::all();
+        let ids: Vec<_> = all.iter().map(|recipe| recipe.made.item.id()).collect();
         format!("{} is not made; there are {}", quoted(item), ids.join(", "))
     })
 }

@@ -12,6 +12,7 @@ const DIAL: HintContext = HintContext {
     has_dial: true,
     only_view: false,
     closed: false,
+    gathering: false,
     pitch_rad: 0.0,
 };
 /// A flat one, unbent, and a closed one.
@@ -22,6 +23,7 @@ const FLAT: HintContext = HintContext {
 const CLOSED: HintContext = HintContext {
     only_view: true,
     closed: true,
+    gathering: false,
     ..FLAT
 };
 
@@ -270,7 +272,7 @@ fn every_language_names_the_keys_in_every_hint() {
                 Lesson::Map => Some(Action::OtherMap),
                 Lesson::Camera => Some(Action::Camera),
                 Lesson::Light => Some(Action::Flashlight),
-                Lesson::Backpack => Some(Action::Backpack),
+                Lesson::Make | Lesson::Backpack => Some(Action::Backpack),
                 Lesson::Photo => Some(Action::PhotoMode),
                 Lesson::Menu => Some(Action::Menu),
             };
