@@ -21,7 +21,7 @@ pub fn model(texts: &Texts, scene: &Scene) -> BrushModel {
     BrushModel {
         form: form(brush.shape),
         words: words(texts, scene, brush),
-        tint: brush.kind.map(tint),
+        tint: brush.kind.or_else(|| scene.stock()?.most()).map(tint),
         row: scene
             .brush_chosen()
             .map(|choice| row(texts, scene, brush, choice)),

@@ -154,9 +154,10 @@ fn relief(plan: &SurveyMap) -> Relief {
         at: node.at,
         share: node.share,
         light: node.light,
+        sky: node.sky,
+        tints: tints_of(node.colours),
     };
     Relief {
-        tints: tints_of(plan.colours),
         reach_m: plan.reach_m as f32,
         nodes: plan.nodes.iter().map(node).collect(),
         patches: plan.patches.clone(),

@@ -1,4 +1,4 @@
-//! Surveys the heights of the land around the player for the map: a few columns at a time. It keeps the heights and lays
+//! Surveys heights and colours of the land around the player for the map: a few columns at a time. It keeps them and lays
 //! them out around the player.
 //!
 //! This is not part of the simulation. It reads the ground that is loaded and changes nothing.
@@ -53,6 +53,10 @@ pub struct PlanNode {
     pub share: f32,
     /// How much the slope faces the map's light, -1 to 1.
     pub light: f32,
+    /// How much of the sky is left where the ground lies below untouched land, as in the mouth of a cave, 0 to 1.
+    pub sky: f32,
+    /// Colours of low, middle and high ground there, sRGB.
+    pub colours: [[u8; 3]; 3],
 }
 
 /// The land about the player as on a map.
@@ -66,8 +70,35 @@ pub struct SurveyMap {
     pub patches: Vec<[u32; 4]>,
     /// Lines of equal height, each from one place to another.
     pub contours: Vec<[[f32; 2]; 2]>,
-    /// Colours of low, middle and high ground, sRGB.
-    pub colours: [[u8; 3]; 3],
+}
+
+/// What is known of a column.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Known {
+    /// Height of its ground, metres; NaN where it is not known yet.
+    height_m: f32,
+    sky: f32,
+    colours: [[u8; 3]; 3],
+}
+
+impl Known {
+    const NOTHING: Self = Self {
+        height_m: f32::NAN,
+        sky: 1.0,
+        colours: [[0; 3]; 3],
+    };
+
+    fn of(scene: &Scene, node: Node) -> Self {
+        let column = column(node);
+        let height_m = top_m(scene, column);
+        let top = column.moved(DVec3::Y * height_m);
+        let field = scene.field();
+        Self {
+            height_m: height_m as f32,
+            sky: field.sky_left(top),
+            colours: field.ground_colours(top),
+        }
+    }
 }
 
 /// The columns of a map about a place.
@@ -76,8 +107,7 @@ struct Sheet {
     about: Node,
     /// The nearest first.
     nodes: Vec<Node>,
-    /// NaN where it is not known yet, metres.
-    heights: Vec<f32>,
+    columns: Vec<Known>,
     patches: Vec<[u32; 4]>,
     /// So many of the first ones are surveyed again and again.
     near: usize,
@@ -87,11 +117,11 @@ struct Sheet {
     again: usize,
 }
 
-/// What is known of the heights of one world.
+/// What is known of the columns of one world.
 #[derive(Debug, Default)]
 pub struct Survey {
     world: Option<u64>,
-    kept: HashMap<Node, f32>,
+    kept: HashMap<Node, Known>,
     sheet: Option<Sheet>,
     drawn: Option<(ChartPoint, Arc<SurveyMap>)>,
 }
@@ -129,15 +159,15 @@ impl Survey {
         nodes.sort_by(|a, b| a.1.total_cmp(&b.1));
         let near = nodes.partition_point(|(_, away_m)| *away_m < CHANGES_M);
         let nodes: Vec<Node> = nodes.into_iter().map(|(node, _)| node).collect();
-        let heights = nodes
+        let columns = nodes
             .iter()
-            .map(|node| self.kept.get(node).copied().unwrap_or(f32::NAN))
+            .map(|node| self.kept.get(node).copied().unwrap_or(Known::NOTHING))
             .collect();
         Sheet {
             about: node_of(feet),
             patches: patches_of(strategy, &nodes),
             nodes,
-            heights,
+            columns,
             near,
             known: 0,
             again: 0,
@@ -149,7 +179,7 @@ impl Survey {
         let mut changed = false;
         let mut left = columns;
         while sheet.known < sheet.nodes.len() && left > 0 {
-            if sheet.heights[sheet.known].is_nan() {
+            if sheet.columns[sheet.known].height_m.is_nan() {
                 left -= 1;
                 changed |= self.measure_one(scene, sheet, sheet.known);
             }
@@ -164,10 +194,10 @@ impl Survey {
 
     fn measure_one(&mut self, scene: &Scene, sheet: &mut Sheet, index: usize) -> bool {
         let node = sheet.nodes[index];
-        let height_m = top_m(scene, column(node)) as f32;
-        let before = std::mem::replace(&mut sheet.heights[index], height_m);
-        self.kept.insert(node, height_m);
-        before.to_bits() != height_m.to_bits()
+        let known = Known::of(scene, node);
+        let before = std::mem::replace(&mut sheet.columns[index], known);
+        self.kept.insert(node, known);
+        before != known
     }
 }
 
@@ -286,17 +316,19 @@ fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> SurveyMap {
     let mut nodes: Vec<PlanNode> = sheet
         .nodes
         .iter()
-        .zip(&sheet.heights)
-        .map(|(node, height)| {
+        .zip(&sheet.columns)
+        .map(|(node, known)| {
             let at = locator.at(column(*node)).clamp_length_max(reach_m);
             PlanNode {
                 at: at.as_vec2().to_array(),
-                share: ((height - low) / span).clamp(0.0, 1.0),
+                share: ((known.height_m - low) / span).clamp(0.0, 1.0),
                 light: 0.0,
+                sky: known.sky,
+                colours: known.colours,
             }
         })
         .collect();
-    let height = |node: u32| sheet.heights[node as usize];
+    let height = |node: u32| sheet.columns[node as usize].height_m;
     let outside = |node: &u32| {
         let [x, z] = nodes[*node as usize].at;
         f64::from(x.hypot(z)) >= reach_m - 1e-3
@@ -315,7 +347,6 @@ fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> SurveyMap {
         nodes,
         patches,
         contours,
-        colours: scene.field().ground_colours(scene.feet()),
     }
 }
 

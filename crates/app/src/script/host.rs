@@ -103,6 +103,8 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
         }
         Order::Make(item) => {
             let scene = host.scene()?;
+            let gathers = scene.stock().is_some();
+            possible(gathers, "nothing is made in a creative world")?;
             let is_made = Recipe::of(*item).is_some_and(|recipe| scene.make(&recipe));
             possible(
                 is_made,

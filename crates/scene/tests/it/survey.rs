@@ -1,17 +1,17 @@
 //! The map of the land about the player: as high as the land, as far as the space has it, dug where it was dug.
 
 use crate::common::twins::Twins;
-use crate::common::{scene, steps};
+use crate::common::{scene, setup, steps};
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::bearings::LandmarkKind;
-use antipode_scene::survey::{Survey, SurveyMap};
-use antipode_scene::{Actions, Scene};
+use antipode_scene::survey::{PlanNode, Survey, SurveyMap};
+use antipode_scene::{Actions, Generator, Scene, WorldSetup};
 use glam::{DVec2, DVec3};
 
 const ALL: usize = 100_000;
 
-/// Height share of the map at metres from the player, of the node that is nearest.
-fn share_at(plan: &SurveyMap, at: DVec2) -> f32 {
+/// The node that is nearest to metres from the player.
+fn node_at(plan: &SurveyMap, at: DVec2) -> PlanNode {
     let off = |node: [f32; 2]| (DVec2::new(node[0].into(), node[1].into()) - at).length();
     let nearest = plan
         .nodes
@@ -19,7 +19,12 @@ fn share_at(plan: &SurveyMap, at: DVec2) -> f32 {
         .min_by(|a, b| off(a.at).total_cmp(&off(b.at)))
         .unwrap();
     assert!(off(nearest.at) < 4.0, "nothing at {at}");
-    nearest.share
+    *nearest
+}
+
+/// Height share of the map at metres from the player.
+fn share_at(plan: &SurveyMap, at: DVec2) -> f32 {
+    node_at(plan, at).share
 }
 
 fn height_m(scene: &Scene, share: f32) -> f64 {
@@ -85,7 +90,13 @@ fn heights_are_those_of_the_land_and_a_pit_shows() {
     for _ in 0..400 {
         survey.look(&scene, 1, 4);
     }
-    let after = height_m(&scene, share_at(&survey.look(&scene, 1, 4), DVec2::ZERO));
+    let plan = survey.look(&scene, 1, 4);
+    let (pit, land) = (
+        node_at(&plan, DVec2::ZERO),
+        node_at(&plan, DVec2::splat(20.0)),
+    );
+    assert!(pit.sky < 0.6 && land.sky > 0.99, "{} {}", pit.sky, land.sky);
+    let after = height_m(&scene, pit.share);
     assert!(after < below - 0.5 * dug_m, "{after} after {below}");
 }
 
@@ -196,4 +207,26 @@ fn north_is_one_way_in_all_charts_of_squares_that_are_turned() {
         turned.insert((many.north_rad - one.north_rad).rem_euclid(std::f64::consts::TAU) as u32);
     }
     assert!(turned.len() > 1, "{turned:?}");
+}
+
+#[test]
+fn lands_have_their_own_colours_on_it() {
+    let setup = WorldSetup {
+        generator: Generator::Climates,
+        ..setup(Geometry::Euclidean)
+    };
+    let mut scene = Scene::open(setup, None).unwrap();
+    let biome = |x: f64| {
+        let at = ChartPoint::a(DVec3::new(x, 30.0, 0.0));
+        scene.field().biome_at(at).name()
+    };
+    let border = (1..400).map(|n| 20.0 * f64::from(n));
+    let border = border
+        .into_iter()
+        .find(|x| biome(x - 20.0) != biome(x + 20.0));
+    scene.set_flying(true);
+    scene.teleport(ChartPoint::a(DVec3::new(border.unwrap(), 60.0, 0.0)));
+    let plan = Survey::default().look(&scene, 1, ALL);
+    let [here, there] = [-25.0, 25.0].map(|x| node_at(&plan, DVec2::new(x, 0.0)));
+    assert_ne!(here.colours, there.colours);
 }

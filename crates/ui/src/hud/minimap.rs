@@ -23,6 +23,8 @@ const BELOW_MIDDLE: f32 = 2.0;
 const LIGHTNESS: [f32; 5] = [48.0, 76.0, 110.0, 150.0, 214.0];
 /// Which of a land's three colours each of these has, from 0 for low ground to 2 for high.
 const HUES: [f32; 5] = [0.0, 0.0, 1.0, 1.5, 2.0];
+/// How light the ground is where nothing of the sky is left, of what it would be under all of it.
+const PIT: f32 = 0.15;
 /// How much of a colour the map keeps: on so small a picture full ones would drown the marks.
 const SATURATION: f32 = 0.75;
 
@@ -58,13 +60,15 @@ pub struct ReliefNode {
     pub share: f32,
     /// How much it faces the light, -1 to 1.
     pub light: f32,
+    /// How much of the sky is left where the ground lies below untouched land, 0 to 1.
+    pub sky: f32,
+    /// The land's colours there.
+    pub tints: Tints,
 }
 
 /// The land as it is known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Relief {
-    /// Its colours.
-    pub tints: Tints,
     /// How far it reaches, metres.
     pub reach_m: f32,
     /// Columns.
@@ -178,10 +182,7 @@ pub(super) fn show(painter: &Painter, place: Rect, texts: &Texts, model: &MapMod
 fn land(relief: &Relief, projection: &Projection) -> Shape {
     let mut mesh = Mesh::default();
     for node in &relief.nodes {
-        mesh.colored_vertex(
-            projection.at(node.at),
-            tint(&relief.tints, node.share, node.light),
-        );
+        mesh.colored_vertex(projection.at(node.at), tint(node));
     }
     let count = relief.nodes.len() as u32;
     for [a, b, c, d] in &relief.patches {
@@ -193,7 +194,14 @@ fn land(relief: &Relief, projection: &Projection) -> Shape {
     Shape::mesh(mesh)
 }
 
-fn tint(tints: &Tints, share: f32, light: f32) -> Color32 {
+fn tint(node: &ReliefNode) -> Color32 {
+    let ReliefNode {
+        share,
+        light,
+        sky,
+        tints,
+        ..
+    } = node;
     if !share.is_finite() {
         return Color32::TRANSPARENT;
     }
@@ -201,7 +209,7 @@ fn tint(tints: &Tints, share: f32, light: f32) -> Color32 {
     let place = share.clamp(0.0, 1.0) * last as f32;
     let below = (place as usize).min(last - 1);
     let part = place - below as f32;
-    let lit = 1.0 + 0.45 * light.clamp(-1.0, 1.0);
+    let lit = (1.0 + 0.45 * light.clamp(-1.0, 1.0)) * (PIT + (1.0 - PIT) * sky.clamp(0.0, 1.0));
     let [r, g, b] = [0, 1, 2].map(|channel| {
         let (low, high) = (tints[below][channel], tints[below + 1][channel]);
         ((low + (high - low) * part) * lit).clamp(0.0, 255.0) as u8
@@ -317,12 +325,24 @@ mod tests {
             u32::from(colour.r()) * 2 + u32::from(colour.g()) * 7 + u32::from(colour.b())
         };
         let tints = tints_of([[206, 92, 48], [96, 74, 78], [132, 120, 130]]);
+        let node = |share: f32, light: f32, sky: f32| ReliefNode {
+            at: [0.0; 2],
+            share,
+            light,
+            sky,
+            tints,
+        };
         let heights: Vec<u32> = (0..=20)
-            .map(|step| luminance(tint(&tints, step as f32 / 20.0, 0.0)))
+            .map(|step| luminance(tint(&node(step as f32 / 20.0, 0.0, 1.0))))
             .collect();
         assert!(heights.is_sorted(), "{heights:?}");
-        assert!(luminance(tint(&tints, 0.5, 0.8)) > luminance(tint(&tints, 0.5, -0.8)));
-        assert_eq!(tint(&tints, f32::NAN, 0.0), Color32::TRANSPARENT);
+        let lit = |light, sky| luminance(tint(&node(0.5, light, sky)));
+        assert!(lit(0.8, 1.0) > lit(-0.8, 1.0));
+        assert!(
+            lit(0.8, 0.0) < lit(-0.8, 1.0),
+            "a pit is darker than any slope"
+        );
+        assert_eq!(tint(&node(f32::NAN, 0.0, 1.0)), Color32::TRANSPARENT);
     }
 
     #[test]

@@ -96,6 +96,8 @@ pub fn map() -> MapModel {
             at: [x, z],
             share: 1.0 - x.hypot(z) / 45.0,
             light: x / 30.0,
+            sky: 1.0,
+            tints: tints_of([[108, 88, 66], [78, 104, 66], [56, 108, 74]]),
         }
     };
     let corners = (0..20u32).flat_map(|i| (0..20u32).map(move |j| 21 * i + j));
@@ -108,7 +110,6 @@ pub fn map() -> MapModel {
     let mark = |(kind, x): (MarkKind, f32)| MapMark { kind, at: [x, 9.0] };
     MapModel {
         relief: Arc::new(Relief {
-            tints: tints_of([[108, 88, 66], [78, 104, 66], [56, 108, 74]]),
             reach_m: 43.0,
             nodes: nodes.map(node).collect(),
             patches: corners.map(|a| [a, a + 21, a + 1, a + 22]).collect(),
