@@ -206,12 +206,13 @@ fn far_land_keeps_its_roofs_over_caves() {
 #[test]
 fn caves_are_dark_rock_inside_and_halls_grow_crystal() {
     let field = land(41, flat());
-    let (mut walls, mut surface, mut crystal) = (0, 0, 0);
+    let solid = field.without_caves();
+    let (mut walls, mut surface, mut grown, mut light) = (0, 0, 0, 0);
     for coord in chunks(&flat(), ChartId::FIRST, 6) {
         if field.content(coord) != Content::Surface {
             continue;
         }
-        let samples = field.samples(coord);
+        let [samples, before] = [&field, &solid].map(|field| field.samples(coord));
         for n in 0..32 * 32 * 32 {
             let local = IVec3::new(n >> 10, n >> 5 & 31, n & 31);
             let point = ChartPoint::new(coord.chart, coord.origin() + local.as_dvec3());
@@ -220,12 +221,16 @@ fn caves_are_dark_rock_inside_and_halls_grow_crystal() {
             if field.sample(point) < 0.0 && is_cave(&field, above) && field.land(above) < -7.0 {
                 walls += 1;
                 let kind = samples.kind_of_sample(&field, coord, local);
-                crystal += usize::from(kind == Kind::Crystal);
+                // Not that of veins, which there is without a cave, too.
+                let was = before.kind_of_sample(&solid, coord, local);
+                grown += usize::from(kind == Kind::Crystal && was != Kind::Crystal);
+                light += usize::from(field.sky_left(above) > 0.1);
                 surface += usize::from(!kind.is_deep());
             }
         }
     }
-    println!("{walls} walls, {surface} of kinds that lie above ground, {crystal} crystal");
-    assert!(walls > 500 && crystal > 5, "{walls} {crystal}");
+    println!("{walls} walls, {surface} of kinds that lie above ground, {grown} crystal, {light} light");
+    assert!(walls > 500 && grown > 5, "{walls} {grown}");
+    assert_eq!(light, 0);
     assert!(surface * 20 < walls, "{surface} of {walls}");
 }
