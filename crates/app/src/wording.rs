@@ -9,7 +9,7 @@ use antipode_render::RenderError;
 use antipode_room_scene::RoomHint;
 use antipode_rooms::{RoomError, RoomSummary};
 use antipode_scene::notice::Unfit;
-use antipode_scene::{Hint, Item, Line, NotUndone, Notice, SceneError};
+use antipode_scene::{Hint, Item, Kind, Line, NotUndone, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
 use antipode_streaming::{Cause, StreamingError};
@@ -180,13 +180,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::NoOtherMap => texts.say("hint-no-other-map"),
         Hint::Map(HyperbolicMap::Raised) => texts.say("hint-map-raised"),
         Hint::Map(HyperbolicMap::Horizon) => texts.say("hint-map-horizon"),
-        Hint::Bent => {
-            let values = [
-                ("up", input(Action::DialUp).into()),
-                ("down", input(Action::DialDown).into()),
-            ];
-            texts.say_with("hint-bent", &values)
-        }
+        Hint::Bent => bent(texts, profiles),
         Hint::Unbent => texts.say("hint-unbent"),
         Hint::NoBullets => texts.say("hint-no-bullets"),
         Hint::NoPlaceFor(item) => texts.say(&format!("hint-no-place-for-{}", item.id())),
@@ -226,21 +220,28 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::TooFarToTalk => texts.say("hint-too-far-to-talk"),
         Hint::WaitsToTalk => texts.say("hint-waits-to-talk"),
         Hint::InTheWay => texts.say("hint-in-the-way"),
-        Hint::TooHard(kind) => texts.say_with(
-            "hint-too-hard",
-            &[("kind", hud_brush::kind_word(texts, kind).into())],
-        ),
+        Hint::TooHard(kind) => of_ground(texts, "hint-too-hard", kind),
         Hint::UsedUp(None) => texts.say("hint-nothing-to-build"),
-        Hint::UsedUp(Some(kind)) => texts.say_with(
-            "hint-used-up",
-            &[("kind", hud_brush::kind_word(texts, kind).into())],
-        ),
+        Hint::UsedUp(Some(kind)) => of_ground(texts, "hint-used-up", kind),
         Hint::Undone => texts.say("hint-undone"),
         Hint::NotUndone(why) => not_undone(texts, why),
         Hint::Said { greets, line } => said(texts, greets, line),
         Hint::Entered(name) => land(texts, name),
         Hint::BeenRound(metres) => texts.say_with("hint-been-round", &[("metres", metres.into())]),
     }
+}
+
+fn bent(texts: &Texts, profiles: &Profiles) -> String {
+    let input = |action| antipode_ui::first_input_label(texts, profiles, action);
+    let values = [
+        ("up", input(Action::DialUp).into()),
+        ("down", input(Action::DialDown).into()),
+    ];
+    texts.say_with("hint-bent", &values)
+}
+
+fn of_ground(texts: &Texts, key: &str, kind: Kind) -> String {
+    texts.say_with(key, &[("kind", hud_brush::kind_word(texts, kind).into())])
 }
 
 fn not_undone(texts: &Texts, why: NotUndone) -> String {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use antipode_geometry::{ChartPoint, HyperbolicMap};
 use antipode_physics::Character;
 use antipode_storage::RecordKind;
-use antipode_terrain::Kind;
+use antipode_terrain::{Kind, Stock};
 use glam::DVec3;
 
 use crate::actors::ActorId;
@@ -27,6 +27,12 @@ use crate::projectile::Projectile;
 use crate::situation::Situation;
 use crate::tuning::REACH_M;
 use antipode_items::Item;
+
+fn stock_probe(stock: &Stock) -> BTreeMap<&'static str, f64> {
+    let all = Kind::ALL.into_iter();
+    let all = all.map(|kind| (kind.name(), stock.of(kind)));
+    all.filter(|(_, m3)| *m3 > 0.0).collect()
+}
 
 fn chart(now: Situation<'_>, point: ChartPoint) -> String {
     now.world.strategy.chart_name(point.chart)
@@ -67,12 +73,7 @@ pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
         seed: world.setup.seed,
         generator: world.setup.generator.number(),
         mode: world.setup.mode.name(),
-        stock: world.streamer.stock().map(|stock| {
-            let all = Kind::ALL
-                .into_iter()
-                .map(|kind| (kind.name(), stock.of(kind)));
-            all.filter(|(_, m3)| *m3 > 0.0).collect()
-        }),
+        stock: world.streamer.stock().map(stock_probe),
         biome: world.ground.field().biome_at(now.feet()).name(),
         geometry: world.setup.geometry.to_string(),
         radius: curved_radius.is_finite().then_some(curved_radius),

@@ -35,7 +35,7 @@ pub(crate) enum Job {
 pub(crate) struct EditBatch {
     pub(crate) job: Job,
     /// What may be built with; without it nothing is spent.
-    pub(crate) stock: Option<Stock>,
+    pub(crate) stock: Option<Box<Stock>>,
     /// Chunks whose meshes an earlier batch could not make.
     pub(crate) overdue: Vec<ChunkCoord>,
     /// How chunks are to be made that the strokes may reach, they or the borders of their coarse
@@ -162,13 +162,17 @@ fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Appl
     match &batch.job {
         Job::Strokes(strokes, press) => {
             let mut reached = BTreeSet::new();
-            let done = match press {
-                None => changes(shared, strokes, &mut reached, problems)
-                    .map(|changed| (changed, Earth::default())),
-                Some(_) => {
-                    let stock = batch.stock.as_ref();
-                    affordable(shared, strokes, stock, &mut reached, problems)
-                }
+            let done = if press.is_some() {
+                affordable(
+                    shared,
+                    strokes,
+                    batch.stock.as_deref(),
+                    &mut reached,
+                    problems,
+                )
+            } else {
+                let changed = changes(shared, strokes, &mut reached, problems);
+                changed.map(|changed| (changed, Earth::default()))
             };
             let (changed, earth) = done.unwrap_or_else(|| {
                 problems.push(
@@ -190,7 +194,7 @@ fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Appl
             }
         }
         Job::Undo(press, reach) => {
-            match earthworks::undo(shared, *press, batch.stock.as_ref(), problems) {
+            match earthworks::undo(shared, *press, batch.stock.as_deref(), problems) {
                 Ok((changed, earth, gathered)) => Applied {
                     undone: Some((*press, Ok(earth))),
                     gathered: gathered.negative(),

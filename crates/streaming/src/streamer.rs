@@ -341,7 +341,7 @@ impl Streamer {
         };
         let batch = EditBatch {
             job,
-            stock: self.gathered.stock,
+            stock: self.gathered.stock.map(Box::new),
             overdue: self.overdue.iter().copied().collect(),
             makes: self.scheduler.begin_batch(coords.into_iter()),
         };

@@ -88,7 +88,7 @@ impl Ease<'_> {
         let [i, j, k] = at;
         let land = self.samples.covered(self.samples.index(i, j, k));
         // Strata tell what is within the chunk; beside it the kind is as good as that of the sample next to it.
-        let place = at.map(|c| (c as i32 - 1).clamp(0, CHUNK_CELLS as i32));
+        let place = at.map(|c| (c as i32 - 1).clamp(0, CHUNK_CELLS));
         let byte = match land.laid {
             0 => self.strata.at(IVec3::from(place), land.depth) & !SKIN,
             laid => laid,

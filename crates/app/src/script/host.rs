@@ -3,7 +3,7 @@
 use antipode_geometry::{Atlas, ChartPoint};
 use antipode_room_scene::RoomScene;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
-use antipode_scene::{Recipe, Scene};
+use antipode_scene::{Item, Kind, Recipe, Scene};
 use antipode_settings::Value;
 use glam::{DVec3, Vec3Swizzles};
 
@@ -97,20 +97,8 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
             let left = host.scene()?.inventory_mut().give(*item, *count);
             possible(left == 0, "there is no room for all of them")
         }
-        Order::GiveGround(kind, m3) => {
-            let is_given = host.scene()?.give_ground(*kind, *m3);
-            possible(is_given, "nothing is gathered in a creative world")
-        }
-        Order::Make(item) => {
-            let scene = host.scene()?;
-            let gathers = scene.stock().is_some();
-            possible(gathers, "nothing is made in a creative world")?;
-            let is_made = Recipe::of(*item).is_some_and(|recipe| scene.make(&recipe));
-            possible(
-                is_made,
-                "there is not enough ground of the kinds that it takes",
-            )
-        }
+        Order::GiveGround(kind, m3) => give_ground(host.scene()?, *kind, *m3),
+        Order::Make(item) => make(host.scene()?, *item),
         Order::NameFlag(name) => name_nearest_flag(host, name),
         Order::Teleport(place, chart) => {
             teleport(host, ChartPoint::new(*chart, DVec3::from_array(*place)))
@@ -142,6 +130,21 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
 }
 
 /// Whether the words of an order take back what was done last.
+fn give_ground(scene: &mut Scene, kind: Kind, m3: f64) -> Result<(), Failure> {
+    let is_given = scene.give_ground(kind, m3);
+    possible(is_given, "nothing is gathered in a creative world")
+}
+
+fn make(scene: &mut Scene, item: Item) -> Result<(), Failure> {
+    let gathers = scene.stock().is_some();
+    possible(gathers, "nothing is made in a creative world")?;
+    let is_made = Recipe::of(item).is_some_and(|recipe| scene.make(&recipe));
+    possible(
+        is_made,
+        "there is not enough ground of the kinds that it takes",
+    )
+}
+
 fn undoes(words: &[String]) -> bool {
     words.first().is_some_and(|name| name == "undo")
 }

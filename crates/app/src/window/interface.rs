@@ -153,12 +153,14 @@ impl Game {
                 self.leave(next);
             }
             Intent::LeaveUnsaved => self.play.abandon(&mut self.menus),
-            Intent::DismissMessage => {
-                self.play.held_up = None;
-                if self.play.phase.is_paused() && !self.menus.shell.is_open() {
-                    self.menus.shell.open(Screen::Main);
-                }
-            }
+            Intent::DismissMessage => self.dismiss_message(),
+        }
+    }
+
+    fn dismiss_message(&mut self) {
+        self.play.held_up = None;
+        if self.play.phase.is_paused() && !self.menus.shell.is_open() {
+            self.menus.shell.open(Screen::Main);
         }
     }
 

@@ -1,5 +1,6 @@
 //! Gathering worlds: what is dug can be built with and made into things, and no more than that.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use antipode_geometry::Geometry;
@@ -63,7 +64,7 @@ fn one_begins_with_little_and_in_a_creative_world_with_everything() {
     let probe = scene.probe();
     assert_eq!(
         (probe.mode, probe.stock),
-        ("gathering", Some(Default::default()))
+        ("gathering", Some(BTreeMap::default()))
     );
 }
 

@@ -229,7 +229,9 @@ fn caves_are_dark_rock_inside_and_halls_grow_crystal() {
             }
         }
     }
-    println!("{walls} walls, {surface} of kinds that lie above ground, {grown} crystal, {light} light");
+    println!(
+        "{walls} walls, {surface} of kinds that lie above ground, {grown} crystal, {light} light"
+    );
     assert!(walls > 500 && grown > 5, "{walls} {grown}");
     assert_eq!(light, 0);
     assert!(surface * 20 < walls, "{surface} of {walls}");
