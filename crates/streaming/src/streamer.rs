@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use antipode_geometry::{Atlas, ChunkCoord, Strategy};
-use antipode_storage::{EarthRecord, RecordChanges, WorldMeta, WorldStore};
+use antipode_storage::{RecordChanges, WorldMeta, WorldStore};
 use antipode_terrain::{Field, Stock, Stroke};
 
 use crate::api::{Cause, Config, StreamingError, Update, Wish};
@@ -26,6 +26,7 @@ use presses::Pressed;
 
 mod presses;
 mod questions;
+mod stock;
 
 /// Loads, edits and saves chunks in the background. See the crate's documentation.
 pub struct Streamer {
@@ -156,24 +157,6 @@ impl Streamer {
         let left = self.scheduler.wish(wish);
         self.leaving.extend(left);
         self.feed();
-    }
-
-    /// From now on strokes of presses gather what they dig, and spend what they build; begins with what is kept of a world.
-    pub fn gather(&mut self, kept: Option<&EarthRecord>) {
-        self.gathered = Gathered::of(kept);
-    }
-
-    /// What there is to build with; none where nothing is gathered.
-    pub fn stock(&self) -> Option<&Stock> {
-        self.gathered.stock.as_ref()
-    }
-
-    /// Takes ground out of what was gathered, if there is as much of each kind; less than zero is given. Says whether it
-    /// was done.
-    pub fn spend(&mut self, price: &Stock) -> bool {
-        let is_done = self.gathered.spend(price);
-        self.saves.stale |= is_done;
-        is_done
     }
 
     /// Applies a brush stroke. Never waits: while a batch is under way strokes add up for the next.
