@@ -6,6 +6,9 @@ use crate::kind::Kind;
 /// What cannot be measured, cubic metres.
 const LEAST_M3: f64 = 1e-6;
 
+/// Nobody digs more, cubic metres: a cube of ten kilometres.
+const MOST_M3: f64 = 1e12;
+
 /// Ground by kind, cubic metres of the space; or what is added to some, where it may be less than zero.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stock {
@@ -30,10 +33,11 @@ impl Stock {
         some.max_by(|a, b| self.of(*a).total_cmp(&self.of(*b)))
     }
 
-    /// Adds cubic metres of a kind; takes nothing that is no number.
+    /// Adds cubic metres of a kind; nothing that is no number, and no more than anybody digs.
     pub fn add(&mut self, kind: Kind, m3: f64) {
         if m3.is_finite() {
-            self.m3[at(kind)] += m3;
+            let sum = &mut self.m3[at(kind)];
+            *sum = (*sum + m3).clamp(-MOST_M3, MOST_M3);
         }
     }
 
@@ -131,6 +135,10 @@ mod tests {
         let before = some;
         some.add(Kind::Clay, f64::NAN);
         assert_eq!(some, before);
+        let mut full = stock(&[(Kind::Clay, f64::MAX), (Kind::Clay, f64::MAX)]);
+        assert_eq!(full.of(Kind::Clay), MOST_M3);
+        full.add(Kind::Clay, -f64::MAX);
+        assert_eq!(full.of(Kind::Clay), 0.0);
         some.add_all(&before.negative());
         assert_eq!(some.kept().count(), 0);
     }
