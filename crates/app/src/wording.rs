@@ -223,6 +223,8 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::TooHard(kind) => of_ground(texts, "hint-too-hard", kind),
         Hint::UsedUp(None) => texts.say("hint-nothing-to-build"),
         Hint::UsedUp(Some(kind)) => of_ground(texts, "hint-used-up", kind),
+        Hint::NoCoalHere => texts.say("hint-no-coal-here"),
+        Hint::Made(item) => made(texts, item),
         Hint::Undone => texts.say("hint-undone"),
         Hint::NotUndone(why) => not_undone(texts, why),
         Hint::Said { greets, line } => said(texts, greets, line),
@@ -238,6 +240,11 @@ fn bent(texts: &Texts, profiles: &Profiles) -> String {
         ("down", input(Action::DialDown).into()),
     ];
     texts.say_with("hint-bent", &values)
+}
+
+fn made(texts: &Texts, item: Item) -> String {
+    let item = texts.say(&format!("item-{}", item.id()));
+    texts.say_with("hint-made", &[("item", item.into())])
 }
 
 fn of_ground(texts: &Texts, key: &str, kind: Kind) -> String {

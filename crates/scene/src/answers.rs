@@ -147,7 +147,8 @@ impl Scene {
     /// What is to be shown of what the last stroke of the brush has moved, the largest heap first.
     pub fn heaps_shown(&self) -> Vec<Heap> {
         let now_s = self.sim.world.simulated_s;
-        self.sim.player.earthworks.shown(now_s)
+        let gathers = self.stock().is_some();
+        self.sim.player.earthworks.shown(gathers, now_s)
     }
 
     /// Radius of the brush in metres.

@@ -1,6 +1,6 @@
-//! What the player has dug and built in this visit, by kind of ground. All worlds are creative: nothing is refused for it.
+//! What the player has dug and built in this visit, by kind of ground, and what of it is told.
 
-use antipode_terrain::{Earth, Kind};
+use antipode_terrain::{Earth, Kind, Stock};
 
 use crate::notice::Hint;
 use crate::outbox::Outbox;
@@ -27,6 +27,8 @@ pub struct Heap {
 pub struct Earthworks {
     total: Earth,
     stroke: Earth,
+    /// What the last stroke has gathered and spent.
+    paid: Stock,
     press: u64,
     /// When something was moved last, simulated seconds.
     moved_at_s: f64,
@@ -38,13 +40,15 @@ impl Earthworks {
         &self.total
     }
 
-    /// Enters what a press of the brush has moved.
-    pub(crate) fn enter(&mut self, press: u64, earth: &Earth, now_s: f64) {
+    /// Enters what a press of the brush has moved, and what that gathers and spends.
+    pub(crate) fn enter(&mut self, press: u64, earth: &Earth, gathered: &Stock, now_s: f64) {
         if press != self.press {
             self.press = press;
             self.stroke = Earth::default();
+            self.paid = Stock::default();
         }
         self.stroke.add(earth);
+        self.paid.add_all(gathered);
         self.total.add(earth);
         self.moved_at_s = now_s;
     }
@@ -53,14 +57,28 @@ impl Earthworks {
     pub(crate) fn take_back(&mut self, earth: &Earth) {
         self.total.take_back(earth);
         self.stroke = Earth::default();
+        self.paid = Stock::default();
     }
 
-    /// What is to be shown of the last stroke: the kinds of which most was dug, or built where that is more, the largest
-    /// heap first.
-    pub(crate) fn shown(&self, now_s: f64) -> Vec<Heap> {
+    /// What is to be shown of the last stroke, the largest heap first: where one `gathers` what it gave and took, else the
+    /// kinds of which most was dug, or built where that is more.
+    pub(crate) fn shown(&self, gathers: bool, now_s: f64) -> Vec<Heap> {
         if now_s - self.moved_at_s > SHOWN_S {
             return Vec::new();
         }
+        let mut heaps = if gathers {
+            let paid = self.paid.kept();
+            paid.map(|(kind, m3)| Heap { kind, m3 }).collect()
+        } else {
+            self.moved()
+        };
+        heaps.retain(|heap| heap.m3.abs() >= LEAST_SHOWN_M3);
+        heaps.sort_by(|a, b| b.m3.abs().total_cmp(&a.m3.abs()));
+        heaps.truncate(MOST_SHOWN);
+        heaps
+    }
+
+    fn moved(&self) -> Vec<Heap> {
         let builds = self.stroke.gained_m3() < 0.0;
         let heap = |kind| Heap {
             kind,
@@ -70,11 +88,7 @@ impl Earthworks {
                 self.stroke.dug_m3(kind)
             },
         };
-        let mut heaps: Vec<_> = Kind::ALL.into_iter().map(heap).collect();
-        heaps.retain(|heap| heap.m3.abs() >= LEAST_SHOWN_M3);
-        heaps.sort_by(|a, b| b.m3.abs().total_cmp(&a.m3.abs()));
-        heaps.truncate(MOST_SHOWN);
-        heaps
+        Kind::ALL.into_iter().map(heap).collect()
     }
 }
 
@@ -96,8 +110,25 @@ mod tests {
     #[test]
     fn nothing_is_shown_before_and_long_after_a_stroke() {
         let mut works = Earthworks::default();
-        assert!(works.shown(0.0).is_empty());
-        works.enter(1, &Earth::default(), 7.0);
-        assert!(works.shown(7.0).is_empty() && works.total().is_nothing());
+        assert!(works.shown(false, 0.0).is_empty());
+        works.enter(1, &Earth::default(), &Stock::default(), 7.0);
+        assert!(works.shown(false, 7.0).is_empty() && works.total().is_nothing());
+    }
+
+    /// Half of what is built may be a surface of another kind that moves.
+    #[test]
+    fn who_gathers_is_told_what_he_pays_and_not_what_grew() {
+        let mut works = Earthworks::default();
+        let mut paid = Stock::default();
+        paid.add(Kind::Ash, -47.3);
+        paid.add(Kind::Basalt, -0.01);
+        works.enter(1, &Earth::default(), &paid, 7.0);
+        let heap = Heap {
+            kind: Kind::Ash,
+            m3: -47.3,
+        };
+        assert_eq!(works.shown(true, 7.5), [heap]);
+        works.enter(2, &Earth::default(), &Stock::default(), 8.0);
+        assert!(works.shown(true, 8.0).is_empty());
     }
 }

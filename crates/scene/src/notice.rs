@@ -152,6 +152,14 @@ pub enum Hint {
     /// Nothing is left of what would be built; nothing at all where no kind is named.
     #[error("You have no {} left to build with.", .0.map_or("ground", Kind::name))]
     UsedUp(Option<Kind>),
+    /// Something was made of ground.
+    #[error("You have made this: {}.", .0.id())]
+    Made(Item),
+    /// Much was dug in the depth, and no coal.
+    #[error(
+        "There is no coal here. Its beds lie under about half of the land: dig some thirty metres on, or look at the walls of a cave."
+    )]
+    NoCoalHere,
     /// The last stroke of the brush is undone.
     #[error("The last stroke is undone.")]
     Undone,

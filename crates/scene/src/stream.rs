@@ -260,9 +260,15 @@ impl Scene {
                     samples,
                 } => self.sim.world.set_solid(coord, collider, samples),
                 Update::Unloaded(coord) => self.sim.world.remove(coord),
-                Update::Moved { press, earth } => {
+                Update::Moved {
+                    press,
+                    earth,
+                    gathered,
+                } => {
                     let now_s = self.sim.world.simulated_s;
-                    self.sim.player.earthworks.enter(press, &earth, now_s);
+                    let works = &mut self.sim.player.earthworks;
+                    works.enter(press, &earth, &gathered, now_s);
+                    self.tell_of_coal();
                 }
                 Update::Undone(end) => {
                     let works = &mut self.sim.player.earthworks;

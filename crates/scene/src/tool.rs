@@ -123,7 +123,11 @@ pub(crate) fn work(
     if strokes.len() < all && !now.player.secondary_before {
         outbox.hints.push(Hint::InTheWay);
     }
-    let is_same = |before: ToolMark| before.digs == (sign > 0.0) && before.kind == mark.kind;
+    // Who digs has more and more of something, which ends no press.
+    let is_same = |before: ToolMark| {
+        let is_of_same = sign > 0.0 || before.kind == mark.kind;
+        before.digs == (sign > 0.0) && is_of_same
+    };
     let goes_on = before.is_some_and(is_same);
     let mark = ToolMark {
         active: true,

@@ -7,7 +7,7 @@ use std::thread;
 
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord};
 use antipode_physics::TerrainCollider;
-use antipode_terrain::{ChunkMesh, Earth, Samples};
+use antipode_terrain::{ChunkMesh, Earth, Samples, Stock};
 use glam::DVec3;
 
 /// Why a save failed: the store's own error, with its sentence.
@@ -175,6 +175,8 @@ pub enum Update {
         press: u64,
         /// What was dug and built since it was last told.
         earth: Earth,
+        /// What that adds to what is gathered, and takes from it.
+        gathered: Stock,
     },
     /// The last press is undone, and that is what it had moved; or why it is not.
     Undone(Result<Earth, NotUndone>),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use antipode_geometry::Geometry;
 use antipode_scene::inventory::SLOTS;
 use antipode_scene::{
-    Actions, BrushShape, Hint, Item, Kind, Mode, Recipe, Scene, Stack, WorldSetup,
+    Actions, BrushShape, Heap, Hint, Item, Kind, Mode, Recipe, Scene, Stack, WorldSetup,
 };
 use antipode_storage::WorldStore;
 
@@ -82,6 +82,10 @@ fn building_spends_what_was_dug_and_ends_with_it_in_words() {
         steps(&mut scene, 40, &dig());
         steps(&mut scene, 1, &Actions::default());
         let dug = all_m3(&scene);
+        let shown = scene.heaps_shown();
+        let stock = *scene.stock().unwrap();
+        let is_told = |heap: &Heap| (heap.m3 - stock.of(heap.kind)).abs() < 1e-6;
+        assert!(!shown.is_empty() && shown.iter().all(is_told), "{shown:?}");
         let terrain = scene.probe().terrain;
         let told = terrain.dug.values().sum::<f64>() - terrain.built.values().sum::<f64>();
         assert!(dug > 2.0 && (dug - told).abs() < 1e-6, "{dug} {told}");
@@ -143,6 +147,7 @@ fn things_are_made_of_ground_and_a_full_backpack_drops_them() {
     }
     assert!(scene.can_make(&recipe) && scene.make(&recipe));
     assert_eq!(scene.inventory().count(Item::PickaxeIron), 1);
+    assert_eq!(scene.take_hints(), [Hint::Made(Item::PickaxeIron)]);
     for slot in 0..SLOTS {
         scene.inventory_mut().put(slot, one(Item::Gun));
     }
@@ -227,4 +232,23 @@ fn what_was_gathered_and_the_mode_are_kept_with_the_last_stroke_before_leaving()
         last.inventory().count(Item::Lamp),
         lamps + recipe.made.count
     );
+}
+
+#[test]
+fn who_digs_deep_without_finding_coal_is_told_once_where_it_lies() {
+    let mut scene = scene(Geometry::Euclidean);
+    scene.aim(0.3, -0.9);
+    let told = |scene: &mut Scene| {
+        steps(scene, 20, &dig());
+        steps(scene, 1, &Actions::default());
+        let hints = scene.take_hints().into_iter();
+        hints.filter(|hint| *hint == Hint::NoCoalHere).count()
+    };
+    assert_eq!(told(&mut scene), 0, "not before it was deep");
+    assert!(scene.give_ground(Kind::Slate, 50.0));
+    assert!(scene.give_ground(Kind::Coal, 9.0));
+    assert_eq!(told(&mut scene), 0, "coal was found");
+    assert!(scene.give_ground(Kind::Coal, -9.0));
+    assert_eq!(told(&mut scene), 1);
+    assert_eq!(told(&mut scene), 0, "twice");
 }

@@ -66,7 +66,11 @@ impl Streamer {
                 self.presses.pop_front();
             }
             if !earth.is_nothing() {
-                updates.push(Update::Moved { press, earth });
+                updates.push(Update::Moved {
+                    press,
+                    earth,
+                    gathered: edited.gathered,
+                });
             }
         }
         if let Some((press, end)) = edited.undone {
