@@ -151,9 +151,15 @@ fn worlds_are_made_renamed_copied_exported_deleted_and_imported_by_hand() {
     game.wait_until("the main menu", shows_main_menu);
     game.told_steps(&[("Return", "pressed: New Game")]);
     game.overwrite("Alpha");
-    let to_the_seed = ["focus: Hyperbolic", "focus: Euclidean", "focus: Spherical"];
+    let to_the_seed = [
+        "focus: Hyperbolic",
+        "focus: Euclidean",
+        "focus: Spherical",
+        "focus: Creative",
+        "focus: Gathering",
+        "focus: blank",
+    ];
     game.told_steps(&to_the_seed.map(|words| ("Tab", words)));
-    game.told_steps(&[("Tab", "focus: blank")]);
     game.overwrite("12");
     game.key("Return");
     game.wait_until("the new world", shows_world);

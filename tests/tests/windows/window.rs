@@ -8,7 +8,7 @@ use antipode_tests::window::{Window, display, settle_settings, with_hints};
 /// Places of buttons in a window of 1280 by 720.
 const NEW_GAME: (u32, u32) = (132, 102);
 const NAME: (u32, u32) = (640, 114);
-const SEED: (u32, u32) = (640, 359);
+const SEED: (u32, u32) = (640, 467);
 const SPHERICAL: (u32, u32) = (870, 250);
 const CREATE: (u32, u32) = (332, 672);
 const SAVE_AND_QUIT: (u32, u32) = (132, 220);
@@ -63,7 +63,7 @@ fn shows_free_name(picture: &image::RgbImage) -> bool {
 
 /// The empty New Game form: its fields are darker than anything in the picture behind it.
 fn shows_new_game(picture: &image::RgbImage) -> bool {
-    [(900, 114), (900, 359)]
+    [(900, NAME.1), (900, SEED.1)]
         .iter()
         .all(|(x, y)| picture.get_pixel(*x, *y).0.iter().all(|c| *c < 20))
 }
@@ -75,7 +75,7 @@ fn shows_row(picture: &image::RgbImage) -> bool {
 
 /// Where the New Game form offers the sizes of a spherical world.
 fn size_shown(picture: &image::RgbImage) -> image::RgbImage {
-    image::imageops::crop_imm(picture, 290, 300, 400, 200).to_image()
+    image::imageops::crop_imm(picture, 290, 515, 400, 130).to_image()
 }
 
 #[test]
