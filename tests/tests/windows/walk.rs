@@ -80,7 +80,7 @@ fn shows_main_menu(picture: &RgbImage) -> bool {
 fn shows_world(picture: &RgbImage) -> bool {
     let [r, g, b] = mean(picture, (20, 870), (120, 60));
     let [_, _, sky] = mean(picture, (300, 60), (300, 100));
-    r + g + b > 180.0 && g > b && sky > 100.0
+    r + g + b > 240.0 && sky > 100.0
 }
 
 /// The lines of `antipode saves list`.
