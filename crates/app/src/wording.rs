@@ -223,7 +223,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::TooHard(kind) => of_ground(texts, "hint-too-hard", kind),
         Hint::UsedUp(None) => texts.say("hint-nothing-to-build"),
         Hint::UsedUp(Some(kind)) => of_ground(texts, "hint-used-up", kind),
-        Hint::NoCoalHere => texts.say("hint-no-coal-here"),
+        Hint::NoCoalYet => texts.say("hint-no-coal-yet"),
         Hint::Made(item) => made(texts, item),
         Hint::Undone => texts.say("hint-undone"),
         Hint::NotUndone(why) => not_undone(texts, why),

@@ -9,10 +9,6 @@ use crate::notice::Hint;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
 
-/// Who has dug so much slate and less coal than that, cubic metres, digs where there is none.
-const DEEP_M3: f64 = 40.0;
-const COAL_M3: f64 = 1.0;
-
 /// How an item is made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recipe {
@@ -68,17 +64,6 @@ impl Scene {
         price.add(kind, -m3);
         self.kept.changed = true;
         self.sim.world.streamer.spend(&price)
-    }
-
-    /// Tells once who digs in the depth and finds no coal where it lies.
-    pub(crate) fn tell_of_coal(&mut self) {
-        let Some(stock) = self.sim.world.streamer.stock() else {
-            return;
-        };
-        let in_vain = stock.of(Kind::Slate) > DEEP_M3 && stock.of(Kind::Coal) < COAL_M3;
-        if in_vain && !std::mem::replace(&mut self.sim.player.told_of_coal, true) {
-            self.sim.outbox.hints.push(Hint::NoCoalHere);
-        }
     }
 
     /// Whether there is enough of all that a recipe takes.

@@ -10,6 +10,9 @@ use antipode_streaming::NotUndone;
 const SHOWN_S: f64 = 2.5;
 /// Less is not shown, cubic metres.
 const LEAST_SHOWN_M3: f64 = 0.05;
+/// Who has dug so much slate in a visit and less coal than that, cubic metres, has dug where there is none.
+const DEEP_M3: f64 = 40.0;
+const COAL_M3: f64 = 1.0;
 /// So many kinds are shown.
 const MOST_SHOWN: usize = 2;
 
@@ -32,6 +35,7 @@ pub struct Earthworks {
     press: u64,
     /// When something was moved last, simulated seconds.
     moved_at_s: f64,
+    told_of_coal: bool,
 }
 
 impl Earthworks {
@@ -51,6 +55,13 @@ impl Earthworks {
         self.paid.add_all(gathered);
         self.total.add(earth);
         self.moved_at_s = now_s;
+    }
+
+    /// Whether it is to be told where coal lies: once, to who has dug deep in this visit and found none.
+    pub(crate) fn misses_coal(&mut self) -> bool {
+        let dug = |kind| self.total.dug_m3(kind);
+        let in_vain = dug(Kind::Slate) > DEEP_M3 && dug(Kind::Coal) < COAL_M3;
+        in_vain && !std::mem::replace(&mut self.told_of_coal, true)
     }
 
     /// Takes back what a press has moved that is undone.

@@ -157,9 +157,9 @@ pub enum Hint {
     Made(Item),
     /// Much was dug in the depth, and no coal.
     #[error(
-        "There is no coal here. Its beds lie under about half of the land: dig some thirty metres on, or look at the walls of a cave."
+        "You have dug deep and found no coal. Its beds lie under about half of the land: dig some thirty metres on, or look at the walls of a cave."
     )]
-    NoCoalHere,
+    NoCoalYet,
     /// The last stroke of the brush is undone.
     #[error("The last stroke is undone.")]
     Undone,

@@ -32,8 +32,6 @@ pub(crate) struct Player {
     /// Presses of the brush in this visit.
     pub presses: u64,
     pub earthworks: Earthworks,
-    /// Whether he was told in this visit where coal lies.
-    pub told_of_coal: bool,
     pub flying: bool,
     pub condition: Condition,
     /// Until the gun can be fired again, seconds.
@@ -63,7 +61,6 @@ impl Player {
             chosen: None,
             presses: 0,
             earthworks: Earthworks::default(),
-            told_of_coal: false,
             flying: false,
             condition: Condition::default(),
             gun_rests_s: 0.0,

@@ -13,7 +13,7 @@ use crate::actors::Actors;
 use crate::bot;
 use crate::detail::{Sharpness, Sights};
 use crate::ground::chunks_near;
-use crate::notice::Notice;
+use crate::notice::{Hint, Notice};
 use crate::persist;
 use crate::projectile::Projectile;
 use crate::reach::{self, OTHERS_MARGIN_M};
@@ -268,7 +268,9 @@ impl Scene {
                     let now_s = self.sim.world.simulated_s;
                     let works = &mut self.sim.player.earthworks;
                     works.enter(press, &earth, &gathered, now_s);
-                    self.tell_of_coal();
+                    if self.sim.world.streamer.stock().is_some() && works.misses_coal() {
+                        self.sim.outbox.hints.push(Hint::NoCoalYet);
+                    }
                 }
                 Update::Undone(end) => {
                     let works = &mut self.sim.player.earthworks;

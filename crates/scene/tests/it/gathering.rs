@@ -236,19 +236,25 @@ fn what_was_gathered_and_the_mode_are_kept_with_the_last_stroke_before_leaving()
 
 #[test]
 fn who_digs_deep_without_finding_coal_is_told_once_where_it_lies() {
-    let mut scene = scene(Geometry::Euclidean);
-    scene.aim(0.3, -0.9);
-    let told = |scene: &mut Scene| {
-        steps(scene, 20, &dig());
-        steps(scene, 1, &Actions::default());
-        let hints = scene.take_hints().into_iter();
-        hints.filter(|hint| *hint == Hint::NoCoalHere).count()
+    let told = |first: Kind| {
+        let mut scene = scene(Geometry::Euclidean);
+        scene.inventory_mut().put(0, one(Item::PickaxeDiamond));
+        scene.aim(0.3, -0.6);
+        let mut told = 0;
+        for kind in [first, Kind::Slate, Kind::Slate] {
+            assert!(scene.give_ground(kind, 1000.0 - scene.stock().unwrap().of(kind)));
+            // Of what there is most of.
+            steps(&mut scene, 60, &build());
+            steps(&mut scene, 60, &dig());
+            steps(&mut scene, 1, &Actions::default());
+            let hints = scene.take_hints().into_iter();
+            told += hints.filter(|hint| *hint == Hint::NoCoalYet).count();
+            assert!(scene.give_ground(kind, -0.9 * scene.stock().unwrap().of(kind)));
+        }
+        let dug = scene.probe().terrain.dug;
+        assert!(dug["slate"] > 80.0, "{dug:?}");
+        told
     };
-    assert_eq!(told(&mut scene), 0, "not before it was deep");
-    assert!(scene.give_ground(Kind::Slate, 50.0));
-    assert!(scene.give_ground(Kind::Coal, 9.0));
-    assert_eq!(told(&mut scene), 0, "coal was found");
-    assert!(scene.give_ground(Kind::Coal, -9.0));
-    assert_eq!(told(&mut scene), 1);
-    assert_eq!(told(&mut scene), 0, "twice");
+    assert_eq!(told(Kind::Slate), 1);
+    assert_eq!(told(Kind::Coal), 0, "coal was found");
 }

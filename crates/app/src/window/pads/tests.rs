@@ -7,6 +7,7 @@ use std::rc::Rc;
 
 use antipode_audio::PlayState;
 use antipode_geometry::Geometry;
+use antipode_scene::{Item, Kind, Mode, Scene};
 use antipode_ui::Screen;
 use clap::Parser;
 use tempfile::TempDir;
@@ -41,13 +42,17 @@ impl Play {
     }
 
     fn in_world() -> Self {
+        Self::in_world_of(Mode::Creative)
+    }
+
+    fn in_world_of(mode: Mode) -> Self {
         let mut play = Self::begin(Some(Request::New(NewWorld {
             geometry: Geometry::Euclidean,
             name: Some("x".to_owned()),
             seed: Some(7),
             radius_m: None,
             generator: None,
-            mode: antipode_scene::Mode::default(),
+            mode,
             start: Beginning::Middle,
         })));
         for _ in 0..1_000_000 {
@@ -91,9 +96,32 @@ impl Play {
         down.collect()
     }
 
+    /// Presses a button and lets go; its keys go to the interface, which has some frames to follow.
+    fn press(&mut self, context: &egui::Context, which: PadButton) {
+        let keys = self.pass(16, &[button(which, true)]);
+        self.pass(16, &[button(which, false)]);
+        let mut events = Vec::new();
+        for key in keys {
+            tap(key, Modifiers::NONE, &mut events);
+        }
+        for _ in 0..3 {
+            let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(800.0, 600.0));
+            let input = egui::RawInput {
+                screen_rect: Some(screen),
+                events: std::mem::take(&mut events),
+                ..Default::default()
+            };
+            let game = &mut self.game;
+            let _ = context.run_pass(input, |context| game.interface(context, None));
+        }
+    }
+
+    fn scene(&mut self) -> &mut Scene {
+        &mut self.game.play.phase.session_mut().unwrap().scene
+    }
+
     fn feet(&mut self) -> glam::DVec3 {
-        let session = self.game.play.phase.session().unwrap();
-        session.scene.feet().pos
+        self.scene().feet().pos
     }
 }
 
@@ -192,6 +220,29 @@ fn in_the_backpack_sticks_move_the_focus_and_not_the_player() {
     play.pass(16, &press(PadButton::RightStick));
     play.pass(16, &press(PadButton::RightStick));
     assert!(play.game.is_playing(), "what opens it closes it");
+    play.game.finish();
+}
+
+#[test]
+fn what_can_be_made_is_found_and_made_by_a_pad() {
+    let mut play = Play::in_world_of(Mode::Gathering);
+    for kind in [Kind::Coal, Kind::Slate] {
+        assert!(play.scene().give_ground(kind, 1.5));
+    }
+    let context = egui::Context::default();
+    antipode_ui::apply_theme(&context);
+    let before = play.scene().inventory().count(Item::Lamp);
+    let to_the_page = [PadButton::RightStick, PadButton::Down, PadButton::South];
+    for which in to_the_page {
+        play.press(&context, which);
+    }
+    assert_eq!(play.scene().inventory().count(Item::Lamp), before);
+    // What can be made has the focus.
+    for _ in 0..2 {
+        play.press(&context, PadButton::South);
+        let lamps = play.scene().inventory().count(Item::Lamp);
+        assert_eq!(lamps, before + 4, "and there is enough for no more");
+    }
     play.game.finish();
 }
 
