@@ -15,7 +15,7 @@ backpack-slots = Plätze
 making-carried = Du hast dabei:
 making-nothing = Du hast kein Material dabei. Grabe, um welches zu sammeln.
 making-earth = { $kind } { $volume } m³
-making-part = { $kind } { $needs } von { $has } m³
+making-part = { $kind } { $has } von { $needs } m³
 # What the button that makes a thing is called, with what it takes.
 making-recipe = { $item } herstellen: { $parts }
 # What the mouse does, and what the keys do, in a few lines.

@@ -15,7 +15,7 @@ backpack-slots = Slots
 making-carried = You carry:
 making-nothing = You carry no ground. Dig to gather some.
 making-earth = { $kind } { $volume } m³
-making-part = { $kind } { $needs } of { $has } m³
+making-part = { $kind } { $has } of { $needs } m³
 # What the button that makes a thing is called, with what it takes.
 making-recipe = Make { $item }: { $parts }
 # What the mouse does, and what the keys do, in a few lines.

@@ -15,7 +15,7 @@ backpack-slots = Huecos
 making-carried = Llevas:
 making-nothing = No llevas material. Cava para reunirlo.
 making-earth = { $kind } { $volume } m³
-making-part = { $kind } { $needs } de { $has } m³
+making-part = { $kind } { $has } de { $needs } m³
 # What the button that makes a thing is called, with what it takes.
 making-recipe = Fabricar { $item }: { $parts }
 # What the mouse does, and what the keys do, in a few lines.

@@ -15,7 +15,7 @@ backpack-slots = Miejsca
 making-carried = Masz przy sobie:
 making-nothing = Nie masz materiału. Kop, żeby go zebrać.
 making-earth = { $kind } { $volume } m³
-making-part = { $kind } { $needs } z { $has } m³
+making-part = { $kind } { $has } z { $needs } m³
 # What the button that makes a thing is called, with what it takes.
 making-recipe = Wytwórz { $item }: { $parts }
 # What the mouse does, and what the keys do, in a few lines.

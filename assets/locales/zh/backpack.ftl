@@ -15,7 +15,7 @@ backpack-slots = 格子
 making-carried = 随身带着：
 making-nothing = 你没有带任何土石。挖掘即可收集。
 making-earth = { $kind } { $volume } 立方米
-making-part = { $kind } { $needs } / { $has } 立方米
+making-part = { $kind } { $has } / { $needs } 立方米
 # What the button that makes a thing is called, with what it takes.
 making-recipe = 制作{ $item }：{ $parts }
 # What the mouse does, and what the keys do, in a few lines.

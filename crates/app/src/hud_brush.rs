@@ -62,7 +62,7 @@ fn built_words(texts: &Texts, scene: &Scene, kind: Option<Kind>) -> String {
         Some(kind) => {
             let values = [
                 ("kind", kind_word(texts, kind).into()),
-                ("volume", Value::decimals(stock.of(kind), 1)),
+                ("volume", Value::decimals_of_stock(stock.of(kind), 1)),
             ];
             texts.say_with("display-ground-left", &values)
         }

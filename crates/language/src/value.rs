@@ -34,6 +34,13 @@ impl Value<'_> {
         };
         Self(FluentValue::Number(FluentNumber::new(rounded, options)))
     }
+
+    /// The same rounded down, for an amount that is there: what is too little never looks like enough. A millionth of
+    /// the last digit is added before, so that sums of what was weighed in binary stay what they are.
+    pub fn decimals_of_stock(amount: f64, digits: usize) -> Self {
+        let scale = 10_f64.powi(digits.min(MOST_DIGITS) as i32);
+        Self::decimals((amount * scale + 1e-6).floor() / scale, digits)
+    }
 }
 
 impl Value<'_> {

@@ -13,6 +13,7 @@ use crate::brush::{Brush, Choice};
 use crate::camera::CameraMode;
 use crate::car::CarView;
 use crate::damage;
+use crate::day;
 use crate::drops::Drop;
 use crate::earthworks::{Earthworks, Heap};
 use crate::fixture::{self, Fixture};
@@ -35,6 +36,8 @@ use crate::viewing::Viewing;
 
 /// The row of shapes or kinds is shown so long after a choice, seconds.
 const CHOICE_SHOWN_S: f64 = 2.0;
+/// With less of the sky left than this share it is dark by day, too.
+const DARK_SKY: f32 = 0.3;
 
 /// The world.
 impl Scene {
@@ -76,6 +79,12 @@ impl Scene {
     /// The time of day where the player is, in seconds, 0 to 600; none at the poles of the sun's way.
     pub fn local_time_s(&self) -> Option<f64> {
         self.sim.world.local_time_s(self.feet())
+    }
+
+    /// Whether one sees little without a lamp where the player is: by night, and deep below untouched land.
+    pub fn is_dark(&self) -> bool {
+        let by_night = self.local_time_s().is_some_and(day::is_night);
+        by_night || self.field().sky_left(self.head().point) < DARK_SKY
     }
 
     /// Simulated time since the world was made, in seconds.

@@ -150,6 +150,11 @@ pub fn hour(time_of_day_s: f64) -> f64 {
     (time_of_day_s / DAY_S * 24.0 + 6.0).rem_euclid(24.0)
 }
 
+/// Whether it is so late or so early at a time of day, of a place, that the sky gives hardly any light.
+pub fn is_night(time_of_day_s: f64) -> bool {
+    !(5.0..19.5).contains(&hour(time_of_day_s))
+}
+
 fn dome(time_of_day_s: f64) -> Sky {
     let time_s = time_of_day_s.rem_euclid(DAY_S);
     let now = palette_at(time_s);

@@ -29,6 +29,8 @@ pub enum Needs {
     Closed,
     /// That what is built is gathered first.
     Gathering,
+    /// That it is dark where the player is.
+    Dark,
 }
 
 /// What ends a lesson.

@@ -34,6 +34,7 @@ enum Needs {
     OtherPicture,
     Closed,
     Gathering,
+    Dark,
 }
 
 #[derive(Debug, Deserialize)]

@@ -387,9 +387,7 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
     game.hold_left_for("learnt Dig");
     // What is left, but for the menu.
     let mut skipped = game.look();
-    for lesson in [
-        "Talk", "Car", "Build", "Map", "Camera", "Light", "Backpack", "Photo",
-    ] {
+    for lesson in ["Talk", "Car", "Build", "Map", "Camera", "Backpack", "Photo"] {
         skipped = game.wait_until(&format!("the hint about {lesson}"), shows_hint);
         game.key("n");
         game.wait_for(&format!("learnt {lesson}"));

@@ -29,6 +29,8 @@ pub struct HintContext {
     pub closed: bool,
     /// Whether what is built is gathered first.
     pub gathering: bool,
+    /// Whether it is dark where the player is.
+    pub dark: bool,
     /// Elevation of the view, radians.
     pub pitch_rad: f64,
 }
@@ -41,6 +43,7 @@ impl HintContext {
             only_view: scene.strategy().view_modes().len() == 1,
             closed: scene.strategy().globe().is_some(),
             gathering: scene.stock().is_some(),
+            dark: scene.is_dark(),
             pitch_rad: scene.head().pitch,
         }
     }
@@ -59,6 +62,7 @@ impl HintContext {
             Needs::OtherPicture => !self.only_view,
             Needs::Closed => self.closed,
             Needs::Gathering => self.gathering,
+            Needs::Dark => self.dark,
         }
     }
 }

@@ -67,9 +67,11 @@ fn who_enters_a_cave_reads_so() {
         })
     };
     let cave = (0..10_000).find_map(at).unwrap();
+    scene.set_time_of_day_s(150.0);
+    assert!(!scene.is_dark(), "under the sky at noon");
     scene.teleport(cave);
     assert_eq!(entered(&mut scene, 90), ["cave"]);
-    assert!(scene.probe().terrain.cave);
+    assert!(scene.probe().terrain.cave && scene.is_dark());
 }
 
 #[test]

@@ -34,6 +34,7 @@ fn a_probe_tells_the_hour_of_the_place() {
                 (told - hour).abs() < 0.2,
                 "{geometry:?}: {told}, not {hour}"
             );
+            assert_eq!(scene.is_dark(), hour > 20.0, "{geometry:?} at {hour}");
         }
     }
 }

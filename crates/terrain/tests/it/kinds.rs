@@ -153,6 +153,53 @@ fn the_deeper_an_ore_the_rarer_it_is() {
     }
 }
 
+/// What a player is told who has dug deep and found none.
+#[test]
+fn coal_lies_under_about_half_of_the_land_and_within_thirty_metres_of_the_rest() {
+    const STEP_M: i32 = 10;
+    const SIDE: i32 = 21;
+    for space in [flat(), strategy(Geometry::Spherical, 256.0)] {
+        let (mut with, mut all, mut ways_m) = (0, 0, Vec::new());
+        for seed in 40..44 {
+            let field = Field::made_by(Generator::Climates, seed, space.clone());
+            let mut known = BTreeMap::new();
+            let half = SIDE * STEP_M / 2;
+            let places =
+                (0..SIDE * SIDE).map(|n| [n % SIDE, n / SIDE].map(|it| it * STEP_M - half));
+            let found: Vec<_> = places
+                .map(|place| (place, has_coal(&field, &mut known, place)))
+                .collect();
+            with += found.iter().filter(|(_, coal)| *coal).count();
+            all += found.len();
+            for (from, _) in found.iter().filter(|(_, coal)| !coal) {
+                let way =
+                    |to: [i32; 2]| f64::from(to[0] - from[0]).hypot(f64::from(to[1] - from[1]));
+                let there = found.iter().filter(|(_, coal)| *coal);
+                ways_m.push(there.map(|(to, _)| way(*to)).fold(f64::MAX, f64::min));
+            }
+        }
+        let share = with as f64 / all as f64;
+        ways_m.sort_by(f64::total_cmp);
+        let [half, most] = [2, 10].map(|part| ways_m[ways_m.len() - 1 - ways_m.len() / part]);
+        assert!((0.45..0.6).contains(&share), "{share}");
+        assert!(half <= 15.0 && most <= 30.0, "{half} {most}");
+    }
+}
+
+/// Whether whoever digs straight down in a column meets coal within a dozen metres.
+fn has_coal(field: &Field, known: &mut BTreeMap<ChunkCoord, Samples>, [x, z]: [i32; 2]) -> bool {
+    let (x, z) = (f64::from(x), f64::from(z));
+    let y = field.surface_height(ChartId::FIRST, x, z).floor();
+    (1..=12).any(|down| {
+        let point = ChartPoint::a(DVec3::new(x, y - f64::from(down), z));
+        let coord = ChunkCoord::containing(point);
+        let samples = known.entry(coord).or_insert_with(|| field.samples(coord));
+        let local = (point.pos - coord.origin()).as_ivec3();
+        let [i, j, k] = local.to_array().map(|c| c as usize + 1);
+        samples.get(i, j, k) < 0.0 && samples.kind_of_sample(field, coord, local) == Kind::Coal
+    })
+}
+
 /// Clay that patches do not explain lies over copper: in forests patches are of moss.
 #[test]
 fn what_lies_at_the_surface_tells_of_the_copper_below() {

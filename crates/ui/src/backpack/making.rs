@@ -130,7 +130,7 @@ fn carried(ui: &mut Ui, texts: &Texts, earth: &[EarthView]) -> Rect {
     let amount = |it: &EarthView| {
         let values = [
             ("kind", it.label.as_str().into()),
-            ("volume", Value::decimals(floor(it.m3, 1), 1)),
+            ("volume", Value::decimals_of_stock(it.m3, 1)),
         ];
         (Some(it.tint), texts.say_with("making-earth", &values), TEXT)
     };
@@ -212,7 +212,7 @@ fn part_words(texts: &Texts, part: &PartView) -> Words {
     let values = [
         ("kind", part.label.as_str().into()),
         ("needs", Value::decimals(part.needs_m3, digits)),
-        ("has", Value::decimals(floor(part.has_m3, digits), digits)),
+        ("has", Value::decimals_of_stock(part.has_m3, digits)),
     ];
     let words = texts.say_with("making-part", &values);
     let enough = part.has_m3 >= part.needs_m3;
@@ -227,12 +227,6 @@ fn digits(amount: f64) -> usize {
     } else {
         2
     }
-}
-
-/// An amount that is there: rounded down, so that what is too little never looks like enough.
-fn floor(amount: f64, digits: usize) -> f64 {
-    let unit = if digits == 1 { 10.0 } else { 100.0 };
-    (amount * unit + 1e-6).floor() / unit
 }
 
 /// Words, the colour of ground before them if they are about one, and their own colour.
@@ -283,11 +277,11 @@ mod tests {
     fn what_is_too_little_is_never_written_as_enough() {
         let texts = Texts::default();
         for (needs_m3, has_m3, words) in [
-            (0.5, 2.34, "coal 0.5 of 2.3 m³"),
-            (0.5, 0.499, "coal 0.5 of 0.4 m³"),
+            (0.5, 2.34, "coal 2.3 of 0.5 m³"),
+            (0.5, 0.499, "coal 0.4 of 0.5 m³"),
             (0.3, 0.3, "coal 0.3 of 0.3 m³"),
-            (0.25, 0.2499, "coal 0.25 of 0.24 m³"),
-            (2.0, 0.0, "coal 2.0 of 0.0 m³"),
+            (0.25, 0.2499, "coal 0.24 of 0.25 m³"),
+            (2.0, 0.0, "coal 0.0 of 2.0 m³"),
         ] {
             let part = PartView {
                 label: "coal".to_owned(),

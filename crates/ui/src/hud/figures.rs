@@ -41,16 +41,18 @@ pub struct FigureModel {
     pub dropped_s: f64,
 }
 
-/// Draws it, under the position where both do not fit side by side; returns what it covers.
+/// Draws it, under the position where both do not fit side by side; returns what it covers. `land`: what the land about is
+/// called, where the map does not say so.
 pub(super) fn show(
     painter: &Painter,
     screen: Rect,
     position: Rect,
     texts: &Texts,
     model: &HudModel,
+    land: &str,
 ) -> Rect {
     let (lines, font) = match &model.figures {
-        None => (moment(texts, model), mono()),
+        None => (moment(texts, model, land), mono()),
         Some(figures) => (measured(texts, model, figures), FontId::monospace(11.0)),
     };
     let lines = Lines::new(painter, screen, &lines, &font, TEXT);
@@ -66,12 +68,12 @@ pub(super) fn show(
 /// A name, empty where none is needed, and what there is to say of it.
 type Line = (String, String);
 
-fn moment(texts: &Texts, model: &HudModel) -> Vec<Line> {
+fn moment(texts: &Texts, model: &HudModel, land: &str) -> Vec<Line> {
     let mut lines = Vec::new();
     if model.fps > 0.0 {
         lines.push(fps(texts, model));
     }
-    let here = [model.land.as_str(), &model.time_label];
+    let here = [land, &model.time_label];
     let here = here.into_iter().filter(|text| !text.is_empty());
     let here = here.collect::<Vec<_>>().join(&texts.say("figures-comma"));
     let known = [model.geometry.clone(), here].into_iter();

@@ -8,7 +8,8 @@ use antipode_language::Texts;
 use egui::{Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
 use super::compass::{QUARTERS, arrow};
-use crate::theme::{ACCENT, BAD, GRID, PLATE, TEXT};
+use super::plate::plate;
+use crate::theme::{ACCENT, BAD, GRID, PLATE, TEXT, small};
 
 /// Largest and smallest diameter, in points, and its share of the screen's height between them.
 const SIDE: (f32, f32) = (148.0, 60.0);
@@ -19,6 +20,9 @@ const RING: f32 = 7.0;
 const COVER: u8 = 225;
 /// Height over the lower half's beginning, the middle of the screen: there hints end.
 const BELOW_MIDDLE: f32 = 2.0;
+/// Between the map and the land's name over it, and how much room both take, in points.
+const GAP: f32 = 4.0;
+const NAME: f32 = 30.0;
 /// How light the land is by its height, from the lowest, 0 to 255.
 const LIGHTNESS: [f32; 5] = [48.0, 76.0, 110.0, 150.0, 214.0];
 /// Which of a land's three colours each of these has, from 0 for low ground to 2 for high.
@@ -134,9 +138,18 @@ impl Projection {
     }
 }
 
-/// What it covers: at the left below the middle of the screen, over the brush's instrument, or in its place where the
-/// screen is too low for both. `bottom`: where instruments end. Where there is no room, there is no map.
-pub(super) fn place(screen: Rect, bottom: f32) -> Option<Rect> {
+/// Where the map stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// What its disc covers.
+    pub disc: Rect,
+    /// Whether there is room for the land's name over it.
+    pub is_named: bool,
+}
+
+/// At the left below the middle of the screen, over the brush's instrument, or in its place where the screen is too low
+/// for both. `bottom`: where instruments end. Where there is no room, there is no map.
+pub(super) fn place(screen: Rect, bottom: f32) -> Option<Place> {
     let top = screen.center().y + BELOW_MIDDLE;
     let wanted = (SHARE * screen.height()).clamp(SIDE.1, SIDE.0);
     [bottom - OVER_BRUSH, bottom]
@@ -144,16 +157,32 @@ pub(super) fn place(screen: Rect, bottom: f32) -> Option<Rect> {
         .find_map(|bottom| {
             let side = wanted.min(bottom - top).min(0.3 * screen.width());
             let corner = pos2(screen.min.x, bottom - side);
-            (side >= SIDE.1).then(|| Rect::from_min_size(corner, vec2(side, side)))
+            let disc = Rect::from_min_size(corner, vec2(side, side));
+            let is_named = disc.min.y - NAME >= top;
+            (side >= SIDE.1).then_some(Place { disc, is_named })
         })
 }
 
-/// Draws it.
-pub(super) fn show(painter: &Painter, place: Rect, texts: &Texts, model: &MapModel) {
+/// Draws it, under the `name` of the land about the player where there is room for that.
+pub(super) fn show(painter: &Painter, place: Place, texts: &Texts, model: &MapModel, name: &str) {
+    let Place { disc, is_named } = place;
+    if is_named && !name.is_empty() {
+        let room = disc.with_min_y(disc.min.y - NAME).with_max_x(f32::INFINITY);
+        let foot = disc.center_top() - vec2(0.0, GAP);
+        plate(
+            painter,
+            room,
+            foot,
+            Align2::CENTER_BOTTOM,
+            name,
+            small(),
+            TEXT,
+        );
+    }
     if !model.heading_rad.is_finite() {
         return;
     }
-    let (centre, radius) = (place.center(), 0.5 * place.width());
+    let (centre, radius) = (disc.center(), 0.5 * disc.width());
     painter.circle_filled(centre, radius, PLATE);
     let inner = radius - RING;
     let projection = Projection {

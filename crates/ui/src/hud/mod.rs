@@ -148,7 +148,10 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     } else {
         Rect::NOTHING
     };
-    let figures = figures::show(&painter, screen, position, texts, model);
+    let lower = model.room.is_none().then(|| lower(&painter, screen, model));
+    let named = lower.is_some_and(|(_, _, map)| map.is_some_and(|it| it.is_named));
+    let land = if named { "" } else { &model.land };
+    let figures = figures::show(&painter, screen, position, texts, model, land);
     let mirror = if model.mirror {
         mirror::show(&painter, ctx.content_rect())
     } else {
@@ -165,10 +168,10 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     notices(&painter, screen, top, texts, model);
     if let Some(room) = &model.room {
         room::show(&painter, screen, top, room);
-        return Rect::NOTHING;
     }
-    let bar = hotbar::show(&painter, screen, model);
-    let bar = brush::row(&painter, screen, bar, &model.brush);
+    let Some((bar, bottom, place)) = lower else {
+        return Rect::NOTHING;
+    };
     // Beside so much to read the instruments keep below it.
     let ceiling = if model.figures.is_some() {
         figures.max.y
@@ -176,12 +179,10 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
         screen.min.y
     };
     let mut room = screen.with_min_y(ceiling);
-    let bottom = gauges::bottom(screen, bar);
-    let place = minimap::place(screen, bottom);
     if let (Some(map), Some(place)) = (&model.map, place) {
-        minimap::show(&painter, place, texts, map);
-        if place.max.y >= bottom {
-            room.min.x = place.max.x + GRID;
+        minimap::show(&painter, place, texts, map, &model.land);
+        if place.disc.max.y >= bottom {
+            room.min.x = place.disc.max.x + GRID;
         }
     }
     let instruments = gauges::show(&painter, room, bottom, texts, model);
@@ -193,6 +194,15 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
         speech::show(&painter, ctx.content_rect(), room, speech);
     }
     instruments
+}
+
+/// Draws the hotbar; returns what it covers with the brush's row, where the instruments beside it end, and where the map goes.
+fn lower(painter: &Painter, screen: Rect, model: &HudModel) -> (Rect, f32, Option<minimap::Place>) {
+    let bar = hotbar::show(painter, screen, model);
+    let bar = brush::row(painter, screen, bar, &model.brush);
+    let bottom = gauges::bottom(screen, bar);
+    let place = minimap::place(screen, bottom).filter(|_| model.map.is_some());
+    (bar, bottom, place)
 }
 
 /// Wounds, where damage comes from, and the crosshair.

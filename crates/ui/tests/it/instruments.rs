@@ -42,6 +42,14 @@ fn compass_and_map_are_there_where_there_is_room_and_only_if_wanted() {
                     text.text
                 );
             }
+            // Its name stands over it, and where there is no room for that, or no map, beside the time.
+            let named = painted(shown.output()).into_iter();
+            let named = named.filter(|text| text.text.contains("Toxic flats"));
+            let [name] = &named.map(|text| text.rect).collect::<Vec<_>>()[..] else {
+                panic!("the land has one name at {size}");
+            };
+            let is_over = name.min.y > 0.5 * size.y && name.max.y < land.min.y;
+            assert_eq!(is_over, size.y > 700.0, "{name} {land} at {size}");
             let without = HudModel {
                 compass: None,
                 map: None,
@@ -49,6 +57,7 @@ fn compass_and_map_are_there_where_there_is_room_and_only_if_wanted() {
             };
             let bare = hud_in(language, without, size);
             assert!(!says(&bare, &way) && map_rect(&bare).is_none());
+            assert!(says(&bare, "Toxic flats"));
         }
     }
 }

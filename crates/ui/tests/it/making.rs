@@ -48,10 +48,10 @@ fn making() -> MakingModel {
     }
 }
 
-const DOOR: &str = "Make Door: coal 1.0 of 2.3 m³ · copper 3.0 of 0.2 m³";
-const LAMP: &str = "Make Lamp × 2: coal 0.5 of 2.3 m³";
-const BULLETS: &str = "Make Bullet × 10: copper 0.05 of 0.20 m³ · coal 0.1 of 2.3 m³";
-const GUN: &str = "Make Gun: coal 0.5 of 2.3 m³ · copper 2.0 of 0.2 m³";
+const DOOR: &str = "Make Door: coal 2.3 of 1.0 m³ · copper 0.2 of 3.0 m³";
+const LAMP: &str = "Make Lamp × 2: coal 2.3 of 0.5 m³";
+const BULLETS: &str = "Make Bullet × 10: copper 0.20 of 0.05 m³ · coal 2.3 of 0.1 m³";
+const GUN: &str = "Make Gun: coal 2.3 of 0.5 m³ · copper 0.2 of 2.0 m³";
 
 fn with_recipes() -> Bag {
     Bag {

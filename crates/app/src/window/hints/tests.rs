@@ -13,6 +13,7 @@ const DIAL: HintContext = HintContext {
     only_view: false,
     closed: false,
     gathering: false,
+    dark: false,
     pitch_rad: 0.0,
 };
 /// A flat one, unbent, and a closed one.
@@ -44,7 +45,7 @@ fn pass(hints: &mut Hints, actions: &Actions, time_s: f64) {
 }
 
 /// What teaches each lesson, for long enough.
-fn lessons() -> [Actions; 11] {
+fn lessons() -> [Actions; 10] {
     let actions = Actions::default();
     [
         Actions {
@@ -87,10 +88,6 @@ fn lessons() -> [Actions; 11] {
             toggle_camera: true,
             ..actions
         },
-        Actions {
-            toggle_light: true,
-            ..actions
-        },
     ]
 }
 
@@ -98,17 +95,16 @@ fn lessons() -> [Actions; 11] {
 fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
     let mut hints = Hints::default();
     let words = [
-        "Look around: Mouse | 1 of 14 · skip: N",
-        "Walk: W A S D | 2 of 14 · skip: N",
-        "Jump: Space | 3 of 14 · skip: N",
-        "Talk to somebody ahead: T | 4 of 14 · skip: N",
-        "Get into a car, close by: C | 5 of 14 · skip: N",
-        "Dig, held down: Left button | 6 of 14 · skip: N",
-        "Build, held down: Right button | 7 of 14 · skip: N",
-        "Change how space is pictured: Wheel up and Wheel down | 8 of 14 · skip: N",
-        "Change to the other picture of this space: H | 9 of 14 · skip: N",
-        "See yourself from behind, and back: Tab | 10 of 14 · skip: N",
-        "Flashlight: Y | 11 of 14 · skip: N",
+        "Look around: Mouse | 1 of 13 · skip: N",
+        "Walk: W A S D | 2 of 13 · skip: N",
+        "Jump: Space | 3 of 13 · skip: N",
+        "Talk to somebody ahead: T | 4 of 13 · skip: N",
+        "Get into a car, close by: C | 5 of 13 · skip: N",
+        "Dig, held down: Left button | 6 of 13 · skip: N",
+        "Build, held down: Right button | 7 of 13 · skip: N",
+        "Change how space is pictured: Wheel up and Wheel down | 8 of 13 · skip: N",
+        "Change to the other picture of this space: H | 9 of 13 · skip: N",
+        "See yourself from behind, and back: Tab | 10 of 13 · skip: N",
     ];
     for (words, actions) in words.iter().zip(lessons()) {
         assert_eq!(told(&hints, DIAL), *words);
@@ -117,7 +113,7 @@ fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
         pass(&mut hints, &actions, 1.0);
         pass(&mut hints, &Actions::default(), REST_S);
     }
-    assert!(told(&hints, DIAL).starts_with("Open the backpack: E | 12 of 14"));
+    assert!(told(&hints, DIAL).starts_with("Open the backpack: E | 11 of 13"));
     hints.finish(Lesson::Backpack);
     pass(&mut hints, &Actions::default(), REST_S);
     assert!(told(&hints, DIAL).starts_with("Take pictures: P"));
@@ -131,7 +127,7 @@ fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
 #[test]
 fn what_a_world_has_not_is_not_told_and_not_counted() {
     let hints = Hints::default();
-    for (context, count) in [(FLAT, 13), (DIAL, 14), (CLOSED, 14)] {
+    for (context, count) in [(FLAT, 12), (DIAL, 13), (CLOSED, 13)] {
         assert!(told(&hints, context).contains(&format!("1 of {count}")));
         let has = |lesson| context.has(lesson);
         assert_eq!(has(Lesson::Curve), context == DIAL);
@@ -194,7 +190,7 @@ fn the_last_hint_goes_when_it_was_there_long_enough_and_no_other_does() {
     let mut hints = Hints::default();
     pass(&mut hints, &Actions::default(), 10.0 * READ_S);
     assert!(
-        told(&hints, DIAL).contains("1 of 14"),
+        told(&hints, DIAL).contains("1 of 13"),
         "that is not the last"
     );
     for lesson in Lesson::ALL {
@@ -206,6 +202,25 @@ fn the_last_hint_goes_when_it_was_there_long_enough_and_no_other_does() {
     assert!(told(&hints, DIAL).starts_with("Pause"));
     pass(&mut hints, &Actions::default(), 0.2 * READ_S);
     assert_eq!(hints.current(DIAL), None);
+}
+
+#[test]
+fn of_the_flashlight_is_told_where_it_is_dark_until_it_was_switched() {
+    let mut hints = Hints::default();
+    hints.finish(Lesson::Look);
+    hints.finish(Lesson::Walk);
+    hints.finish(Lesson::Jump);
+    hints.rest_s = 0.0;
+    let dark = HintContext { dark: true, ..DIAL };
+    assert!(told(&hints, DIAL).starts_with("Talk"));
+    assert!(told(&hints, dark).starts_with("It is dark. Flashlight: Y | 4 of 14"));
+    let switch = Actions {
+        toggle_light: true,
+        ..Actions::default()
+    };
+    hints.step(&switch, dark);
+    hints.rest_s = 0.0;
+    assert!(told(&hints, dark).starts_with("Talk"));
 }
 
 #[test]
@@ -234,7 +249,7 @@ fn hints_name_the_keys_that_are_bound_and_the_buttons_of_a_pad_in_use() {
     let model = hints.model(&texts, &profiles, DIAL).unwrap();
     assert_eq!(
         (model.text.as_str(), model.footer.as_str()),
-        ("Jump: J", "3 of 14")
+        ("Jump: J", "3 of 13")
     );
     hints.use_pad(true);
     let model = hints.model(&texts, &profiles, DIAL).unwrap();
@@ -283,6 +298,6 @@ fn every_language_names_the_keys_in_every_hint() {
         }
         let model = hints.model(&texts, &profiles, DIAL).unwrap();
         assert!(model.text.contains(&texts.say("key-Mouse")));
-        assert!(model.footer.contains('N') && model.footer.contains("14"));
+        assert!(model.footer.contains('N') && model.footer.contains("13"));
     }
 }
