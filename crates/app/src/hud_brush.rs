@@ -171,22 +171,45 @@ fn form(shape: BrushShape) -> BrushForm {
     }
 }
 
-/// The colour by which the display knows a kind.
+/// The colours by which the display knows a kind.
 fn tint(kind: Kind) -> Tint {
-    match kind {
-        Kind::Grass => [104, 152, 66],
-        Kind::Soil => [96, 68, 45],
-        Kind::Sand => [222, 197, 138],
-        Kind::Gravel => [150, 143, 132],
-        Kind::Rock => [116, 112, 108],
-        Kind::Ash => [72, 69, 71],
-        Kind::Snow => [238, 243, 249],
-        Kind::Moss => [70, 106, 48],
-        Kind::Clay => [178, 104, 70],
-        Kind::Basalt => [50, 53, 60],
-        Kind::Slate => [88, 101, 122],
-        Kind::Coal => [22, 22, 24],
-        Kind::Copper => [200, 122, 66],
-        Kind::Crystal => [130, 220, 238],
+    let (ground, specks) = match kind {
+        Kind::Grass => ([104, 152, 66], [142, 188, 92]),
+        Kind::Soil => ([96, 68, 45], [130, 98, 68]),
+        Kind::Sand => ([222, 197, 138], [242, 224, 176]),
+        Kind::Gravel => ([150, 143, 132], [200, 194, 184]),
+        Kind::Rock => ([116, 112, 108], [92, 88, 85]),
+        Kind::Ash => ([84, 80, 82], [176, 170, 168]),
+        Kind::Snow => ([238, 243, 249], [206, 219, 236]),
+        Kind::Moss => ([70, 106, 48], [112, 152, 74]),
+        Kind::Clay => ([178, 104, 70], [126, 66, 42]),
+        Kind::Basalt => ([50, 53, 60], [30, 32, 37]),
+        Kind::Slate => ([88, 101, 122], [126, 142, 168]),
+        Kind::Coal => ([22, 22, 24], [104, 106, 114]),
+        Kind::Copper => ([190, 128, 76], [74, 164, 130]),
+        Kind::Crystal => ([130, 220, 238], [236, 252, 255]),
+    };
+    Tint { ground, specks }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_kinds_look_alike_on_the_display() {
+        let apart = |a: [u8; 3], b: [u8; 3]| -> i32 {
+            let pairs = a.into_iter().zip(b);
+            pairs
+                .map(|(a, b)| (i32::from(a) - i32::from(b)).abs())
+                .sum()
+        };
+        for (n, one) in Kind::ALL.into_iter().enumerate() {
+            for other in Kind::ALL.into_iter().skip(n + 1) {
+                let (a, b) = (tint(one), tint(other));
+                let far = apart(a.ground, b.ground) + apart(a.specks, b.specks) / 2;
+                assert!(far >= 70, "{one:?} and {other:?}: {far}");
+            }
+        }
     }
 }

@@ -39,13 +39,15 @@ pub fn space(geometry: Geometry) -> Arc<dyn Strategy> {
     strategy(geometry, radius_m(geometry))
 }
 
+/// The ground of a new world.
+pub fn field(geometry: Geometry) -> Field {
+    Field::made_by(Generator::default(), SEED, space(geometry))
+}
+
 /// The ground, and the chunk at the middle of the world: its surface runs through it.
 pub fn surface_chunk(geometry: Geometry) -> (Field, ChunkCoord) {
     let coord = ChunkCoord::new(ChartId::FIRST, IVec3::ZERO);
-    (
-        Field::made_by(Generator::OneBiome, SEED, space(geometry)),
-        coord,
-    )
+    (field(geometry), coord)
 }
 
 /// A world as the game opens it.
@@ -79,7 +81,7 @@ pub fn setup(geometry: Geometry, view_distance: u32) -> WorldSetup {
         seed: SEED,
         geometry,
         radius_m: radius_m(geometry),
-        generator: Generator::OneBiome,
+        generator: Generator::default(),
         mode: antipode_scene::Mode::default(),
         view_distance,
     }

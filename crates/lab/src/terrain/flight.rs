@@ -8,12 +8,11 @@ use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::frame::LandCursor;
 use antipode_scene::tuning::{FOV_Y_RAD, STEP_S};
 use antipode_scene::{Actions, Scene};
-use antipode_terrain::{Field, Generator};
 use glam::DVec3;
 
 use super::clock::{Spent, Spread, ThreadClock};
 use super::control::Control;
-use super::engine::{SEED, open, space};
+use super::engine::{field, open};
 use super::row::{Bar, Judged, Row, table};
 use crate::{Effort, LabError, Plot, Scale, Section, Series};
 
@@ -186,7 +185,7 @@ fn control_rows(log: &[Logged], case: &str) -> [Row; 2] {
 
 fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
     let mut scene = open(Geometry::Euclidean, VIEW_DISTANCE, None)?;
-    let field = Field::made_by(Generator::OneBiome, SEED, space(Geometry::Euclidean));
+    let field = field(Geometry::Euclidean);
     let (_, high_m) = field.ground_range_m();
     let start = DVec3::new(16.0, high_m + ABOVE_M, 16.0);
     scene.set_flying(true);

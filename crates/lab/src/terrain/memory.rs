@@ -8,11 +8,11 @@ use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Actions, Scene};
 use antipode_storage::{SavesDir, WorldStore};
-use antipode_terrain::{Field, Generator};
+use antipode_terrain::Field;
 use antipode_timing::resident_mb;
 use glam::DVec3;
 
-use super::engine::{SEED, open, setup, space};
+use super::engine::{field, open, setup};
 use super::row::{Bar, Judged, Row, table};
 use crate::{Effort, LabError, Plot, Scale, Section, Series};
 
@@ -162,7 +162,7 @@ fn size_mb(dir: &Path) -> f64 {
 /// Goes along the x axis at a walker's sprint, low over the ground, and digs now and then.
 fn go(store: Arc<WorldStore>, seconds: usize) -> Result<Way, LabError> {
     let before_mb = resident_mb();
-    let field = Field::made_by(Generator::OneBiome, SEED, space(Geometry::Euclidean));
+    let field = field(Geometry::Euclidean);
     let mut scene = open(Geometry::Euclidean, VIEW_DISTANCE, Some(store))?;
     let mut at = DVec3::new(0.0, 0.0, 16.0);
     at.y = field.surface_height(ChartId::FIRST, at.x, at.z) + ABOVE_M;

@@ -5,8 +5,15 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2,
 use super::plate::plate;
 use crate::theme::{ACCENT, GRID, LINE, PLATE, TEXT, small};
 
-/// A colour of ground, sRGB.
-pub type Tint = [u8; 3];
+/// What ground looks like on so small a field that its surface has no room, sRGB: kinds of like colours have specks by
+/// which they are told apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tint {
+    /// Its colour.
+    pub ground: [u8; 3],
+    /// That of the specks in it.
+    pub specks: [u8; 3],
+}
 
 /// What a brush is like.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -62,8 +69,26 @@ const FIELD: f32 = 26.0;
 /// Between the fields.
 const GAP: f32 = 3.0;
 
-fn colour([r, g, b]: Tint) -> Color32 {
+/// Where specks lie in a field, and how large they are, as shares of its side.
+const SPECKS: [([f32; 2], f32); 5] = [
+    ([0.24, 0.28], 0.11),
+    ([0.68, 0.2], 0.08),
+    ([0.5, 0.52], 0.1),
+    ([0.2, 0.76], 0.07),
+    ([0.76, 0.76], 0.12),
+];
+
+fn colour([r, g, b]: [u8; 3]) -> Color32 {
     Color32::from_rgb(r, g, b)
+}
+
+/// Fills a square field with ground.
+fn fill(painter: &Painter, field: Rect, rounding: u8, tint: Tint) {
+    painter.rect_filled(field, rounding, colour(tint.ground));
+    for ([x, y], radius) in SPECKS {
+        let at = field.min + vec2(x, y) * field.width();
+        painter.circle_filled(at, radius * field.width(), colour(tint.specks));
+    }
 }
 
 /// Draws the row over the hotbar, which covers `bar`; returns what both cover.
@@ -108,7 +133,7 @@ pub(super) fn row(painter: &Painter, screen: Rect, bar: Rect, model: &BrushModel
 /// A colour of ground; what is found at each place is crossed out.
 fn swatch(painter: &Painter, field: Rect, tint: Option<Tint>) {
     if let Some(tint) = tint {
-        painter.rect_filled(field, 4, colour(tint));
+        fill(painter, field, 4, tint);
     } else {
         let stroke = Stroke::new(1.5, TEXT);
         painter.line_segment([field.left_bottom(), field.right_top()], stroke);
@@ -123,7 +148,7 @@ pub(super) fn form(
     form: BrushForm,
     tint: Option<Tint>,
 ) {
-    let fill = tint.map_or(Color32::from_white_alpha(30), colour);
+    let fill = tint.map_or(Color32::from_white_alpha(30), |tint| colour(tint.ground));
     let stroke = Stroke::new(2.0, ACCENT);
     let square = Rect::from_center_size(centre, Vec2::splat(1.8 * half));
     match form {
@@ -157,7 +182,8 @@ pub(super) fn form(
 pub(crate) fn dot(painter: &Painter, centre: Pos2, tint: Tint) {
     let rect = Rect::from_center_size(centre, Vec2::splat(10.0));
     let line = Stroke::new(1.0, LINE);
-    painter.rect(rect, 3, colour(tint), line, StrokeKind::Outside);
+    fill(painter, rect, 3, tint);
+    painter.rect_stroke(rect, 3, line, StrokeKind::Outside);
 }
 
 /// What the last stroke has moved, beside the crosshair.

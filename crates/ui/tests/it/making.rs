@@ -5,15 +5,20 @@ use crate::backpack::{Bag, asked, bag, focused, harness, view};
 use crate::common::{SIZES, SMALLEST, everywhere, painted};
 use antipode_items::Item;
 use antipode_language::{Language, Texts};
-use antipode_ui::{BackpackWish, EarthView, MakingModel, PartView, RecipeView};
+use antipode_ui::{BackpackWish, EarthView, MakingModel, PartView, RecipeView, Tint};
 use egui::{Key, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
+fn tint(ground: [u8; 3]) -> Tint {
+    let specks = [250, 250, 250];
+    Tint { ground, specks }
+}
+
 fn part(label: &str, needs_m3: f64, has_m3: f64) -> PartView {
     PartView {
         label: label.to_owned(),
-        tint: [90, 80, 70],
+        tint: tint([90, 80, 70]),
         needs_m3,
         has_m3,
     }
@@ -33,7 +38,7 @@ fn making() -> MakingModel {
     let copper = |needs| part("copper", needs, 0.2);
     let earth = |label: &str, m3| EarthView {
         label: label.to_owned(),
-        tint: [120, 90, 40],
+        tint: tint([120, 90, 40]),
         m3,
     };
     MakingModel {
@@ -241,7 +246,7 @@ fn crowded(language: Language) -> Bag {
     let door = texts.say("item-pickaxe-diamond");
     let earth = |kind: &String| EarthView {
         label: kind.clone(),
-        tint: [99, 120, 130],
+        tint: tint([99, 120, 130]),
         m3: 1234.56,
     };
     let making = MakingModel {
