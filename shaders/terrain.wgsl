@@ -176,21 +176,45 @@ fn vertex_hole(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32
 
 // What a pixel spans of the way to the ring's middle counts as so much of its radius at most.
 const RING_WIDEST: f32 = 0.06;
+// Shares of the ring's radius between which the ground that is shown within it ends.
+const OFFERED: vec2<f32> = vec2<f32>(0.62, 0.78);
 
 // The thin ring about what is dug or built: all land as far from its middle as the brush reaches, in metres of the chart
-// as it does, and a pixel or two wide however steeply it is seen. Gives the shares of the ring and of its dark edges. To
-// be called before a fragment may be discarded.
-fn ring_at(place: vec3<f32>, view: vec4<f32>) -> vec2<f32> {
+// as it does, and a pixel or two wide however steeply it is seen. Gives the shares of the ring, of its dark edges, and of
+// the ground that is shown within it. To be called before a fragment may be discarded.
+fn ring_at(place: vec3<f32>, view: vec4<f32>) -> vec3<f32> {
     let from_middle = length(from_ring(place, view));
     // Where land ends before other land the next pixel may be metres off, and that is not the ring's width.
     let across_m = clamp(fwidth(from_middle), 1e-6, RING_WIDEST * scene.ring_radius_m + 1e-6);
     let pixels = abs(from_middle - scene.ring_radius_m) / across_m;
     let is_there = select(0.0, 1.0, scene.ring_radius_m > 0.0);
     let wide = 1.0 - smoothstep(2.0, 3.0, pixels);
-    return is_there * vec2<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_edges);
+    let within = 1.0 - smoothstep(OFFERED.x, OFFERED.y, from_middle / (scene.ring_radius_m + 1e-6));
+    return is_there * vec3<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_edges, within);
 }
 
-fn ringed(land: vec4<f32>, ring: vec2<f32>) -> vec4<f32> {
+// Land as it would look of the kind that was chosen to build of, by that share.
+fn offered(in: VertexOut, share: f32) -> VertexOut {
+    if scene.ring_ground.w == 0.0 || share <= 0.0 {
+        return in;
+    }
+    var shown = in;
+    shown.albedo = mix(in.albedo, scene.ring_ground.rgb, share);
+    if BY_PIXEL {
+        let weights = kind_weights(vec3<f32>(scene.ring_ground.w, 0.0, 1.0));
+        shown.kinds_a = mix(in.kinds_a, weights[0], share);
+        shown.kinds_b = mix(in.kinds_b, weights[1], share);
+        shown.kinds_c = mix(in.kinds_c, weights[2], share);
+        shown.kinds_d = mix(in.kinds_d, weights[3], share);
+        return shown;
+    }
+    let light = recoloured(LandLight(in.facing, in.dark), shown.albedo / max(in.albedo, vec3<f32>(1e-3)));
+    shown.facing = light.facing;
+    shown.dark = light.dark;
+    return shown;
+}
+
+fn ringed(land: vec4<f32>, ring: vec3<f32>) -> vec4<f32> {
     let edged = land.rgb * (1.0 - ring.y);
     return vec4<f32>(mix(edged, scene.ring_light, ring.x), land.a);
 }
@@ -280,7 +304,7 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     if is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(in, point, steps), ring);
+    return ringed(land_colour(offered(in, ring.z), point, steps), ring);
 }
 
 // Beyond what the chart draws: over its edge, where another chart draws it, or past what a bent picture shows. By
@@ -298,7 +322,7 @@ fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
     if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(in, point, steps), ring);
+    return ringed(land_colour(offered(in, ring.z), point, steps), ring);
 }
 
 struct DeepOut {
@@ -320,7 +344,7 @@ fn fragment_deep(in: VertexOut) -> DeepOut {
     if is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point, steps), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(offered(in, ring.z), point, steps), ring), own_depth(in));
 }
 
 @fragment
@@ -331,7 +355,7 @@ fn fragment_deep_rim(in: VertexOut) -> DeepOut {
     if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point, steps), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(offered(in, ring.z), point, steps), ring), own_depth(in));
 }
 
 // Which pixels show what comes at a share from 0 to 1: a 4 x 4 ordered dither (Bayer, 1973).
@@ -356,7 +380,7 @@ fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
     if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(in, point, steps), ring);
+    return ringed(land_colour(offered(in, ring.z), point, steps), ring);
 }
 
 @fragment
@@ -367,5 +391,5 @@ fn fragment_deep_blending(in: VertexOut) -> DeepOut {
     if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point, steps), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(offered(in, ring.z), point, steps), ring), own_depth(in));
 }

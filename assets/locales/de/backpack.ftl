@@ -14,6 +14,7 @@ backpack-make = Herstellen
 backpack-slots = Plätze
 making-carried = Du hast dabei:
 making-nothing = Du hast kein Material dabei. Grabe, um welches zu sammeln.
+making-where = Kohle liegt in Flözen ab 2 m unter dem Boden, Kupfer in Adern ab 4 m, oft unter Ton, und Kristall ab 7 m, unter Kies, und in den Hallen von Höhlen.
 making-earth = { $kind } { $volume } m³
 making-part = { $kind } { $has } von { $needs } m³
 # What the button that makes a thing is called, with what it takes.
@@ -28,6 +29,6 @@ item-bullet-about = Damit schießt die Pistole.
 item-lamp-about = Erhellt das Land ringsum. Lässt sich hinstellen und wieder aufheben.
 item-flag-about = Markiert einen Ort. Stecke sie in den Boden, klicke sie an, um sie zu benennen, nimm sie wieder mit: Karte und Kompass zeigen den Weg zu ihr.
 item-door-about = Eine von zweien. Stell beide auf: Was in die eine hineingeht, kommt aus der anderen heraus. Mit der rechten Taste nimmst du sie wieder auf.
-item-pickaxe-wood-about = Gräbt und baut, langsam.
-item-pickaxe-iron-about = Gräbt und baut dreimal so schnell wie Holz.
-item-pickaxe-diamond-about = Gräbt und baut fünfmal so schnell wie Holz.
+item-pickaxe-wood-about = Gräbt und baut, langsam. Wo Material gesammelt wird, lässt sie Kupfer und Kristall stehen.
+item-pickaxe-iron-about = Gräbt und baut dreimal so schnell wie Holz. Wo Material gesammelt wird, gräbt sie auch Kupfer.
+item-pickaxe-diamond-about = Gräbt und baut fünfmal so schnell wie Holz. Wo Material gesammelt wird, gräbt sie auch Kristall.

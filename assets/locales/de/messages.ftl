@@ -48,6 +48,7 @@ hint-nobody-to-talk-to = Vor dir ist niemand, mit dem du reden könntest.
 hint-too-far-to-talk = Sie sind zu weit weg, um zu reden. Geh näher heran.
 hint-waits-to-talk = Sie haben dich gehört und warten. Geh näher heran, um zu reden.
 hint-in-the-way = Du stehst dem im Weg, was du baust, unter einer Decke. Geh zurück oder nimm einen kleineren Pinsel.
+hint-out-of-reach = Nichts zum Graben ist in Reichweite. Geh näher heran.
 hint-too-hard = Zu hart für diese Spitzhacke: { $kind }. Aus dem, was du abbaust, lässt sich eine bessere machen.
 hint-nothing-to-build = Du hast keinen Boden zum Bauen. Grab zuerst welchen ab.
 hint-used-up = Zum Bauen ist nichts mehr da: { $kind }. Wähle einen anderen Boden oder grab mehr ab.

@@ -14,6 +14,7 @@ backpack-make = Make things
 backpack-slots = Slots
 making-carried = You carry:
 making-nothing = You carry no ground. Dig to gather some.
+making-where = Coal lies in beds from 2 m below the ground on, copper in veins from 4 m, often under clay, and crystal from 7 m, under gravel, and in the halls of caves.
 making-earth = { $kind } { $volume } m³
 making-part = { $kind } { $has } of { $needs } m³
 # What the button that makes a thing is called, with what it takes.
@@ -28,6 +29,6 @@ item-bullet-about = What the gun shoots.
 item-lamp-about = Lights up the land around it. Can be put down and picked up again.
 item-flag-about = Marks a place. Plant it, click on it to name it, take it up again: map and compass show the way to it.
 item-door-about = One of a pair. Put up two: what goes into one comes out of the other. Take one up again with the right button.
-item-pickaxe-wood-about = Digs and builds, slowly.
-item-pickaxe-iron-about = Digs and builds three times as fast as wood.
-item-pickaxe-diamond-about = Digs and builds five times as fast as wood.
+item-pickaxe-wood-about = Digs and builds, slowly. Where ground is gathered, it leaves copper and crystal.
+item-pickaxe-iron-about = Digs and builds three times as fast as wood. Where ground is gathered, it digs copper, too.
+item-pickaxe-diamond-about = Digs and builds five times as fast as wood. Where ground is gathered, it digs crystal, too.

@@ -49,6 +49,7 @@ hint-nobody-to-talk-to = There is nobody ahead to talk to.
 hint-too-far-to-talk = They are too far away to talk to. Go closer.
 hint-waits-to-talk = They have heard you and wait. Go closer to talk.
 hint-in-the-way = You stand in the way of what you build, under a roof. Step back, or take a smaller brush.
+hint-out-of-reach = Nothing to dig is within reach. Go closer.
 hint-too-hard = Too hard for this pickaxe: { $kind }. A better one can be made of what you dig.
 hint-nothing-to-build = You have no ground to build with. Dig some first.
 hint-used-up = None left to build with: { $kind }. Choose another kind, or dig more.

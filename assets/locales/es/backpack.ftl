@@ -14,6 +14,7 @@ backpack-make = Fabricar
 backpack-slots = Huecos
 making-carried = Llevas:
 making-nothing = No llevas material. Cava para reunirlo.
+making-where = El carbón está en capas desde 2 m bajo el suelo; el cobre, en vetas desde 4 m, a menudo bajo arcilla; y el cristal, desde 7 m, bajo grava, y en las salas de las cuevas.
 making-earth = { $kind } { $volume } m³
 making-part = { $kind } { $has } de { $needs } m³
 # What the button that makes a thing is called, with what it takes.
@@ -28,6 +29,6 @@ item-bullet-about = Lo que dispara la pistola.
 item-lamp-about = Ilumina los alrededores. Se puede colocar y volver a recoger.
 item-flag-about = Marca un lugar. Clávala, haz clic en ella para darle un nombre y recógela cuando quieras: el mapa y la brújula muestran el camino.
 item-door-about = Una de un par. Coloca las dos: lo que entra por una sale por la otra. Recógela con el botón derecho.
-item-pickaxe-wood-about = Cava y construye, despacio.
-item-pickaxe-iron-about = Cava y construye tres veces más rápido que la madera.
-item-pickaxe-diamond-about = Cava y construye cinco veces más rápido que la madera.
+item-pickaxe-wood-about = Cava y construye, despacio. Donde se reúne material, no puede con el cobre ni el cristal.
+item-pickaxe-iron-about = Cava y construye tres veces más rápido que la madera. Donde se reúne material, cava también cobre.
+item-pickaxe-diamond-about = Cava y construye cinco veces más rápido que la madera. Donde se reúne material, cava también cristal.

@@ -48,6 +48,7 @@ hint-nobody-to-talk-to = Delante no hay nadie con quien hablar.
 hint-too-far-to-talk = Están demasiado lejos para hablar. Acércate.
 hint-waits-to-talk = Te han oído y esperan. Acércate para hablar.
 hint-in-the-way = Estás en medio de lo que construyes, bajo un techo. Retrocede o usa un pincel más pequeño.
+hint-out-of-reach = No hay nada que cavar al alcance. Acércate.
 hint-too-hard = Demasiado duro para este pico: { $kind }. Con lo que cavas se puede hacer uno mejor.
 hint-nothing-to-build = No tienes suelo con que construir. Cava primero.
 hint-used-up = No queda con que construir: { $kind }. Elige otro suelo o cava más.

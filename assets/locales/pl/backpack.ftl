@@ -14,6 +14,7 @@ backpack-make = Wytwarzanie
 backpack-slots = Miejsca
 making-carried = Masz przy sobie:
 making-nothing = Nie masz materiału. Kop, żeby go zebrać.
+making-where = Węgiel leży w pokładach od 2 m pod ziemią, miedź w żyłach od 4 m, często pod gliną, a kryształ od 7 m, pod żwirem, i w komnatach jaskiń.
 making-earth = { $kind } { $volume } m³
 making-part = { $kind } { $has } z { $needs } m³
 # What the button that makes a thing is called, with what it takes.
@@ -28,6 +29,6 @@ item-bullet-about = Tym strzela pistolet.
 item-lamp-about = Oświetla okolicę. Można ją postawić i znów podnieść.
 item-flag-about = Oznacza miejsce. Wbij ją, kliknij ją, żeby nadać jej nazwę, i zabierz, kiedy chcesz: mapa i kompas pokazują do niej drogę.
 item-door-about = Jedne z pary. Postaw oboje: co wchodzi w jedne, wychodzi z drugich. Zabierz je prawym przyciskiem.
-item-pickaxe-wood-about = Kopie i buduje, powoli.
-item-pickaxe-iron-about = Kopie i buduje trzy razy szybciej niż drewniany.
-item-pickaxe-diamond-about = Kopie i buduje pięć razy szybciej niż drewniany.
+item-pickaxe-wood-about = Kopie i buduje, powoli. Tam, gdzie zbiera się materiał, nie kopie miedzi ani kryształu.
+item-pickaxe-iron-about = Kopie i buduje trzy razy szybciej niż drewniany. Tam, gdzie zbiera się materiał, kopie też miedź.
+item-pickaxe-diamond-about = Kopie i buduje pięć razy szybciej niż drewniany. Tam, gdzie zbiera się materiał, kopie też kryształ.

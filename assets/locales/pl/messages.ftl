@@ -49,6 +49,7 @@ hint-nobody-to-talk-to = Przed tobą nie ma z kim rozmawiać.
 hint-too-far-to-talk = Są za daleko, żeby rozmawiać. Podejdź bliżej.
 hint-waits-to-talk = Usłyszeli cię i czekają. Podejdź bliżej, żeby porozmawiać.
 hint-in-the-way = Stoisz na drodze tego, co budujesz, pod sklepieniem. Cofnij się albo weź mniejszy pędzel.
+hint-out-of-reach = W zasięgu nie ma nic do kopania. Podejdź bliżej.
 hint-too-hard = Za twarde dla tego kilofa: { $kind }. Z tego, co wykopiesz, można zrobić lepszy.
 hint-nothing-to-build = Nie masz gruntu do budowania. Najpierw coś wykop.
 hint-used-up = Nie ma już z czego budować: { $kind }. Wybierz inny grunt albo wykop więcej.

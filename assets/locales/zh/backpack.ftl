@@ -14,6 +14,7 @@ backpack-make = 制作
 backpack-slots = 格子
 making-carried = 随身带着：
 making-nothing = 你没有带任何土石。挖掘即可收集。
+making-where = 煤在地下 2 米以下成层分布，铜在 4 米以下成脉分布，上方常有黏土；水晶在 7 米以下，上方有碎石，洞穴的大厅里也有。
 making-earth = { $kind } { $volume } 立方米
 making-part = { $kind } { $has } / { $needs } 立方米
 # What the button that makes a thing is called, with what it takes.
@@ -28,6 +29,6 @@ item-bullet-about = 枪用的子弹。
 item-lamp-about = 照亮周围。可以放下，也可以再拿起。
 item-flag-about = 标记一个地方。插在地上，点一下就能取名，也可以再收起：地图和罗盘会指出去那里的路。
 item-door-about = 成对的门之一。放好两扇：从一扇进去，就从另一扇出来。用右键收起。
-item-pickaxe-wood-about = 挖掘和建造，很慢。
-item-pickaxe-iron-about = 挖掘和建造，速度是木镐的三倍。
-item-pickaxe-diamond-about = 挖掘和建造，速度是木镐的五倍。
+item-pickaxe-wood-about = 挖掘和建造，很慢。在采集世界里，挖不动铜和水晶。
+item-pickaxe-iron-about = 挖掘和建造，速度是木镐的三倍。在采集世界里也能挖铜。
+item-pickaxe-diamond-about = 挖掘和建造，速度是木镐的五倍。在采集世界里也能挖水晶。

@@ -48,6 +48,7 @@ hint-nobody-to-talk-to = 前面没有可以交谈的人。
 hint-too-far-to-talk = 他们离得太远，无法交谈。请走近些。
 hint-waits-to-talk = 他们听见了，正在等你。请走近些交谈。
 hint-in-the-way = 你站在顶壁之下，挡住了要建造的地方。请后退，或换用更小的笔刷。
+hint-out-of-reach = 够得着的地方没有可挖的。请走近些。
 hint-too-hard = 这把镐挖不动：{ $kind }。可以用挖到的东西做一把更好的。
 hint-nothing-to-build = 没有可以用来建造的土。请先挖一些。
 hint-used-up = 没有了：{ $kind }。请选择别的土，或者再挖一些。

@@ -220,6 +220,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::TooFarToTalk => texts.say("hint-too-far-to-talk"),
         Hint::WaitsToTalk => texts.say("hint-waits-to-talk"),
         Hint::InTheWay => texts.say("hint-in-the-way"),
+        Hint::OutOfReach => texts.say("hint-out-of-reach"),
         Hint::TooHard(kind) => of_ground(texts, "hint-too-hard", kind),
         Hint::UsedUp(None) => texts.say("hint-nothing-to-build"),
         Hint::UsedUp(Some(kind)) => of_ground(texts, "hint-used-up", kind),

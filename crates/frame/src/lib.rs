@@ -19,6 +19,7 @@ mod view;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Leaf};
+use antipode_terrain::Kind;
 use glam::{DQuat, DVec3};
 
 pub use dust::{Dust, GroundMark, Look, MarkShape, Particle};
@@ -333,8 +334,17 @@ pub struct Marker {
     pub point: ChartPoint,
     /// Its radius in metres; of a ring, that of the brush.
     pub radius_m: f64,
-    /// Whether it is at work at the moment: a brush is marked only while it digs or builds.
+    /// Whether it is at work at the moment.
     pub active: bool,
     /// How it is drawn.
     pub shape: MarkerShape,
+    /// As which kind the land within a ring is shown, if it is: of what would be built.
+    pub ground: Option<Kind>,
+}
+
+impl Marker {
+    /// Whether a brush is marked: while it digs or builds, and while it is chosen what it builds of.
+    pub fn is_shown(&self) -> bool {
+        self.active || self.ground.is_some()
+    }
 }

@@ -125,6 +125,8 @@ pub struct Ring {
     pub radius_m: f32,
     /// How dark its edges are, 0 to 1.
     pub edges: f32,
+    /// As what the land within it is shown: the linear light of a kind and its number; all zero as it is.
+    pub ground: [f32; 4],
     /// In a closed world, metres of the chart along x, y and z for a difference in view coordinates.
     pub axes: [[f32; 4]; 3],
 }
@@ -155,6 +157,10 @@ impl Ring {
             light: colour.map(|channel| channel * light),
             radius_m: marker.radius_m as f32,
             edges,
+            ground: marker.ground.map_or([0.0; 4], |kind| {
+                let [r, g, b, _] = kind.tint();
+                [r, g, b, f32::from(kind.byte())]
+            }),
             axes: if closed {
                 chart_axes(frame, marker.point)
             } else {

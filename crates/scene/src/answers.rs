@@ -153,7 +153,7 @@ impl Scene {
         &self.sim.player.earthworks
     }
 
-    /// What is to be shown of what the last stroke of the brush has moved, the largest heap first.
+    /// What is to be shown of what the last stroke of the brush has moved, ores and then the largest heap first.
     pub fn heaps_shown(&self) -> Vec<Heap> {
         let now_s = self.sim.world.simulated_s;
         let gathers = self.stock().is_some();

@@ -2,7 +2,8 @@
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint};
 use antipode_physics::Character;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
 
 use crate::actors::Actors;
 use crate::car::doors::get_out;
@@ -14,6 +15,16 @@ use crate::world::World;
 const SET_DOWN_M: f64 = 0.75;
 /// Gap left below the feet of a body that is put on the surface, in metres.
 const CLEARANCE_M: f64 = 0.15;
+
+/// Height over the feet from which ground is looked for below, and how far below the untouched surface it makes a hole, metres.
+const HEAD_M: f64 = 1.5;
+const FALL_M: f64 = 2.0;
+/// Nor may there be one so far from the feet, metres.
+const BRINK_M: f64 = 1.5;
+/// Where firm ground is looked for beside a hole: so many rings so far apart, metres, in so many ways each.
+const FIRM_RINGS: u32 = 12;
+const RING_M: f64 = 3.0;
+const WAYS: u32 = 8;
 
 /// What of the player is moved.
 type Parts<'a> = (&'a mut Position, &'a mut Body);
@@ -53,6 +64,14 @@ pub(crate) fn free(world: &World, actors: &mut Actors, player: &mut Player) -> b
         return false;
     }
     player.body_unchecked = false;
+    if player.stands_up {
+        let firm = firm_place(world, actors);
+        player.stands_up = firm.is_some();
+        if let Some(firm) = firm {
+            teleport(world, actors, player, firm);
+            return true;
+        }
+    }
     let lifted = lift_out(world, actors, player) || raise_to_surface(world, actors, player);
     // The way up may have ended in ground that was not there yet.
     player.body_unchecked = lifted;
@@ -81,6 +100,36 @@ pub(crate) fn lift_out(world: &World, actors: &mut Actors, player: &Player) -> b
         position.0.pos = body.0.feet;
     }
     lifted
+}
+
+/// The surface nearest to the player where nobody has dug, if the ground below has been dug away so deep that a fall would
+/// hurt.
+fn firm_place(world: &World, actors: &Actors) -> Option<ChartPoint> {
+    let is_hole = |at: ChartPoint| {
+        let surface_m = world.ground.untouched_height(at);
+        let feet = ChartPoint::new(at.chart, at.pos.with_y(surface_m + CLEARANCE_M));
+        let ground_m = world.ground_height(feet.moved(DVec3::Y * HEAD_M));
+        let is_hole = ground_m.is_none_or(|ground_m| surface_m - ground_m > FALL_M);
+        (feet, is_hole)
+    };
+    // Nor at the brink of one.
+    let falls_from = |at: ChartPoint| {
+        let (feet, falls) = is_hole(at);
+        let mut beside = [DVec3::X, DVec3::NEG_X, DVec3::Z, DVec3::NEG_Z].into_iter();
+        let falls = falls || beside.any(|way| is_hole(at.moved(way * BRINK_M)).1);
+        (feet, falls)
+    };
+    let (here, falls) = falls_from(actors.feet());
+    if !falls || is_buried(world, actors) {
+        return None;
+    }
+    let places = (1..=FIRM_RINGS * WAYS).map(|n| {
+        let way = DVec2::from_angle(f64::from(n % WAYS) * TAU / f64::from(WAYS));
+        let off = way * (RING_M * f64::from(n.div_ceil(WAYS)));
+        within_world(&*world.strategy, here.moved(DVec3::new(off.x, 0.0, off.y)))
+    });
+    let mut firm = places.map(falls_from).filter(|(_, falls)| !falls);
+    firm.next().map(|(feet, _)| feet)
 }
 
 /// Stands a body on the ground that it was put over.

@@ -161,6 +161,7 @@ pub(crate) fn respawn(world: &World, actors: &mut Actors, player: &mut Player) {
     let now = Situation::of(world, actors, player);
     let start = now.start();
     body::teleport(world, actors, player, start);
+    player.stands_up = true;
     npc::send_hostile_away(world, actors);
 }
 

@@ -13,7 +13,7 @@ const LEAST_SHOWN_M3: f64 = 0.05;
 /// Who has dug so much slate in a visit and less coal than that, cubic metres, has dug where there is none.
 const DEEP_M3: f64 = 40.0;
 const COAL_M3: f64 = 1.0;
-/// So many kinds are shown.
+/// So many kinds are shown, and every ore: there is little of those, and they are what one digs for.
 const MOST_SHOWN: usize = 2;
 
 /// Some ground of a kind.
@@ -57,10 +57,11 @@ impl Earthworks {
         self.moved_at_s = now_s;
     }
 
-    /// Whether it is to be told where coal lies: once, to who has dug deep in this visit and found none.
-    pub(crate) fn misses_coal(&mut self) -> bool {
+    /// Whether it is to be told where coal lies: once, to who has dug deep in this visit, and found none and has none.
+    pub(crate) fn misses_coal(&mut self, stock: &Stock) -> bool {
         let dug = |kind| self.total.dug_m3(kind);
-        let in_vain = dug(Kind::Slate) > DEEP_M3 && dug(Kind::Coal) < COAL_M3;
+        let has_coal = dug(Kind::Coal).max(stock.of(Kind::Coal)) >= COAL_M3;
+        let in_vain = dug(Kind::Slate) > DEEP_M3 && !has_coal;
         in_vain && !std::mem::replace(&mut self.told_of_coal, true)
     }
 
@@ -71,7 +72,7 @@ impl Earthworks {
         self.paid = Stock::default();
     }
 
-    /// What is to be shown of the last stroke, the largest heap first: where one `gathers` what it gave and took, else the
+    /// What is to be shown of the last stroke, ores and then the largest heap first: where one `gathers` what it gave and took, else the
     /// kinds of which most was dug, or built where that is more.
     pub(crate) fn shown(&self, gathers: bool, now_s: f64) -> Vec<Heap> {
         if now_s - self.moved_at_s > SHOWN_S {
@@ -84,8 +85,12 @@ impl Earthworks {
             self.moved()
         };
         heaps.retain(|heap| heap.m3.abs() >= LEAST_SHOWN_M3);
-        heaps.sort_by(|a, b| b.m3.abs().total_cmp(&a.m3.abs()));
-        heaps.truncate(MOST_SHOWN);
+        heaps.sort_by(|a, b| {
+            let by_size = b.m3.abs().total_cmp(&a.m3.abs());
+            b.kind.is_ore().cmp(&a.kind.is_ore()).then(by_size)
+        });
+        let ores = heaps.iter().filter(|heap| heap.kind.is_ore()).count();
+        heaps.truncate(MOST_SHOWN.max(ores));
         heaps
     }
 
@@ -124,6 +129,25 @@ mod tests {
         assert!(works.shown(false, 0.0).is_empty());
         works.enter(1, &Earth::default(), &Stock::default(), 7.0);
         assert!(works.shown(false, 7.0).is_empty() && works.total().is_nothing());
+    }
+
+    #[test]
+    fn an_ore_is_told_of_however_little_there_is_of_it() {
+        let mut works = Earthworks::default();
+        let mut paid = Stock::default();
+        let dug = [
+            (Kind::Slate, 30.0),
+            (Kind::Soil, 9.0),
+            (Kind::Coal, 0.4),
+            (Kind::Copper, 0.01),
+        ];
+        for (kind, m3) in dug {
+            paid.add(kind, m3);
+        }
+        works.enter(1, &Earth::default(), &paid, 7.0);
+        let shown = works.shown(true, 7.5);
+        let kinds: Vec<_> = shown.iter().map(|heap| heap.kind).collect();
+        assert_eq!(kinds, [Kind::Coal, Kind::Slate]);
     }
 
     /// Half of what is built may be a surface of another kind that moves.

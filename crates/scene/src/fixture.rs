@@ -273,6 +273,7 @@ pub(crate) fn marker(now: Situation<'_>) -> Option<Marker> {
         radius_m: it.stands.marker_m,
         active: false,
         shape: MarkerShape::Ball,
+        ground: None,
     })
 }
 

@@ -25,6 +25,9 @@ const LAMP_RANGE_M: f64 = 12.0;
 const FLASH_COLOUR: [f32; 3] = [6.0, 6.0, 5.6];
 /// Distance at which the flashlight has faded away, metres.
 const FLASH_RANGE_M: f64 = 40.0;
+/// It is dimmed to what is closer than that, metres, and at most to such a share: else a wall before the eyes is white.
+const FLASH_FULL_M: f64 = 9.0;
+const FLASH_LEAST: f64 = 0.22;
 /// Angles from its middle within which it is full, and outside which there is none, radians.
 const FLASH_CONE_RAD: (f64, f64) = (0.26, 0.52);
 /// The flashlight is held this far below the eye and beside it, metres, so that what it lights has relief.
@@ -100,12 +103,13 @@ fn flash_beam(now: Situation<'_>, params: &ViewParams, eye: &Eye) -> BeamLight {
     let (right_m, up_m) = FLASH_BESIDE_M;
     let point = head.point.moved(head.right() * right_m + head.up() * up_m);
     let crosshair = Crosshair::through(now, params.clone());
-    let spot = crosshair.ground_or_figure(FLASH_RANGE_M).point;
-    let way = way_toward(&*params.strategy, eye, point, spot);
+    let spot = crosshair.ground_or_figure(FLASH_RANGE_M);
+    let way = way_toward(&*params.strategy, eye, point, spot.point);
+    let near = (spot.distance_m / FLASH_FULL_M).clamp(FLASH_LEAST, 1.0) as f32;
     BeamLight {
         point,
         direction: way.unwrap_or(head.front()),
-        colour: FLASH_COLOUR,
+        colour: FLASH_COLOUR.map(|channel| channel * near),
         range_m: FLASH_RANGE_M,
         cone_rad: FLASH_CONE_RAD,
         behind: None,

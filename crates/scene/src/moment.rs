@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Doorway, Eye, Map, Projection, Strategy};
 use antipode_items::Item;
+use antipode_terrain::Kind;
 use glam::DVec3;
 
 use crate::actors::ActorId;
 use crate::aimed::{Aim, ViewParams};
+use crate::brush::Choice;
 use crate::camera::{CameraMode, CameraPose};
 use crate::car::mirror::rear_view;
 use crate::day;
@@ -106,7 +108,7 @@ impl Scene {
             drives: now.actors.cars.driven(),
             dead: now.player.is_dead(),
         };
-        let marker = self.marker().filter(|marker| marker.active);
+        let marker = self.marker().filter(Marker::is_shown);
         let marker = marker.or_else(|| fixture::marker(now));
         let still = self.shown.viewing.reduced_motion;
         let mut moment = self.moment_of(taker, camera, self.lens(), mode != CameraMode::First);
@@ -293,7 +295,15 @@ impl Scene {
             } else {
                 MarkerShape::Ring
             },
+            ground: self.ground_offered(),
         })
+    }
+
+    /// The kind of ground that was chosen just now to build of, if one was.
+    fn ground_offered(&self) -> Option<Kind> {
+        let chosen = self.brush_chosen()?;
+        let kind = || self.brush().kind.or_else(|| self.stock()?.most());
+        (chosen == Choice::Kind).then(kind).flatten()
     }
 
     /// Through which picture the world is seen.

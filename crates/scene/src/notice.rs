@@ -146,6 +146,9 @@ pub enum Hint {
         "You stand in the way of what you build, under a roof. Step back, or take a smaller brush."
     )]
     InTheWay,
+    /// There is no ground within reach of the tool in hand.
+    #[error("Nothing to dig is within reach. Go closer.")]
+    OutOfReach,
     /// Such ground is too hard for the tool in hand.
     #[error("The {} is too hard for this pickaxe.", .0.name())]
     TooHard(Kind),

@@ -47,6 +47,8 @@ pub(crate) struct Player {
     pub biome: InBiome,
     /// Whether the body was put where it is and may be stuck there.
     pub body_unchecked: bool,
+    /// Whether the player was put back to the start, and it was not seen yet whether the ground there has been dug away.
+    pub stands_up: bool,
 }
 
 impl Player {
@@ -71,6 +73,7 @@ impl Player {
             circumnavigation: Circumnavigation::default(),
             biome: InBiome::default(),
             body_unchecked: true,
+            stands_up: false,
         }
     }
 

@@ -268,7 +268,8 @@ impl Scene {
                     let now_s = self.sim.world.simulated_s;
                     let works = &mut self.sim.player.earthworks;
                     works.enter(press, &earth, &gathered, now_s);
-                    if self.sim.world.streamer.stock().is_some() && works.misses_coal() {
+                    let stock = self.sim.world.streamer.stock();
+                    if stock.is_some_and(|stock| works.misses_coal(stock)) {
                         self.sim.outbox.hints.push(Hint::NoCoalYet);
                     }
                 }

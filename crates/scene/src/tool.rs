@@ -11,6 +11,7 @@ use crate::door;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::particles::Effect;
+use crate::pick::Pick;
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::sound::SoundEvent;
@@ -27,6 +28,8 @@ const ROOF_STEP_M: f64 = 0.5;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ToolMark {
     pub point: ChartPoint,
+    /// Whether there is ground within reach; else the place hangs in the air.
+    pub hits: bool,
     /// Whether it is being used.
     pub active: bool,
     /// The height where the stroke began, metres.
@@ -42,10 +45,11 @@ pub(crate) struct ToolMark {
 /// Where the tool in hand would work: along the geodesic through the crosshair. An empty hand works nowhere.
 pub(crate) fn mark(now: Situation<'_>) -> Option<ToolMark> {
     strength_in_hand(now)?;
-    let point = Crosshair::aimed(now).ground(REACH_M).point;
+    let Pick { point, hit, .. } = Crosshair::aimed(now).ground(REACH_M);
     let stroke = now.player.tool.filter(|before| before.active);
     Some(ToolMark {
         point,
+        hits: hit,
         active: false,
         level_m: stroke.map_or(point.pos.y, |before| before.level_m),
         press: stroke.map_or(0, |before| before.press),
@@ -74,10 +78,13 @@ fn has(now: Situation<'_>, kind: Kind) -> bool {
 
 /// Why a tool does nothing or little there, to be told when it is pressed, or when what is built has run out.
 fn hindrance(now: Situation<'_>, mark: &ToolMark, digs: bool) -> Option<Hint> {
-    now.world.streamer.stock()?;
     let player = now.player;
+    let is_new = !player.primary_before;
+    if digs && is_new && !mark.hits {
+        return Some(Hint::OutOfReach);
+    }
+    now.world.streamer.stock()?;
     if digs {
-        let is_new = !player.primary_before;
         let power = player.inventory.held().and_then(Item::power)?;
         let kind = is_new.then(|| now.world.ground.kind(mark.point))?;
         return (kind.hardness() > power).then_some(Hint::TooHard(kind));

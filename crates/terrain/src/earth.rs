@@ -234,21 +234,25 @@ fn enter(
     let turned = |corner: &Corner| (corner.values[0] < 0.0) != (corner.values[1] < 0.0);
     let is_solid = |corner: &Corner| corner.values[when] < 0.0;
     let any_turned = corners.iter().any(|it| is_solid(it) && turned(it));
-    let part = |corner: &Corner| {
-        if is_solid(corner) && (turned(corner) || !any_turned) {
-            (sense * (corner.values[1] - corner.values[0])).max(0.0) + LEAST_SHARE
-        } else {
-            0.0
+    let change = |corner: &Corner| (sense * (corner.values[1] - corner.values[0])).max(0.0);
+    let part = |c: usize| {
+        let corner = &corners[c];
+        if !is_solid(corner) || (any_turned && !turned(corner)) {
+            return 0.0;
         }
+        // Where none has turned, surfaces have moved along edges that end in air, by what has changed at either end.
+        let ends = [1, 2, 4].map(|axis: usize| &corners[c ^ axis]);
+        let beside = ends.into_iter().filter(|end| !any_turned && !is_solid(end));
+        change(corner) + beside.map(change).sum::<f32>() + LEAST_SHARE
     };
-    let whole: f32 = corners.iter().map(part).sum();
+    let whole: f32 = (0..8).map(part).sum();
     let sums = if m3 > 0.0 {
         &mut earth.dug_m3
     } else {
         &mut earth.built_m3
     };
     for (c, corner) in corners.iter().enumerate() {
-        let part = part(corner);
+        let part = part(c);
         if part <= 0.0 {
             continue;
         }

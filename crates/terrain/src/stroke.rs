@@ -8,7 +8,7 @@ use antipode_geometry::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord};
 use glam::{DVec2, DVec3, IVec3};
 
 use crate::edits::{ChunkEdits, owned_index};
-use crate::field::{Field, RIM_REACH_M, editable_y_m};
+use crate::field::{FIELD_BAND_M, Field, RIM_REACH_M, editable_y_m};
 use crate::kind::{Kind, SKIN};
 use crate::level::Level;
 use crate::samples::Samples;
@@ -56,7 +56,13 @@ pub struct Ground<'a> {
 /// How fast ground yields to what is just hard enough for it.
 const HARD_EASE: f32 = 0.4;
 
-/// How fast the kinds of a chunk's samples yield to a stroke.
+/// Where a stroke builds by less than that share of what it does at its middle it leaves ores of other kinds bare.
+const LEAST_ON_ORE: f32 = 0.5;
+/// What turns at once is so deep in the ground, or so far in the air, metres of field.
+const JUST_GROUND: f32 = -0.25;
+const WHOLLY_AIR: f32 = FIELD_BAND_M;
+
+/// How a chunk's samples yield to the stroke of somebody who gathers.
 struct Ease<'a> {
     samples: &'a Samples,
     strata: Strata<'a>,
@@ -70,6 +76,12 @@ impl Ease<'_> {
         if self.samples.get(i, j, k) < 0.0 {
             return self.of_solid([i, j, k]);
         }
+        let beside = self.solid_beside([i, j, k]);
+        beside.map(|at| self.of_solid(at)).fold(1.0, f32::min)
+    }
+
+    /// What is ground of the samples beside one.
+    fn solid_beside(&self, [i, j, k]: [usize; 3]) -> impl Iterator<Item = [usize; 3]> {
         let beside = [
             [i - 1, j, k],
             [i + 1, j, k],
@@ -78,13 +90,55 @@ impl Ease<'_> {
             [i, j, k - 1],
             [i, j, k + 1],
         ];
-        let solid = beside
-            .into_iter()
-            .filter(|&[i, j, k]| self.samples.get(i, j, k) < 0.0);
-        solid.map(|at| self.of_solid(at)).fold(1.0, f32::min)
+        let is_solid = |[i, j, k]: &[usize; 3]| self.samples.get(*i, *j, *k) < 0.0;
+        beside.into_iter().filter(is_solid)
+    }
+
+    /// By how much a stroke changes a sample that `now` has that value, in place of `amount`.
+    ///
+    /// The surface between a sample of ore and one of air is ore, and would grow with the values of both long before the
+    /// air is ground of what one builds of. So ores stay as they are, and what lies beside them turns to ground at once, and
+    /// later to air at once: nobody pays with ore for what he builds of soil, nor digs ore where he has built soil.
+    fn beside_ore(&self, at: [usize; 3], now: f32, stroke: &Stroke, amount: f32) -> f32 {
+        let is_ore_beside = |own: Kind| {
+            let mut beside = self.solid_beside(at).map(|at| self.kind_of(at));
+            beside.any(|kind| kind.is_ore() && kind != own)
+        };
+        if amount < 0.0 {
+            let Some(builds) = stroke.kind else {
+                return amount;
+            };
+            let is_other_ore = |kind: Kind| kind.is_ore() && kind != builds;
+            let stays = now < 0.0 && is_other_ore(self.kind_of(at));
+            let is_covered = amount <= LEAST_ON_ORE * stroke.amount;
+            return match now >= 0.0 && is_ore_beside(builds) {
+                _ if stays => 0.0,
+                true if is_covered => amount.min(JUST_GROUND - now),
+                true => 0.0,
+                false => amount,
+            };
+        }
+        let [i, j, k] = at;
+        let laid = Kind::of_byte(self.samples.covered(self.samples.index(i, j, k)).laid);
+        let turns = now < 0.0 && now + amount >= 0.0;
+        if turns && laid.is_some_and(is_ore_beside) {
+            return amount.max(WHOLLY_AIR - now);
+        }
+        amount
     }
 
     fn of_solid(&self, at: [usize; 3]) -> f32 {
+        let hardness = self.kind_of(at).hardness();
+        match hardness.cmp(&self.power) {
+            Ordering::Less => 1.0,
+            Ordering::Equal if hardness == 0 => 1.0,
+            Ordering::Equal => HARD_EASE,
+            Ordering::Greater => 0.0,
+        }
+    }
+
+    /// The kind of a sample that is ground.
+    fn kind_of(&self, at: [usize; 3]) -> Kind {
         let [i, j, k] = at;
         let land = self.samples.covered(self.samples.index(i, j, k));
         // Strata tell what is within the chunk; beside it the kind is as good as that of the sample next to it.
@@ -93,13 +147,7 @@ impl Ease<'_> {
             0 => self.strata.at(IVec3::from(place), land.depth) & !SKIN,
             laid => laid,
         };
-        let hardness = Kind::of_byte(byte).unwrap_or(Kind::PLAIN).hardness();
-        match hardness.cmp(&self.power) {
-            Ordering::Less => 1.0,
-            Ordering::Equal if hardness == 0 => 1.0,
-            Ordering::Equal => HARD_EASE,
-            Ordering::Greater => 0.0,
-        }
+        Kind::of_byte(byte).unwrap_or(Kind::PLAIN)
     }
 }
 
@@ -307,9 +355,13 @@ impl Stroke {
         };
         let yields = |ease: &Ease<'_>| f64::from(ease.of([i + 1, j + 1, k + 1]));
         let amount = amount * ease.filter(|_| amount > 0.0).map_or(1.0, yields);
-        let changed = edits.add_at(at, amount as f32);
         let before = now.get(i + 1, j + 1, k + 1);
-        let turns = before >= 0.0 && before + (amount as f32) < 0.0;
+        let mut amount = amount as f32;
+        if let Some(ease) = ease {
+            amount = ease.beside_ore([i + 1, j + 1, k + 1], before, self, amount);
+        }
+        let changed = edits.add_at(at, amount);
+        let turns = before >= 0.0 && before + amount < 0.0;
         let laid = self.kind.map_or(0, Kind::byte);
         (turns && edits.lay_at(at, laid)) || changed
     }

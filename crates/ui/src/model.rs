@@ -90,6 +90,8 @@ pub struct WorldRow {
     pub shipped: bool,
     /// Its space, e.g. "Spherical"; of a world.
     pub geometry: String,
+    /// How one plays in it, e.g. "Gathering"; nothing where everything is there from the start.
+    pub mode: String,
     /// Time played, e.g. "12 min".
     pub played: String,
     /// Date of last play.

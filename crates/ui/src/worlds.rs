@@ -198,6 +198,7 @@ fn facts(pass: &Pass<'_>, row: &WorldRow) -> String {
     let facts = [
         row.sentence.clone(),
         row.geometry.clone(),
+        row.mode.clone(),
         if row.played.is_empty() {
             String::new()
         } else {

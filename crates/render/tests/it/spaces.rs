@@ -11,7 +11,7 @@ use crate::common::{
 };
 use antipode_frame::{ChunkChange, Frame, Marker, MarkerShape};
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Eye, Geometry, Strategy, strategy};
-use antipode_terrain::ChunkMesh;
+use antipode_terrain::{ChunkMesh, Kind};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 
@@ -41,6 +41,7 @@ fn the_marker_is_within_a_pixel_of_what_it_points_at() {
                     radius_m: 0.8,
                     active: false,
                     shape: MarkerShape::Ball,
+                    ground: None,
                 });
             });
             let picture = studio.picture(&marked);
@@ -269,6 +270,7 @@ fn a_marker_behind_land_still_shows_but_faintly() {
                 radius_m: 4.0,
                 active: false,
                 shape: MarkerShape::Ball,
+                ground: None,
             });
         });
         let (x, y) = seen_at(&marked, point, SIZE);
@@ -305,6 +307,7 @@ fn the_ring_about_a_brush_is_thin_lies_on_the_land_and_leaves_its_middle_free() 
             radius_m,
             active: true,
             shape,
+            ground: None,
         });
         let marked = frame.clone().with_content(|it| it.marker = marker);
         let picture = studio.picture(&marked);
@@ -367,6 +370,7 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
             radius_m,
             active: true,
             shape: MarkerShape::Ring,
+            ground: None,
         });
         let marked = studio.picture(&frame);
         let is_changed = |(x, y): (f64, f64)| {
@@ -385,6 +389,30 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
                 !is_changed(seen(0.8)) && !is_changed(seen(1.2)),
                 "too wide, {said}"
             );
+        }
+        // What was chosen to build of is seen within it.
+        for (kind, channel) in [(Kind::Crystal, 2), (Kind::Clay, 0)] {
+            let offered = frame.clone().with_content(|it| {
+                let marker = it.marker.as_mut().expect("it has a ring");
+                marker.ground = Some(kind);
+            });
+            let shown = studio.picture(&offered);
+            for turn in 0..16 {
+                let way = DVec3::new(f64::from(turn).cos(), 0.0, f64::from(turn).sin());
+                let pixels = |share: f64| {
+                    let (x, y) = seen_at(&frame, middle.moved(way * radius_m * share), SIZE);
+                    [&plain, &shown].map(|it| it.get_pixel(x as u32, y as u32).0)
+                };
+                let [was, is] = pixels(0.4);
+                let strongest = (0..3).max_by_key(|c| is[*c]);
+                let changed = was[1].abs_diff(is[1]) > 20;
+                assert!(
+                    strongest == Some(channel) && changed,
+                    "{geometry} {chart:?}: {was:?} {is:?}"
+                );
+                let [was, is] = pixels(1.2);
+                assert_eq!(was, is, "{geometry} {chart:?} outside");
+            }
         }
     }
 }

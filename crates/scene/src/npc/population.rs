@@ -1,6 +1,7 @@
 //! Figures come out of sight around the player and go when they are far and out of sight.
 
 use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_items::Item;
 use glam::DVec3;
 
 use super::bearing::{ahead, any_heading, apart_m, toward};
@@ -11,6 +12,7 @@ use super::tuning::{
 use crate::actors::{ActorId, Actors};
 use crate::bot::{self, Bot};
 use crate::player::Player;
+use crate::setup::Mode;
 use crate::situation::Situation;
 use crate::tuning::{BODIES_WITHIN_CHUNKS, BOT_HEALTH};
 use crate::world::World;
@@ -45,7 +47,8 @@ pub(super) fn come_and_go(world: &World, actors: &mut Actors, player: &Player) {
         return;
     }
     let hostile = left.iter().filter(|view| view.fights).count();
-    let peaceful = if world.simulated_s < PEACE_S {
+    let at_peace = world.simulated_s < PEACE_S || !can_fight(world, player);
+    let peaceful = if at_peace {
         most / 2
     } else {
         // The hostile ones' places are kept for them.
@@ -54,11 +57,17 @@ pub(super) fn come_and_go(world: &World, actors: &mut Actors, player: &Player) {
     if left.len() - hostile < peaceful {
         let_one_come(world, actors, player, false);
     } else if hostile < MOST_HOSTILE
-        && world.simulated_s >= PEACE_S.max(actors.npcs.peace_until_s)
+        && !at_peace
+        && world.simulated_s >= actors.npcs.peace_until_s
         && let_one_come(world, actors, player, true)
     {
         actors.npcs.peace_until_s = world.simulated_s + HOSTILE_EVERY_S;
     }
+}
+
+/// Whether a player can answer a fight: in gathering worlds the gun has to be made first.
+fn can_fight(world: &World, player: &Player) -> bool {
+    world.setup.mode == Mode::Creative || player.inventory.count(Item::Gun) > 0
 }
 
 /// Those who fight are gone when the player stands up again, however they came, and others wait.

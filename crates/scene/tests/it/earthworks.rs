@@ -1,9 +1,11 @@
 //! What digging yields, and the way back from a stroke: what a player sees of them.
 
 use antipode_geometry::Geometry;
+use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{Actions, BrushShape, Choice, Hint, Kind, NotUndone, Scene};
 
 use crate::common::{scene, steps};
+use glam::DVec3;
 
 fn dig() -> Actions {
     Actions {
@@ -79,6 +81,36 @@ fn who_stands_in_a_pit_is_lifted_out_where_its_ground_returns() {
         steps(&mut scene, 60, &Actions::default());
         let feet = scene.feet().pos.y;
         assert!((feet - top).abs() < 0.3, "{geometry}: {feet} m of {top} m");
+    }
+}
+
+/// Where one began, one may have dug a shaft; who stands up again there does not fall into it.
+#[test]
+fn who_dies_stands_up_beside_the_shaft_that_he_dug_where_he_began() {
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        let start = scene.feet();
+        scene.aim(0.3, -1.5);
+        steps(&mut scene, 900, &dig());
+        let deep_m = start.pos.y - scene.feet().pos.y;
+        assert!(deep_m > 6.0, "{geometry}: {deep_m} m");
+        scene.teleport(start.moved(DVec3::new(0.0, 60.0, 0.0)));
+        while !scene.is_dead() {
+            steps(&mut scene, 1, &Actions::default());
+        }
+        while scene.is_dead() {
+            steps(&mut scene, 1, &Actions::default());
+        }
+        steps(&mut scene, 120, &Actions::default());
+        let feet = scene.feet().pos;
+        let off_m = (feet - start.pos).with_y(0.0).length();
+        let surface_m = scene.field().surface_height(start.chart, feet.x, feet.z);
+        assert!((1.0..36.0).contains(&off_m), "{geometry}: {off_m} m off");
+        assert!(
+            (feet.y - surface_m).abs() < 2.0,
+            "{geometry}: {feet} at {surface_m} m"
+        );
+        assert_eq!(scene.health(), FULL_HEALTH, "{geometry}: unhurt");
     }
 }
 

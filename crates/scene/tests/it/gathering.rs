@@ -133,6 +133,31 @@ fn a_wooden_pickaxe_leaves_copper_and_says_so_and_iron_digs_it() {
     );
 }
 
+#[test]
+fn only_who_has_no_coal_is_told_that_he_dug_deep_in_vain() {
+    for coal_m3 in [0.0, 50.0] {
+        let mut scene = scene(Geometry::Euclidean);
+        scene.give_ground(Kind::Slate, 400.0);
+        scene.give_ground(Kind::Coal, coal_m3);
+        scene.inventory_mut().put(0, one(Item::PickaxeDiamond));
+        scene.set_built_kind(Some(Kind::Slate));
+        scene.aim(0.3, -0.9);
+        let mut told = 0;
+        for _ in 0..6 {
+            steps(&mut scene, 60, &build());
+            steps(&mut scene, 60, &dig());
+            let hints = scene.take_hints();
+            told += hints
+                .iter()
+                .filter(|hint| **hint == Hint::NoCoalYet)
+                .count();
+        }
+        let dug = scene.probe().terrain.dug["slate"];
+        assert!(dug > 60.0, "{dug} m3 of slate");
+        assert_eq!(told, usize::from(coal_m3 == 0.0));
+    }
+}
+
 fn one(item: Item) -> Stack {
     Stack { item, count: 1 }
 }

@@ -4,7 +4,7 @@ use crate::common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, 
 use crate::common::steps;
 use antipode_geometry::{Eye, Geometry, equilateral_angle_sum_rad};
 use antipode_scene::tuning::FULL_HEALTH;
-use antipode_scene::{Actions, Hint, Line, NpcMode, Scene, State};
+use antipode_scene::{Actions, Hint, Item, Line, NpcMode, Scene, Stack, State, WorldSetup};
 use glam::DVec3;
 
 #[test]
@@ -71,7 +71,7 @@ fn the_same_world_and_the_same_play_give_the_same_figures() {
 fn they_come_out_of_sight_and_go_far_off_out_of_sight_never_too_many() {
     for geometry in Geometry::ALL {
         let mut scene = Scene::open(
-            antipode_scene::WorldSetup {
+            WorldSetup {
                 view_distance: 3,
                 ..crate::common::setup(geometry)
             },
@@ -337,6 +337,29 @@ fn who_is_called_from_afar_turns_round_and_waits() {
         pass(&mut scene, 12.0);
         assert_ne!(bot(&scene, id).state, State::Watch, "{geometry:?}");
     }
+}
+
+/// The gun has to be made there, and nobody is shot at before he can shoot.
+#[test]
+fn in_a_gathering_world_nobody_comes_to_fight_before_one_carries_a_gun() {
+    let setup = WorldSetup {
+        mode: antipode_scene::Mode::Gathering,
+        view_distance: 3,
+        ..crate::common::setup(Geometry::Euclidean)
+    };
+    let mut scene = Scene::open(setup, None).unwrap();
+    assert!(scene.wait_for_step(crate::common::LIMIT));
+    scene.set_npcs(NpcMode::On);
+    pass(&mut scene, 345.0);
+    let hostile = |scene: &Scene| scene.bots().iter().filter(|it| it.bot.hostile).count();
+    assert_eq!(hostile(&scene), 0);
+    let gun = Stack {
+        item: Item::Gun,
+        count: 1,
+    };
+    scene.inventory_mut().put(4, gun);
+    pass(&mut scene, 40.0);
+    assert!(hostile(&scene) > 0);
 }
 
 #[test]

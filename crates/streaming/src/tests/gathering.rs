@@ -79,16 +79,16 @@ fn ground_that_has_been_used_cannot_be_given_back() {
     assert_eq!(undone(&mut game), Err(NotUndone::NoneLeft));
 }
 
+/// What there is of a kind as it is kept, cubic metres: of ores it may be less than zero.
+fn stock(game: &Game, kind: Kind) -> f64 {
+    let stock = game.streamer.stock().expect("a stock");
+    let of_kind = stock.kept().find(|(it, _)| *it == kind);
+    of_kind.map_or(0.0, |(_, m3)| m3)
+}
+
 #[test]
 fn copper_is_not_grown_with_soil() {
     let (mut game, at) = gathering(Geometry::Euclidean);
-    let copper = |game: &Game| {
-        let stock = game.streamer.stock().expect("a stock");
-        stock
-            .kept()
-            .find(|(kind, _)| *kind == Kind::Copper)
-            .map_or(0.0, |(_, m3)| m3)
-    };
     let all = |kind: Kind| EarthRecord {
         kinds: vec![(kind.byte(), 1e4)],
     };
@@ -99,8 +99,51 @@ fn copper_is_not_grown_with_soil() {
         works(&mut game, 2 + 2 * round, at, -1.0, Some(Kind::Soil));
         works(&mut game, 3 + 2 * round, at, 1.0, None);
     }
-    let grown = copper(&game);
+    let grown = stock(&game, Kind::Copper);
     assert!(grown.abs() < 2.0, "{grown} m3 of copper came of soil");
+}
+
+/// As the game's brush does it, a little at a time: over a vein that is laid bare one builds of soil, and digs that again
+/// with wood.
+#[test]
+fn who_builds_of_soil_beside_copper_neither_pays_nor_wins_copper() {
+    for geometry in Geometry::ALL {
+        let (mut game, at) = gathering(geometry);
+        let all = |kind: Kind| EarthRecord {
+            kinds: vec![(kind.byte(), 1e4)],
+        };
+        game.streamer.gather(Some(&all(Kind::Copper)));
+        works(&mut game, 1, at, -6.0, Some(Kind::Copper));
+        game.streamer.gather(Some(&all(Kind::Soil)));
+        let top = at + DVec3::Y * 3.0;
+        for round in 0..4 {
+            let before = stock(&game, Kind::Soil);
+            for (press, amount, kind) in [
+                (2 + 2 * round, -0.1, Some(Kind::Soil)),
+                (3 + 2 * round, 0.1, None),
+            ] {
+                for _ in 0..40 {
+                    let little = Stroke {
+                        amount,
+                        kind,
+                        power: Some(1),
+                        ..stroke(top, 4.0)
+                    };
+                    game.streamer.edit_in(Some(press), little);
+                    game.wait(Until::Edits);
+                }
+                let copper = stock(&game, Kind::Copper);
+                assert!(
+                    copper.abs() < 0.3,
+                    "{geometry}, round {round}: {copper} m3 of copper"
+                );
+                if amount < 0.0 {
+                    let paid = before - stock(&game, Kind::Soil);
+                    assert!(paid > 5.0, "{geometry}, round {round}: {paid} m3 of soil");
+                }
+            }
+        }
+    }
 }
 
 /// A pickaxe that is too weak leaves the surface of hard ground where it is.

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use crate::common::{Random, World, flat, sphere};
-use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Strategy};
-use antipode_terrain::{ChunkMesh, RIM_REACH_M, Stroke, march};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord};
+use antipode_terrain::{ChunkMesh, Generator, RIM_REACH_M, Stroke, march};
 use glam::{DVec3, IVec3};
 
 /// A vertex on a chunk's face: its place on the face, normal and colour, to the bit.
@@ -98,8 +98,8 @@ fn assert_faces_match(
 /// Digs and builds at random corners of 3 x 3 x 3 chunks, meshing again only the chunks that the
 /// strokes name; every face of those must match after every edit, and at the end every
 /// mesh must be the one made afresh.
-fn edit_corners(space: &Arc<dyn Strategy>, chart: ChartId, count: usize, first: IVec3) {
-    let mut world = World::new(17, Arc::clone(space));
+fn edit_corners(mut world: World, chart: ChartId, count: usize, first: IVec3) {
+    let space = Arc::clone(world.field.strategy());
     let mut random = Random(23);
     let mut meshes = BTreeMap::new();
     for n in 0..27 {
@@ -125,7 +125,7 @@ fn edit_corners(space: &Arc<dyn Strategy>, chart: ChartId, count: usize, first: 
             power: None,
         };
         world.apply(&stroke);
-        let again = stroke.remeshed(&**space);
+        let again = stroke.remeshed(&*space);
         let again: BTreeSet<_> = again
             .into_iter()
             .filter(|c| meshes.contains_key(c))
@@ -149,10 +149,32 @@ fn edit_corners(space: &Arc<dyn Strategy>, chart: ChartId, count: usize, first: 
 
 #[test]
 fn a_thousand_edits_at_chunk_corners_leave_no_gap() {
-    edit_corners(&flat(), ChartId::FIRST, 1000, IVec3::new(-1, -1, 4));
+    edit_corners(
+        World::new(17, flat()),
+        ChartId::FIRST,
+        1000,
+        IVec3::new(-1, -1, 4),
+    );
 }
 
 #[test]
 fn edits_at_corners_near_the_equator_leave_no_gap() {
-    edit_corners(&sphere(), ChartId::SECOND, 200, IVec3::new(0, -1, -2));
+    edit_corners(
+        World::new(17, sphere()),
+        ChartId::SECOND,
+        200,
+        IVec3::new(0, -1, -2),
+    );
+}
+
+#[test]
+fn edits_at_corners_of_land_with_climates_and_caves_leave_no_gap() {
+    for (seed, x) in [(17, 0), (18, 2)] {
+        let world = World::made_by(Generator::Climates, seed, flat());
+        let y = world
+            .field
+            .surface_height(ChartId::FIRST, 32.0 * f64::from(x), 0.0);
+        let first = IVec3::new(x - 1, (y / 32.0).floor() as i32 - 2, -1);
+        edit_corners(world, ChartId::FIRST, 200, first);
+    }
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use antipode_language::{Texts, Value};
+use egui::style::ScrollAnimation;
 use egui::{
     Color32, EventFilter, FontId, Galley, Id, Key, Painter, Pos2, Rect, Response, Role, Sense, Ui,
     UiBuilder, Vec2, WidgetInfo, vec2,
@@ -94,6 +95,7 @@ pub(super) fn show(
         });
     }
     scroll(&mut ui, page.height(), |ui| {
+        turn_by_wheel(ui, page);
         let carried = carried(ui, texts, &model.earth);
         for (index, recipe) in model.recipes.iter().enumerate() {
             let response = row(ui, texts, index, recipe);
@@ -112,6 +114,14 @@ pub(super) fn show(
         }
     });
     (stops, asked)
+}
+
+/// Scrolls by the wheel over the page, which lies on a layer that scroll areas do not take for the topmost.
+fn turn_by_wheel(ui: &Ui, page: Rect) {
+    let (at, turned) = ui.input(|input| (input.pointer.hover_pos(), input.smooth_scroll_delta()));
+    if at.is_some_and(|at| page.contains(at)) && turned.y != 0.0 {
+        ui.scroll_with_delta_animation(vec2(0.0, turned.y), ScrollAnimation::none());
+    }
 }
 
 fn id(recipe: usize) -> Id {
@@ -141,6 +151,7 @@ fn carried(ui: &mut Ui, texts: &Texts, earth: &[EarthView]) -> Rect {
     };
     let mut words = vec![(None, head, WEAK)];
     words.extend(earth.iter().map(amount));
+    words.push((None, texts.say("making-where"), WEAK));
     let spoken: Vec<_> = words.iter().map(|(_, words, _)| words.as_str()).collect();
     let spoken = spoken.join(" · ");
     let width = ui.available_width().max(1.0);
@@ -165,10 +176,19 @@ fn row(ui: &mut Ui, texts: &Texts, index: usize, recipe: &RecipeView) -> Respons
     let name = item_name(texts, &recipe.made);
     let title = painter.layout(name.clone(), FontId::proportional(16.0), colour, inner);
     let words = recipe.parts.iter().map(|part| part_words(texts, part));
-    let words: Vec<_> = words.collect();
+    let mut words: Vec<_> = words.collect();
     let spoken: Vec<_> = words.iter().map(|(_, words, _)| words.as_str()).collect();
     let values = [("item", name.into()), ("parts", spoken.join(" · ").into())];
     let spoken = texts.say_with("making-recipe", &values);
+    if let Some(item) = recipe
+        .made
+        .item
+        .filter(|item| item.brush_strength_per_s().is_some())
+    {
+        // What a tool digs is what it is made for.
+        let about = texts.say(&format!("item-{}-about", item.id()));
+        words.push((None, about, WEAK));
+    }
     let flow = Flow::new(&painter, inner, words);
     let least = if width < ICON_FROM { 0.0 } else { ICON };
     let high = (title.size().y + LINE + flow.size.y).max(least) + 2.0 * MARGIN.y;

@@ -25,6 +25,10 @@ const GAP: f32 = 4.0;
 const NAME: f32 = 30.0;
 /// How light the land is by its height, from the lowest, 0 to 255.
 const LIGHTNESS: [f32; 5] = [48.0, 76.0, 110.0, 150.0, 214.0];
+/// How much a land's own lightness counts beside that of a middling one, 0 to 255, and the lightest that ground gets.
+const OWN_SHARE: f32 = 0.6;
+const MIDDLE_GREY: f32 = 110.0;
+const LIGHTEST: f32 = 235.0;
 /// Which of a land's three colours each of these has, from 0 for low ground to 2 for high.
 const HUES: [f32; 5] = [0.0, 0.0, 1.0, 1.5, 2.0];
 /// How light the ground is where nothing of the sky is left, of what it would be under all of it.
@@ -36,7 +40,7 @@ const SATURATION: f32 = 0.75;
 pub type Tints = [[f32; 3]; 5];
 
 /// The colours in which a map shows a land whose low, middle and high ground has these, sRGB: their hues, lighter the
-/// higher it is.
+/// higher it is, and the lighter they are themselves: snow is white on it wherever it lies.
 pub fn tints_of(ground: [[u8; 3]; 3]) -> Tints {
     std::array::from_fn(|stop| {
         let below = (HUES[stop] as usize).min(1);
@@ -46,7 +50,9 @@ pub fn tints_of(ground: [[u8; 3]; 3]) -> Tints {
             low + (high - low) * part
         });
         let grey = lightness(colour).max(1.0);
-        colour.map(|channel| (grey + (channel - grey) * SATURATION) * LIGHTNESS[stop] / grey)
+        let own = 1.0 + OWN_SHARE * (grey / MIDDLE_GREY - 1.0);
+        let lightness = (LIGHTNESS[stop] * own).min(LIGHTEST);
+        colour.map(|channel| (grey + (channel - grey) * SATURATION) * lightness / grey)
     })
 }
 

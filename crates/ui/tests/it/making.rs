@@ -54,6 +54,8 @@ fn making() -> MakingModel {
 }
 
 const DOOR: &str = "Make Door: coal 2.3 of 1.0 m³ · copper 0.2 of 3.0 m³";
+const CARRIED: &str = "You carry: · coal 2.3 m³ · copper 0.2 m³ · Coal lies in beds from 2 m below the ground on, copper in \
+     veins from 4 m, often under clay, and crystal from 7 m, under gravel, and in the halls of caves.";
 const LAMP: &str = "Make Lamp × 2: coal 2.3 of 0.5 m³";
 const BULLETS: &str = "Make Bullet × 10: copper 0.20 of 0.05 m³ · coal 2.3 of 0.1 m³";
 const GUN: &str = "Make Gun: coal 2.3 of 0.5 m³ · copper 0.2 of 2.0 m³";
@@ -106,7 +108,7 @@ fn the_mouse_turns_the_page_and_makes_what_is_possible_and_nothing_else() {
     let mut harness = page(with_recipes(), vec2(1280.0, 720.0));
     assert!(harness.query_by_label("Slot 1: Gun").is_none());
     assert_eq!(asked(&mut harness), []);
-    harness.get_by_label("You carry: · coal 2.3 m³ · copper 0.2 m³");
+    harness.get_by_label(CARRIED);
     harness.get_by_label(BULLETS).click();
     assert_eq!(asked(&mut harness), [BackpackWish::Make(2)]);
     for label in [DOOR, GUN] {

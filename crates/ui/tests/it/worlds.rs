@@ -49,7 +49,7 @@ fn a_worlds_page_is_reached_by_keys_and_left_by_escape() {
     assert_eq!(intents(&mut harness).len(), 1);
     for words in [
         "World 1",
-        "Spherical  ·  played 12 min",
+        "Spherical  ·  Gathering  ·  played 12 min",
         "/home/me/saves/world-1",
     ] {
         assert!(says(&harness, words), "{words}");

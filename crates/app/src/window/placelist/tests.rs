@@ -27,7 +27,11 @@ fn three() -> (tempfile::TempDir, WorldList) {
             seed: Some(1),
             radius_m: None,
             generator: None,
-            mode: antipode_scene::Mode::default(),
+            mode: if name == "b" {
+                antipode_scene::Mode::Gathering
+            } else {
+                antipode_scene::Mode::Creative
+            },
             start: Beginning::Middle,
         });
         let mut session = made.unwrap();
@@ -185,6 +189,13 @@ fn an_exported_world_is_found_and_comes_back_under_another_name() {
 fn row_of(list: &WorldList, slug: &str) -> WorldRow {
     let row = rows(list).into_iter().find(|row| row.slug == slug);
     row.unwrap_or_else(|| panic!("{slug} is not listed"))
+}
+
+#[test]
+fn the_list_says_in_which_worlds_one_gathers() {
+    let (_dir, list) = three();
+    let modes = ["a", "b", "c"].map(|slug| row_of(&list, slug).mode);
+    assert_eq!(modes, ["", "Gathering", ""]);
 }
 
 #[test]

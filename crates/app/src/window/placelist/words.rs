@@ -89,6 +89,11 @@ pub fn world_row(texts: &Texts, world: &WorldSummary) -> WorldRow {
                 |space| wording::geometry(texts, space),
             )
         }),
+        mode: if meta.is_some_and(|meta| meta.gathering) {
+            texts.say("mode-gathering")
+        } else {
+            String::new()
+        },
         played: known(&|meta| played(texts, meta.played_s)),
         last_played: known(&|meta| date(meta.last_played_unix_s)),
         size: size(texts, world.size_bytes),

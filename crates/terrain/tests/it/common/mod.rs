@@ -50,8 +50,12 @@ pub struct World {
 
 impl World {
     pub fn new(seed: u64, strategy: Arc<dyn Strategy>) -> Self {
+        Self::made_by(Generator::OneBiome, seed, strategy)
+    }
+
+    pub fn made_by(generator: Generator, seed: u64, strategy: Arc<dyn Strategy>) -> Self {
         Self {
-            field: Field::made_by(Generator::OneBiome, seed, strategy),
+            field: Field::made_by(generator, seed, strategy),
             edits: HashMap::new(),
             untouched: HashMap::new(),
         }

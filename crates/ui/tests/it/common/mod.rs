@@ -197,6 +197,7 @@ pub fn world(index: usize) -> WorldRow {
         name: format!("World {index}"),
         full_name: format!("World {index}"),
         geometry: "Spherical".to_owned(),
+        mode: if index == 1 { "Gathering" } else { "" }.to_owned(),
         played: "12 min".to_owned(),
         last_played: "2026-01-31".to_owned(),
         size: "1.2 MB".to_owned(),
