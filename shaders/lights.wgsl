@@ -17,7 +17,6 @@
 //   land_light(view, normal, ..)      what a vertex of land tells its fragments of the day's light
 //   daylit(light, albedo, share)      what those make of it
 //   is_land_unlit(light, ..)          and whether it says that is_unlit
-//   recoloured(light, times)          and of land whose colour is so many times what it was
 //   seen_normal(view, normal, ..)     the normal as one sees it, to be compared with directions at the eye
 //   from_ring(place, view)            how far a point is from the middle of the ring, in metres of the chart
 //   is_unlit(view, normal, ..)        whether a point turns away from the light that throws shadows, or lies where that does

@@ -189,29 +189,11 @@ fn ring_at(place: vec3<f32>, view: vec4<f32>) -> vec3<f32> {
     let pixels = abs(from_middle - scene.ring_radius_m) / across_m;
     let is_there = select(0.0, 1.0, scene.ring_radius_m > 0.0);
     let wide = 1.0 - smoothstep(2.0, 3.0, pixels);
-    let within = 1.0 - smoothstep(OFFERED.x, OFFERED.y, from_middle / (scene.ring_radius_m + 1e-6));
-    return is_there * vec3<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_edges, within);
-}
-
-// Land as it would look of the kind that was chosen to build of, by that share.
-fn offered(in: VertexOut, share: f32) -> VertexOut {
-    if scene.ring_ground.w == 0.0 || share <= 0.0 {
-        return in;
+    var offered = 0.0;
+    if scene.ring_ground.w > 0.0 {
+        offered = 1.0 - smoothstep(OFFERED.x, OFFERED.y, from_middle / scene.ring_radius_m);
     }
-    var shown = in;
-    shown.albedo = mix(in.albedo, scene.ring_ground.rgb, share);
-    if BY_PIXEL {
-        let weights = kind_weights(vec3<f32>(scene.ring_ground.w, 0.0, 1.0));
-        shown.kinds_a = mix(in.kinds_a, weights[0], share);
-        shown.kinds_b = mix(in.kinds_b, weights[1], share);
-        shown.kinds_c = mix(in.kinds_c, weights[2], share);
-        shown.kinds_d = mix(in.kinds_d, weights[3], share);
-        return shown;
-    }
-    let light = recoloured(LandLight(in.facing, in.dark), shown.albedo / max(in.albedo, vec3<f32>(1e-3)));
-    shown.facing = light.facing;
-    shown.dark = light.dark;
-    return shown;
+    return vec3<f32>(is_there * (1.0 - smoothstep(0.8, 1.8, pixels)), is_there * wide * scene.ring_edges, offered);
 }
 
 fn ringed(land: vec4<f32>, ring: vec3<f32>) -> vec4<f32> {
@@ -263,10 +245,15 @@ fn common_tone(in: VertexOut) -> f32 {
 }
 
 // Land with the surfaces of its kinds, lit by pixel.
-fn surface_light(in: VertexOut, share: f32, steps: Steps) -> vec3<f32> {
+fn surface_light(in: VertexOut, share: f32, steps: Steps, offered: f32) -> vec3<f32> {
     let wide_m = 0.7 * max(length(steps.grain_x), length(steps.grain_y));
-    let weights = mat4x4<f32>(in.kinds_a, in.kinds_b, in.kinds_c, in.kinds_d);
-    let surface = surface_at(weights, in.albedo, in.grain, wide_m);
+    var weights = mat4x4<f32>(in.kinds_a, in.kinds_b, in.kinds_c, in.kinds_d);
+    var albedo = in.albedo;
+    if offered > 0.0 {
+        weights = weights * (1.0 - offered) + kind_weights(vec3<f32>(scene.ring_ground.w, 0.0, 1.0)) * offered;
+        albedo = mix(albedo, scene.ring_ground.rgb, offered);
+    }
+    let surface = surface_at(weights, albedo, in.grain, wide_m);
     let tilt = tilted(normalize(in.facing), in.frame_normal, surface.slope, steps);
     // A normal n and a slope s have in the mean of all slopes the light of n, as long as n - s is not made one long: far off,
     // where no slope is seen, it is no lighter. Two thirds of a slope in space lie along the ground.
@@ -282,16 +269,20 @@ fn surface_light(in: VertexOut, share: f32, steps: Steps) -> vec3<f32> {
     return lit + surface.glow;
 }
 
-fn land_colour(in: VertexOut, point: Shaded, steps: Steps) -> vec4<f32> {
+// Of `offered` it is of the kind that was chosen to build of.
+fn land_colour(in: VertexOut, point: Shaded, steps: Steps, offered: f32) -> vec4<f32> {
     let unlit = is_turned(in);
     let share = key_share(point, in.clip.xy, unlit, in.feet.w > 0.5 * SHADED);
     let tone = common_tone(in) * in.land.x;
     if BY_PIXEL {
-        return vec4<f32>(surface_light(in, share, steps) * tone + in.veil, 1.0);
+        return vec4<f32>(surface_light(in, share, steps, offered) * tone + in.veil, 1.0);
     }
     var lit = daylit(LandLight(in.facing, in.dark), in.albedo, share);
     if any_lit(in.lights) {
         lit += in.albedo * lights_on(in.view, in.frame_normal, in.lights, 0.0);
+    }
+    if offered > 0.0 {
+        lit *= mix(vec3<f32>(1.0), scene.ring_ground.rgb / max(in.albedo, vec3<f32>(1e-3)), offered);
     }
     return vec4<f32>(lit * (plain_tone(in) * tone) + in.veil, 1.0);
 }
@@ -304,7 +295,7 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     if is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(offered(in, ring.z), point, steps), ring);
+    return ringed(land_colour(in, point, steps, ring.z), ring);
 }
 
 // Beyond what the chart draws: over its edge, where another chart draws it, or past what a bent picture shows. By
@@ -322,7 +313,7 @@ fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
     if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(offered(in, ring.z), point, steps), ring);
+    return ringed(land_colour(in, point, steps, ring.z), ring);
 }
 
 struct DeepOut {
@@ -344,7 +335,7 @@ fn fragment_deep(in: VertexOut) -> DeepOut {
     if is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(offered(in, ring.z), point, steps), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), own_depth(in));
 }
 
 @fragment
@@ -355,7 +346,7 @@ fn fragment_deep_rim(in: VertexOut) -> DeepOut {
     if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(offered(in, ring.z), point, steps), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), own_depth(in));
 }
 
 // Which pixels show what comes at a share from 0 to 1: a 4 x 4 ordered dither (Bayer, 1973).
@@ -380,7 +371,7 @@ fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
     if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return ringed(land_colour(offered(in, ring.z), point, steps), ring);
+    return ringed(land_colour(in, point, steps, ring.z), ring);
 }
 
 @fragment
@@ -391,5 +382,5 @@ fn fragment_deep_blending(in: VertexOut) -> DeepOut {
     if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(offered(in, ring.z), point, steps), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), own_depth(in));
 }

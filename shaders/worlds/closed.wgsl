@@ -112,11 +112,6 @@ fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
     return mix(light.dark, light.facing, share);
 }
 
-// The light of land of another colour: so many times what it was.
-fn recoloured(light: LandLight, times: vec3<f32>) -> LandLight {
-    return LandLight(light.facing * times, light.dark * times);
-}
-
 fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {
     return all(light.facing - light.dark <= 0.002 * light.facing);
 }

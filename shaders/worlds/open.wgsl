@@ -43,11 +43,6 @@ fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
     return albedo * light_on(normalize(light.facing), share, light.dark.x);
 }
 
-// The light of land of another colour, which is none of it here.
-fn recoloured(light: LandLight, times: vec3<f32>) -> LandLight {
-    return light;
-}
-
 fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {
     return is_unlit(view, normalize(light.facing), model_normal);
 }

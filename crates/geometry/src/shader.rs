@@ -11,7 +11,7 @@ pub const MAP_FUNCTIONS: [&str; 6] = [
 ];
 
 /// The functions that the text of every kind of daylight defines; what they are for, `shaders/lights.wgsl` says.
-pub const DAYLIGHT_FUNCTIONS: [&str; 19] = [
+pub const DAYLIGHT_FUNCTIONS: [&str; 18] = [
     "in_common_axes",
     "grain_point",
     "grain_up",
@@ -22,7 +22,6 @@ pub const DAYLIGHT_FUNCTIONS: [&str; 19] = [
     "land_light",
     "daylit",
     "is_land_unlit",
-    "recoloured",
     "seen_normal",
     "from_ring",
     "is_unlit",

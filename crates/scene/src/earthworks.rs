@@ -57,8 +57,11 @@ impl Earthworks {
         self.moved_at_s = now_s;
     }
 
-    /// Whether it is to be told where coal lies: once, to who has dug deep in this visit, and found none and has none.
-    pub(crate) fn misses_coal(&mut self, stock: &Stock) -> bool {
+    /// Whether it is to be told where coal lies: once, to who gathers, has dug deep in this visit, and found none and has none.
+    pub(crate) fn misses_coal(&mut self, stock: Option<&Stock>) -> bool {
+        let Some(stock) = stock else {
+            return false;
+        };
         let dug = |kind| self.total.dug_m3(kind);
         let has_coal = dug(Kind::Coal).max(stock.of(Kind::Coal)) >= COAL_M3;
         let in_vain = dug(Kind::Slate) > DEEP_M3 && !has_coal;

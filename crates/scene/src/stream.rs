@@ -268,8 +268,7 @@ impl Scene {
                     let now_s = self.sim.world.simulated_s;
                     let works = &mut self.sim.player.earthworks;
                     works.enter(press, &earth, &gathered, now_s);
-                    let stock = self.sim.world.streamer.stock();
-                    if stock.is_some_and(|stock| works.misses_coal(stock)) {
+                    if works.misses_coal(self.sim.world.streamer.stock()) {
                         self.sim.outbox.hints.push(Hint::NoCoalYet);
                     }
                 }
