@@ -102,8 +102,7 @@ pub(crate) fn lift_out(world: &World, actors: &mut Actors, player: &Player) -> b
     lifted
 }
 
-/// The surface nearest to the player where nobody has dug, if the ground below has been dug away so deep that a fall would
-/// hurt.
+/// The surface nearest to the player where nobody has dug deep, if that below or just beside has been dug away.
 fn firm_place(world: &World, actors: &Actors) -> Option<ChartPoint> {
     let is_hole = |at: ChartPoint| {
         let surface_m = world.ground.untouched_height(at);

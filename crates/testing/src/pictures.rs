@@ -16,7 +16,7 @@ pub const MOST_OFF: usize = 100;
 pub fn striped_land(text: &str) -> String {
     let shown = "fn land_colour(";
     assert_eq!(text.matches(shown).count(), 1);
-    let own = "fn land_colour(in: VertexOut, point: Shaded, steps: Steps) -> vec4<f32> {
+    let own = "fn land_colour(in: VertexOut, point: Shaded, steps: Steps, offered: f32) -> vec4<f32> {
         let octave = log2(max(length(in.place.xyz), 1.0) / 60.0);
         let fine = exp2(floor(octave));
         let turns = vec3<f32>(3.14159265) * in.grain / fine;
