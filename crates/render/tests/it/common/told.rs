@@ -6,7 +6,8 @@ use antipode_render::{Shaders, TERRAIN};
 pub fn told() -> Shaders {
     let shown = "fn land_colour(";
     assert_eq!(TERRAIN.own.matches(shown).count(), 1);
-    let own = "fn land_colour(in: VertexOut, point: Shaded, steps: Steps, offered: f32) -> vec4<f32> {
+    let own =
+        "fn land_colour(in: VertexOut, point: Shaded, steps: Steps, offered: f32) -> vec4<f32> {
         let unlit = is_turned(in);
         let through = key_through(point, in.clip.xy, unlit, false);
         return vec4<f32>(through, select(0.0, 1.0, unlit), 0.0, 1.0);
