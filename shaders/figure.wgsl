@@ -261,7 +261,8 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let shine = pow(max(dot(seen, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground, scene.ambient_sky, 0.5 + 0.5 * normal.y) * in.sky;
     let unlit = is_unlit(in.view, normal, in.frame_normal);
-    let share = key_share(shaded_at(in.place, in.view, normal, in.frame_normal), in.clip.xy, unlit, true);
+    let point = shaded_at(in.place, in.view, normal, in.frame_normal);
+    let share = key_share(open_to(point, in.sky), in.clip.xy, unlit, true);
     var colour = in.albedo.rgb * daylight_on(in.view, normal, in.frame_normal, share, in.sky);
     if any_lit(in.lights) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;

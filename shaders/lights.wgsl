@@ -16,6 +16,7 @@
 //   wants_model_normal(lights)        whether a vertex needs its normal in view coordinates
 //   land_light(view, normal, ..)      what a vertex of land tells its fragments of the day's light
 //   daylit(light, albedo, share)      what those make of it
+//   land_sky(light)                  how much of the sky that says there is, where it says so, and else all of it
 //   is_land_unlit(light, ..)          and whether it says that is_unlit
 //   seen_normal(view, normal, ..)     the normal as one sees it, to be compared with directions at the eye
 //   from_ring(place, view)            how far a point is from the middle of the ring, in metres of the chart

@@ -48,14 +48,22 @@ struct Shaded {
     x: vec4<f32>,
     y: vec4<f32>,
     faced: f32,        // how surely its normals face the light, 0 to 1
+    open: f32,         // the share of the light that reaches it where no map tells: little of it without a sky
 }
 
-const NOT_SHADED: Shaded = Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0), 0.0);
+const NOT_SHADED: Shaded = Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0), 0.0, 1.0);
 
 // From the cosine to the light. What turns to it by less is dim, and triangles of steep land stray from their normals as
 // far as that.
 fn surely_faced(cosine: f32) -> f32 {
     return smoothstep(0.25 * FACING, 0.75 * FACING, cosine);
+}
+
+// What reaches a place of so much sky as far as no map tells: deep below untouched land there is no sun.
+fn open_to(point: Shaded, sky: f32) -> Shaded {
+    var told = point;
+    told.open = smoothstep(DEEPEST_SKY, DEEPEST_SKY + 0.35, sky);
+    return told;
 }
 
 fn chosen(rows: array<vec4<f32>, 3>, number: u32) -> vec4<f32> {

@@ -141,6 +141,8 @@ fn patterns_of(kind: u32) -> Patterns {
         case 11u: { return Patterns(vec4<f32>(0.5, 4.0, 32.0, 0.0), vec2<f32>(0.0), vec2<f32>(0.0)); }
         case 12u: { return Patterns(vec4<f32>(2.0, 0.0, 0.0, 0.0), vec2<f32>(8.0, 0.0), vec2<f32>(0.12, 0.0)); }
         case 14u: { return Patterns(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec2<f32>(4.0, 16.0), vec2<f32>(0.25, 0.06)); }
+        case 15u: { return Patterns(vec4<f32>(1.0, 8.0, 64.0, 0.0), vec2<f32>(0.0), vec2<f32>(0.0)); }
+        case 16u: { return Patterns(vec4<f32>(0.5, 4.0, 0.0, 0.0), vec2<f32>(4.0, 16.0), vec2<f32>(0.3, 0.075)); }
         default: { return Patterns(vec4<f32>(0.5, 4.0, 64.0, 0.0), vec2<f32>(4.0, 16.0), vec2<f32>(0.3, 0.075)); }
     }
 }
@@ -495,4 +497,26 @@ fn crystal(ground: Ground) -> Detail {
     let deep = mix(0.45, 1.0 - facet.near, left);
     let glow = hue * vec3<f32>(0.020, 0.040, 0.055) * deep * (0.6 + 0.4 * mid.x);
     return Detail(0.8, lean(facet) * (2.0 * left), tone, 1.0, glow);
+}
+
+// Grain that runs upwards, and rings where it is cut.
+fn wood(ground: Ground) -> Detail {
+    let streak = ground.a;
+    let mid = ground.b;
+    let fine = ground.c;
+    let tone = vec3<f32>((1.0 + 0.20 * streak.x) * (1.0 + 0.22 * mid.x) * (1.0 + 0.14 * fine.x));
+    let slope = mid.yzw * 0.030 + fine.yzw * 0.006;
+    return Detail(0.5 + 0.3 * mid.x, slope, tone, 0.05, vec3<f32>(0.0));
+}
+
+// Tufts of leaves, each of its own tone, dark between them.
+fn leaves(ground: Ground) -> Detail {
+    let wide = ground.a;
+    let mid = ground.b;
+    let tufts = stones(ground.wide);
+    let blades = stones(ground.small);
+    var tone = vec3<f32>(1.0 + 0.16 * wide.x) * (1.0 + 0.5 * (tufts.height - 0.40) + 0.20 * (tufts.own - 0.5));
+    tone *= 1.0 + 0.45 * (blades.height - 0.40) + 0.16 * mid.x;
+    let slope = tufts.slope * 0.55 + blades.slope * 0.35;
+    return Detail(0.5, slope, tone, 0.06, vec3<f32>(0.0));
 }

@@ -23,6 +23,9 @@ const SLATE: u32 = 11u;
 const COAL: u32 = 12u;
 const COPPER: u32 = 13u;
 const CRYSTAL: u32 = 14u;
+// What plants are made of, which is no ground.
+const WOOD: u32 = 15u;
+const LEAVES: u32 = 16u;
 const KINDS: u32 = 16u;
 // A vertex's byte has the number of its kind in five bits, and above them the skin of untouched land, or steps of the sky.
 const NUMBER_BITS: u32 = 0x1fu;
@@ -87,6 +90,8 @@ fn detail_of(kind: u32, spot: Spot) -> Detail {
         case 11u: { return levelled(slate(ground), vec3<f32>(0.785)); }
         case 12u: { return levelled(coal(ground), vec3<f32>(1.185)); }
         case 13u: { return levelled(copper(ground), vec3<f32>(1.410, 1.350, 1.140)); }
+        case 15u: { return levelled(wood(ground), vec3<f32>(1.0)); }
+        case 16u: { return levelled(leaves(ground), vec3<f32>(1.0)); }
         case 14u: { return levelled(crystal(ground), vec3<f32>(1.180, 1.020, 1.500)); }
         default: { return levelled(soil(ground), vec3<f32>(0.760, 0.770, 0.780)); }
     }

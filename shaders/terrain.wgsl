@@ -101,7 +101,9 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.grain = grain;
     // No haze is lit where neither the eye nor the land has a sky.
     out.veil = haze_before(view) * (fog * mix(1.0, ground.z, scene.covered));
-    out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
+    // Of what grows no cut shows layers.
+    let steep = select(sqrt(max(1.0 - authored.y * authored.y, 0.0)), 0.0, ground.x >= f32(WOOD));
+    out.land = vec4<f32>(1.0 - fog, spread_m, steep, world.y);
     out.place = vec4<f32>(place, beyond_chart(p));
     let mark = select(0.0, SHADED, (in.flags & 1u) != 0u);
     out.feet = vec4<f32>(nearest_feet(place, in.flags >> 1u), in.world.w + mark);
@@ -153,18 +155,19 @@ const RIM_OVERLAP: f32 = 0.5;
 struct CasterIn {
     @location(0) units: vec4<u32>,      // as above
     @location(3) offset: vec3<f32>,     // the chunk's corner from where the map's matrix begins
+    @location(4) flags: u32,            // lowest bit: no land, which ends at the edge of its chart
 }
 
 // Land past the edge, which pictures leave to the other chart, is no land and must throw no shadow. It is laid down
 // on the sheet y = 0, under all land: left out, it would take with it the triangles that reach over it.
-fn is_past_rim(p: vec3<f32>) -> bool {
-    return length(p.xz) > caster.rim_m + RIM_OVERLAP;
+fn is_past_rim(p: vec3<f32>, flags: u32) -> bool {
+    return (flags & 1u) == 0u && length(p.xz) > caster.rim_m + RIM_OVERLAP;
 }
 
 @vertex
 fn vertex_caster(in: CasterIn) -> @builtin(position) vec4<f32> {
     let p = in.offset + position_of(in.units);
-    return caster_clip(select(p, vec3<f32>(p.x, 0.0, p.z), is_past_rim(p)));
+    return caster_clip(select(p, vec3<f32>(p.x, 0.0, p.z), is_past_rim(p, in.flags)));
 }
 
 // Nothing, over all of a map: what was there is gone.
@@ -272,7 +275,8 @@ fn surface_light(in: VertexOut, share: f32, steps: Steps, offered: f32) -> vec3<
 // Of `offered` it is of the kind that was chosen to build of.
 fn land_colour(in: VertexOut, point: Shaded, steps: Steps, offered: f32) -> vec4<f32> {
     let unlit = is_turned(in);
-    let share = key_share(point, in.clip.xy, unlit, in.feet.w > 0.5 * SHADED);
+    let sky = select(land_sky(LandLight(in.facing, in.dark)), in.dark.x, BY_PIXEL);
+    let share = key_share(open_to(point, sky), in.clip.xy, unlit, in.feet.w > 0.5 * SHADED);
     let tone = common_tone(in) * in.land.x;
     if BY_PIXEL {
         return vec4<f32>(surface_light(in, share, steps, offered) * tone + in.veil, 1.0);

@@ -112,6 +112,11 @@ fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
     return mix(light.dark, light.facing, share);
 }
 
+// It is in the light already.
+fn land_sky(light: LandLight) -> f32 {
+    return 1.0;
+}
+
 fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {
     return all(light.facing - light.dark <= 0.002 * light.facing);
 }
@@ -149,7 +154,7 @@ fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal:
     let body = key_body();
     let near = dot(model_of(view), body);
     let cosine = dot(model_normal, body) * inverseSqrt(max(1.0 - near * near, 1.0e-3));
-    return Shaded(view, dpdx(view), dpdy(view), surely_faced(cosine));
+    return Shaded(view, dpdx(view), dpdy(view), surely_faced(cosine), 1.0);
 }
 
 fn shadow_away(point: Shaded, number: u32) -> f32 {
@@ -183,5 +188,5 @@ fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
     if SHADOWS == 2u {
         return either(point, scene.shadows.maps[0], scene.shadows.maps[shadow_face(point)], near_end);
     }
-    return mix(shadow_read(point, scene.shadows.maps[0]), 1.0, near_end);
+    return mix(shadow_read(point, scene.shadows.maps[0]), point.open, near_end);
 }

@@ -43,6 +43,10 @@ fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
     return albedo * light_on(normalize(light.facing), share, light.dark.x);
 }
 
+fn land_sky(light: LandLight) -> f32 {
+    return light.dark.x;
+}
+
 fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {
     return is_unlit(view, normalize(light.facing), model_normal);
 }
@@ -70,7 +74,7 @@ fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal:
     let faced = surely_faced(dot(normalize(normal), scene.key_direction));
     let right = vec4<f32>(dpdx(place), 0.0);
     let below = vec4<f32>(dpdy(place), 0.0);
-    return Shaded(vec4<f32>(place, 1.0), right, below, faced);
+    return Shaded(vec4<f32>(place, 1.0), right, below, faced, 1.0);
 }
 
 fn shadow_away(point: Shaded, number: u32) -> f32 {
@@ -89,10 +93,10 @@ fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
         let past_near = near_end >= 1.0;
         let end = select(near_end, shadow_end(shadow_away(point, 1u)), past_near);
         let read = either(point, cascade(select(0u, 1u, past_near)), cascade(select(1u, 2u, past_near)), end);
-        return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
+        return mix(read, point.open, shadow_end(shadow_away(point, 2u)));
     }
     let noise = shadow_noise(pixel);
     let past_middle = shadow_end(shadow_away(point, 1u)) > noise;
     let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), near_end > noise)));
-    return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
+    return mix(read, point.open, shadow_end(shadow_away(point, 2u)));
 }

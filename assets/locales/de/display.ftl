@@ -105,6 +105,7 @@ ground-slate = Schiefer
 ground-coal = Kohle
 ground-copper = Kupfer
 ground-crystal = Kristall
+ground-wood = Holz
 brush-ball = Kugel
 brush-box = Würfel
 brush-cylinder = Zylinder

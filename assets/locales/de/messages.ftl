@@ -36,6 +36,7 @@ hint-died-of-fall = Du bist zu tief gefallen. Du stehst am Anfang wieder auf.
 hint-died-of-shot = Du wurdest erschossen. Du stehst am Anfang wieder auf.
 hint-died-of-crash = Der Aufprall hat dich getötet. Du stehst am Anfang wieder auf.
 hint-died-of-car = Ein Auto hat dich überfahren. Du stehst am Anfang wieder auf.
+hint-died-of-tree = Ein Baum ist auf dich gefallen. Du stehst am Anfang wieder auf.
 hint-no-car-near = Es ist kein Auto innerhalb von vier Metern zu sehen.
 hint-look-at-car = Das Auto ist neben dir. Sieh es an, um einzusteigen.
 hint-car-too-far = Das Auto ist zu weit weg zum Einsteigen. Geh näher heran.

@@ -112,6 +112,7 @@ ground-slate = Slate
 ground-coal = Coal
 ground-copper = Copper
 ground-crystal = Crystal
+ground-wood = Wood
 brush-ball = Ball
 brush-box = Box
 brush-cylinder = Cylinder

@@ -37,6 +37,7 @@ hint-died-of-fall = You fell too far. You will stand up again where you began.
 hint-died-of-shot = You were shot. You will stand up again where you began.
 hint-died-of-crash = The crash killed you. You will stand up again where you began.
 hint-died-of-car = A car ran you over. You will stand up again where you began.
+hint-died-of-tree = A tree fell on you. You will stand up again where you began.
 hint-no-car-near = There is no car in view within four metres.
 hint-look-at-car = The car is beside you. Look at it to get in.
 hint-car-too-far = The car is too far away to get in. Go closer.

@@ -105,6 +105,7 @@ ground-slate = Pizarra
 ground-coal = Carbón
 ground-copper = Cobre
 ground-crystal = Cristal
+ground-wood = Madera
 brush-ball = Esfera
 brush-box = Cubo
 brush-cylinder = Cilindro

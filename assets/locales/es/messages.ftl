@@ -36,6 +36,7 @@ hint-died-of-fall = Has caído desde muy alto. Te levantarás donde empezaste.
 hint-died-of-shot = Te han disparado. Te levantarás donde empezaste.
 hint-died-of-crash = El choque te ha matado. Te levantarás donde empezaste.
 hint-died-of-car = Te ha atropellado un coche. Te levantarás donde empezaste.
+hint-died-of-tree = Te ha caído un árbol encima. Te levantarás donde empezaste.
 hint-no-car-near = No hay ningún coche a la vista a menos de cuatro metros.
 hint-look-at-car = El coche está a tu lado. Míralo para subir.
 hint-car-too-far = El coche está demasiado lejos para subir. Acércate.

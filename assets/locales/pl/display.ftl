@@ -111,6 +111,7 @@ ground-slate = Łupek
 ground-coal = Węgiel
 ground-copper = Miedź
 ground-crystal = Kryształ
+ground-wood = Drewno
 brush-ball = Kula
 brush-box = Sześcian
 brush-cylinder = Walec

@@ -37,6 +37,7 @@ hint-died-of-fall = To był zbyt wysoki upadek. Wstaniesz tam, gdzie zaczynasz.
 hint-died-of-shot = Zastrzelono cię. Wstaniesz tam, gdzie zaczynasz.
 hint-died-of-crash = Zginąłeś w zderzeniu. Wstaniesz tam, gdzie zaczynasz.
 hint-died-of-car = Przejechał cię samochód. Wstaniesz tam, gdzie zaczynasz.
+hint-died-of-tree = Przygniotło cię drzewo. Wstaniesz tam, gdzie zaczynasz.
 hint-no-car-near = W promieniu czterech metrów nie widać samochodu.
 hint-look-at-car = Samochód jest obok ciebie. Spójrz na niego, aby wsiąść.
 hint-car-too-far = Samochód jest za daleko, żeby wsiąść. Podejdź bliżej.

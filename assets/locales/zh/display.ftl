@@ -105,6 +105,7 @@ ground-slate = 板岩
 ground-coal = 煤
 ground-copper = 铜
 ground-crystal = 水晶
+ground-wood = 木头
 brush-ball = 球
 brush-box = 方块
 brush-cylinder = 圆柱

@@ -36,6 +36,7 @@ hint-died-of-fall = 你摔得太重了。你会在起点重新站起来。
 hint-died-of-shot = 你被击中了。你会在起点重新站起来。
 hint-died-of-crash = 你在撞车中丧生。你会在起点重新站起来。
 hint-died-of-car = 你被车撞死了。你会在起点重新站起来。
+hint-died-of-tree = 一棵树砸中了你。你会在起点重新站起来。
 hint-no-car-near = 四米之内看不到车。
 hint-look-at-car = 车就在你旁边。看着它才能上车。
 hint-car-too-far = 车太远了，上不去。请靠近一些。

@@ -158,6 +158,7 @@ pub fn kind_word(texts: &Texts, kind: Kind) -> String {
         Kind::Coal => "ground-coal",
         Kind::Copper => "ground-copper",
         Kind::Crystal => "ground-crystal",
+        Kind::Wood => "ground-wood",
     })
 }
 
@@ -188,6 +189,7 @@ fn tint(kind: Kind) -> Tint {
         Kind::Coal => ([22, 22, 24], [104, 106, 114]),
         Kind::Copper => ([190, 128, 76], [74, 164, 130]),
         Kind::Crystal => ([130, 220, 238], [236, 252, 255]),
+        Kind::Wood => ([152, 106, 58], [196, 148, 92]),
     };
     Tint { ground, specks }
 }

@@ -198,6 +198,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::DiedOfShot => texts.say("hint-died-of-shot"),
         Hint::DiedOfCrash => texts.say("hint-died-of-crash"),
         Hint::DiedOfCar => texts.say("hint-died-of-car"),
+        Hint::DiedOfTree => texts.say("hint-died-of-tree"),
         Hint::AtTheWheel => {
             let values = [
                 ("brake", input(Action::Jump).into()),

@@ -19,7 +19,7 @@ mod view;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Leaf};
-use antipode_terrain::Kind;
+use antipode_terrain::{Kind, Thing};
 use glam::{DQuat, DVec3};
 
 pub use dust::{Dust, GroundMark, Look, MarkShape, Particle};
@@ -40,6 +40,8 @@ pub struct Content {
     pub land: Arc<Land>,
     /// Figures standing in the world.
     pub figures: Vec<Figure>,
+    /// Things that fall.
+    pub falling: Vec<FallingThing>,
     /// Lamps and beams.
     pub lights: Lights,
     /// Where a tool digs or builds, or where a lamp in hand would hang.
@@ -121,6 +123,17 @@ impl Frame {
         let land = Arc::make_mut(&mut self.content_mut().land);
         changes.into_iter().for_each(|change| land.change(change));
     }
+}
+
+/// A thing that grew, on its way down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FallingThing {
+    /// Where its root is.
+    pub point: ChartPoint,
+    /// What it is; where it stood on its chunk does not matter.
+    pub thing: Thing,
+    /// How it has turned about its root since it stood, in the chart.
+    pub turn: DQuat,
 }
 
 /// Light that comes from places in the world. Colours are linear light.

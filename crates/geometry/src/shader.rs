@@ -11,7 +11,7 @@ pub const MAP_FUNCTIONS: [&str; 6] = [
 ];
 
 /// The functions that the text of every kind of daylight defines; what they are for, `shaders/lights.wgsl` says.
-pub const DAYLIGHT_FUNCTIONS: [&str; 18] = [
+pub const DAYLIGHT_FUNCTIONS: [&str; 19] = [
     "in_common_axes",
     "grain_point",
     "grain_up",
@@ -20,6 +20,7 @@ pub const DAYLIGHT_FUNCTIONS: [&str; 18] = [
     "daylight_on",
     "wants_model_normal",
     "land_light",
+    "land_sky",
     "daylit",
     "is_land_unlit",
     "seen_normal",

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use antipode_frame::{ChunkChange, Frame, LandCursor};
 use antipode_geometry::{ChartPoint, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Level, Vertex};
+use glam::DVec3;
 
 use crate::blend::BlendClock;
 use crate::charts::Charts;
@@ -22,6 +23,7 @@ use crate::seams;
 use crate::shades::Shades;
 use crate::shadow::{Caster, Shadows};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
+use crate::things::{self, Fallen, Grown, ThingsLight};
 use crate::touched::Touched;
 use crate::uniforms::ChunkInstance;
 
@@ -50,6 +52,8 @@ pub struct GpuChunk {
     pub coming: Option<Refinement>,
     /// Whether it had a refinement before it changed, and so needs another at once.
     pub is_urgent: bool,
+    /// What stands on it.
+    pub grown: Option<Grown>,
     /// The mesh of another level that it follows, for a moment.
     fading: Option<Fading>,
 }
@@ -87,6 +91,9 @@ impl GpuChunk {
         if let Some(fading) = self.fading {
             fading.mesh.give_back(pages);
         }
+        if let Some(grown) = self.grown {
+            grown.give_back(pages);
+        }
     }
 }
 
@@ -97,6 +104,8 @@ pub struct ChunkStore {
     pub(crate) chunks: BTreeMap<ChunkCoord, GpuChunk>,
     /// New chunks and new levels that no frame had room for yet.
     waiting: HashMap<ChunkCoord, Arc<ChunkMesh>>,
+    /// What falls in the last frame.
+    pub(crate) fallen: Vec<Fallen>,
     pub(crate) pages: Pages,
     pub(crate) refinements: Refinements,
     /// The land of `chunks`, until they change.
@@ -126,6 +135,7 @@ impl ChunkStore {
         Self {
             chunks: BTreeMap::new(),
             waiting: HashMap::new(),
+            fallen: Vec::new(),
             pages: Pages::new(&gpu.device, &gpu.queue),
             refinements: Refinements::default(),
             land_index: None,
@@ -200,6 +210,7 @@ impl ChunkStore {
         self.chunks.clear();
         self.land_index = None;
         self.waiting.clear();
+        self.fallen.clear();
         self.pages.clear();
         self.refinements.forget();
         self.clock = BlendClock::default();
@@ -252,17 +263,22 @@ impl ChunkStore {
             refined: None,
             coming: None,
             is_urgent: false,
+            grown: None,
             fading: None,
         };
         self.land_index = None;
         let of = Caster::of(&chunk.land);
-        let Some(mut old) = self.chunks.insert(coord, chunk) else {
+        let mut old = self.chunks.insert(coord, chunk);
+        self.plant(coord, old.as_mut());
+        let Some(mut old) = old else {
             self.touched.push(Touched { of, is_edited });
             return;
         };
         if old.land.level == mesh.level {
             self.touched
                 .extend(Touched::between(coord, &old.source, mesh));
+            let felled = things::changed(coord, &old.source.things, &mesh.things);
+            self.touched.extend(felled);
         } else {
             let both = [of, Caster::of(&old.land)];
             let whole = |of| Touched {
@@ -346,12 +362,13 @@ impl ChunkStore {
         self.chunks.iter().map(caster)
     }
 
-    /// Adds a chunk's mesh, as it was authored, with its seams to a list; returns its triangles.
+    /// Adds a chunk's mesh, as it was authored, with its seams and what stands on it to a list, for a map whose matrix begins at
+    /// a place of the chart; returns its triangles.
     pub fn list_caster(
         &self,
         coord: ChunkCoord,
         chart: u32,
-        instance: ChunkInstance,
+        from: DVec3,
         list: &mut DrawList,
     ) -> usize {
         let Some(chunk) = self.chunks.get(&coord) else {
@@ -359,8 +376,9 @@ impl ChunkStore {
         };
         let seams = self.seams(coord, chunk.land.level, &chunk.mesh);
         let pieces = chunk.mesh.pieces(seams).map(|piece| (0, piece));
-        list.add(chart, instance, pieces);
-        chunk.land.triangles
+        list.add(chart, ChunkInstance::new(coord.origin(), from), pieces);
+        let things = chunk.grown.as_ref();
+        chunk.land.triangles + things.map_or(0, |it| it.list_caster(coord, chart, from, list))
     }
 
     /// What a chunk's mesh takes over from, and how far it has; none where that is done with.
@@ -381,6 +399,7 @@ impl ChunkStore {
     ) {
         let Shading { shadows, shades } = shading;
         list.clear();
+        self.list_fallen(frame, list, charts);
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let frustum = space.frustum(eye, &frame.view.projection);
         // Close to the far side of a closed picture the drawn edges leave the cells in which their blocks are seen.
@@ -398,6 +417,10 @@ impl ChunkStore {
             let instance = ChunkInstance::of(frame, coord, &choice.port)
                 .shaded(shades, reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
+            if let Some(grown) = &chunk.grown {
+                let light = ThingsLight::of(shadows, reach, lights);
+                grown.list(frame, coord, choice, light, list, chart);
+            }
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
             let Some((old, progress)) = self.blend(chunk) else {
@@ -423,11 +446,12 @@ impl ChunkStore {
             };
             plan.stats.chunks_blending += 1;
             let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach), lights);
-            let comes = mesh.pieces(seams).map(|piece| (number, piece));
-            list.add(chart, instance.blending(progress), comes);
-            let seams = self.seams(coord, old.level, &old.mesh);
-            let goes = old.mesh.pieces(seams).map(|piece| (number, piece));
-            list.add(chart, instance.blending(-progress), goes);
+            let before = self.seams(coord, old.level, &old.mesh);
+            for (mesh, seams, progress) in [(mesh, seams, progress), (&old.mesh, before, -progress)]
+            {
+                let pieces = mesh.pieces(seams).map(|piece| (number, piece));
+                list.add(chart, instance.blending(progress), pieces);
+            }
         }
     }
 

@@ -49,6 +49,7 @@ mod shadow;
 mod subdivision_thread;
 mod targets;
 mod terrain_pipelines;
+mod things;
 mod tile;
 mod timing;
 mod tonemap;

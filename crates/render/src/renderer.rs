@@ -313,6 +313,7 @@ impl Renderer {
         let land_index = self.chunks.land();
         let mut plan = self.picture.plan(frame, height_px, &land_index);
         self.chunks.refine(frame, land_index.land(), &mut plan);
+        self.chunks.grow(frame, &plan, self.options.preset);
         self.take_figures(frame, &mut plan, is_shared);
         let land = LandSource {
             chunks: &self.chunks,

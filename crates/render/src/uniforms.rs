@@ -135,6 +135,9 @@ fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
     units.extend(view.w).as_vec4().into()
 }
 
+/// Flag of a [`ChunkInstance`] in a shadow map that has no land, which ends at the edge of its chart; that of terrain.wgsl.
+const PAST_RIM_FLAG: u32 = 1;
+
 /// Where a chunk stands; the instance attributes of terrain.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -169,9 +172,14 @@ impl ChunkInstance {
 
     /// A chunk of a frame, carried into its picture in such a way.
     pub fn of(frame: &Frame, coord: ChunkCoord, port: &Port) -> Self {
-        let origin = coord.origin();
-        let noise = frame.view.strategy.noise_frame(coord.chart);
-        let plain = Self::new(origin, whole_reference(frame, coord.chart)).grained(origin, noise);
+        Self::at(frame, ChartPoint::new(coord.chart, coord.origin()), port)
+    }
+
+    /// What is told from a corner in whole metres, carried into a frame's picture in such a way.
+    pub fn at(frame: &Frame, corner: ChartPoint, port: &Port) -> Self {
+        let ChartPoint { chart, pos } = corner;
+        let noise = frame.view.strategy.noise_frame(chart);
+        let plain = Self::new(pos, whole_reference(frame, chart)).grained(pos, noise);
         match port {
             Port::Vertex => plain,
             Port::Frame(affine) => plain.framed(&affine.moved(&frame.view)),
@@ -218,6 +226,15 @@ impl ChunkInstance {
         }
         Self {
             lights: [near, far, beams | (level.index() as u32) << BEAMS],
+            ..self
+        }
+    }
+
+    /// The same of what throws its shadow though it reach over the edge of its chart.
+    #[must_use]
+    pub fn past_rim(self) -> Self {
+        Self {
+            flags: PAST_RIM_FLAG,
             ..self
         }
     }

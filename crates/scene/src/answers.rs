@@ -165,6 +165,11 @@ impl Scene {
         self.sim.player.brush_radius_m
     }
 
+    /// Whether somebody whom the player has talked to is speaking.
+    pub fn is_answered(&self) -> bool {
+        npc::is_speaking(self.now())
+    }
+
     /// Whether the player's flashlight is on.
     pub fn flashlight(&self) -> bool {
         self.sim.player.flashlight

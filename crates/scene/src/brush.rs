@@ -124,10 +124,10 @@ mod tests {
         brush.step(-2, (-2, &all));
         let last = Brush {
             shape: BrushShape::Smooth,
-            kind: Some(Kind::Crystal),
+            kind: Some(Kind::Wood),
         };
         assert_eq!(brush, last);
-        brush.step(5 * 7 + 1, (15 * 3 + 1, &all));
+        brush.step(5 * 7 + 1, (16 * 3 + 1, &all));
         assert_eq!(brush, Brush::default());
         brush.step(i32::MIN, (i32::MAX, &all));
     }

@@ -33,6 +33,8 @@ pub enum DamageKind {
     Crash,
     /// A car.
     RunOver,
+    /// A tree that fell.
+    Tree,
 }
 
 /// Damage that the player took.
@@ -132,6 +134,7 @@ pub(crate) fn hurt_player(
             DamageKind::Shot => Hint::DiedOfShot,
             DamageKind::Crash => Hint::DiedOfCrash,
             DamageKind::RunOver => Hint::DiedOfCar,
+            DamageKind::Tree => Hint::DiedOfTree,
         });
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, is_in_world};
-use antipode_terrain::{ChunkMesh, Cover, Field, Kind, Samples};
+use antipode_terrain::{ChunkMesh, Cover, Field, Kind, Samples, Thing};
 use glam::{DVec3, IVec3, Vec3};
 
 use crate::frame::{ChunkChange, Land};
@@ -109,6 +109,13 @@ impl Ground {
         self.unseen.remove(&coord);
         Arc::make_mut(&mut self.land).change(ChunkChange::Remove(coord));
         (replace_terrain(physics, coord, None), chunk.samples)
+    }
+
+    /// What grows and stands on a resident chunk.
+    pub fn things(&self, coord: ChunkCoord) -> &[Thing] {
+        let mesh = self.unseen.get(&coord);
+        let mesh = mesh.or_else(|| self.land.mesh(coord));
+        mesh.map_or(&[], |mesh| &mesh.things)
     }
 
     /// What pictures show of it.

@@ -14,8 +14,8 @@ use crate::camera::{CameraMode, CameraPose};
 use crate::car::mirror::rear_view;
 use crate::day;
 use crate::frame::{
-    BeamLight, Content, Dust, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, Opening,
-    View,
+    BeamLight, Content, Dust, FallingThing, Figure, Frame, Hand, LampLight, Lights, Marker,
+    MarkerShape, Opening, View,
 };
 use crate::lens::Lens;
 use crate::light::lights;
@@ -26,7 +26,7 @@ use crate::scene::Scene;
 use crate::shown::figures_seen_by;
 use crate::tuning::{DOOR_FOG_M, NEAR_M, STEP_S};
 use crate::world::World;
-use crate::{door, fixture, hand};
+use crate::{door, felling, fixture, hand};
 
 /// Identifies a figure or a light, so that it can be found again after the next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,6 +90,7 @@ pub(crate) struct Moment {
     pub strategy: Arc<dyn Strategy>,
     pub lens: Lens,
     pub figures: Vec<(Who, Figure)>,
+    pub falling: Vec<FallingThing>,
     pub lit: Lit,
     pub hand: Option<Hand>,
     pub mark: Option<Mark>,
@@ -146,6 +147,7 @@ impl Scene {
             strategy: Arc::clone(lens.strategy()),
             lens: lens.clone(),
             figures: figures_seen_by(self, &camera.eye, sees_player),
+            falling: felling::shown(&self.sim.actors),
             lit: lights(self, &camera.eye),
             hand: None,
             mark: None,
@@ -200,6 +202,7 @@ impl Scene {
                 .into_iter()
                 .map(|(_, it)| self.under_sky(it))
                 .collect(),
+            falling: moment.falling,
             lights: Lights {
                 lamps: moment.lit.lamps.into_iter().map(|(_, it)| it).collect(),
                 beams: moment.lit.beams.into_iter().map(|(_, it)| it).collect(),

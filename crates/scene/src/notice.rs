@@ -114,6 +114,9 @@ pub enum Hint {
     /// The player was run over.
     #[error("A car ran you over. You will stand up again where you began.")]
     DiedOfCar,
+    /// The player died under a tree.
+    #[error("A tree fell on you. You will stand up again where you began.")]
+    DiedOfTree,
     /// There is no car to get into.
     #[error("There is no car in view within four metres.")]
     NoCarNear,

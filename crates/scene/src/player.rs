@@ -12,6 +12,7 @@ use crate::brush::{Brush, Choice};
 use crate::circumnavigation::Circumnavigation;
 use crate::damage::Condition;
 use crate::earthworks::Earthworks;
+use crate::felling::Chop;
 use crate::frame::ModelId;
 use crate::inventory::Inventory;
 use crate::lens::Lens;
@@ -25,6 +26,10 @@ pub(crate) struct Player {
     pub gaze: Gaze,
     /// Where the tool in hand works.
     pub tool: Option<ToolMark>,
+    /// What it is felling.
+    pub chop: Option<Chop>,
+    /// Whether it has felled something by the press that goes on.
+    pub has_felled: bool,
     pub brush_radius_m: f64,
     pub brush: Brush,
     /// What of it was chosen last, and when, simulated seconds.
@@ -58,6 +63,8 @@ impl Player {
             inventory,
             gaze: Gaze::through(lens),
             tool: None,
+            chop: None,
+            has_felled: false,
             brush_radius_m: BRUSH_RADIUS_M.2,
             brush: Brush::default(),
             chosen: None,

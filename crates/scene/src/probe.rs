@@ -75,6 +75,9 @@ pub struct Probe {
     pub particles: ParticleProbe,
     /// Tyre prints on the ground.
     pub marks: MarkProbe,
+    /// What grows and stands on the land; left out in worlds that were begun without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plants: Option<PlantsProbe>,
     /// Terrain chunks.
     pub chunks: ChunkProbe,
     /// The ground under the player.
@@ -102,6 +105,19 @@ pub struct PlayerProbe {
     pub in_car: bool,
     /// What the figure is doing: `idle`, `walk`, `run`, `jump`, `fly`, `drive` or `die`.
     pub animation: &'static str,
+}
+
+/// What grows, in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlantsProbe {
+    /// How many of each kind stand within 30 metres of the player in the chart, by name.
+    pub near: BTreeMap<&'static str, usize>,
+    /// The kind whose trunk is under the crosshair within reach; null for none.
+    pub ahead: Option<&'static str>,
+    /// How many were felled in this world.
+    pub felled: u32,
+    /// How many trees fall at the moment.
+    pub falling: usize,
 }
 
 /// The camera in a probe.

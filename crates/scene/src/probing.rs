@@ -14,6 +14,7 @@ use crate::car::CarView;
 use crate::crosshair::Crosshair;
 use crate::day;
 use crate::drops::Drop;
+use crate::felling;
 use crate::fixture::{self, Fixture};
 use crate::persist::fixture_kind;
 use crate::player::{Player, wrap_angle};
@@ -106,6 +107,7 @@ pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
         drops: actors.map(|_, it| drop_probe(now, it)),
         particles,
         marks,
+        plants: felling::probe(now),
         chunks: ChunkProbe {
             resident: world.ground.count(),
             pending: world.streamer.pending(),

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint};
 use antipode_storage::{
-    BotRecord, CourseRecord, DropRecord, PlayerKept, PlayerRecord, Record, RecordKey, RecordKind,
-    Records, SlotRecord, ViewRecord,
+    BotRecord, CourseRecord, DropRecord, FelledRecord, PlayerKept, PlayerRecord, Record, RecordKey,
+    RecordKind, Records, SlotRecord, ViewRecord,
 };
 use glam::DVec3;
 
@@ -35,6 +35,8 @@ use antipode_items::Item;
 pub(crate) const FASTEST_RESTORED_M_S: f64 = 100.0;
 /// Longer than this, in seconds, nobody plays: three hundred years. A step still counts there.
 pub(crate) const LONGEST_PLAYED_S: f64 = 1e10;
+/// Columns of chunks in which something was felled, at most: more than anybody gets round to.
+const MOST_FELLED: usize = 1 << 20;
 /// A driver who is farther from the car in the save, in metres, does not sit in it.
 const SEATED_WITHIN_M: f64 = 8.0;
 
@@ -115,7 +117,7 @@ fn place_player(
 
 /// Takes in everything else. Returns what was taken in, and the world's course if the save has it.
 pub(crate) fn things(
-    world: &World,
+    world: &mut World,
     actors: &mut Actors,
     lens: &mut Lens,
     records: Records,
@@ -144,7 +146,7 @@ pub(crate) fn things(
 
 /// Takes one thing in; false for what is not to be.
 fn thing(
-    world: &World,
+    world: &mut World,
     actors: &mut Actors,
     lens: &mut Lens,
     key: RecordKey,
@@ -180,13 +182,18 @@ fn thing(
         Record::Drop(it) => drop(world, actors, it, notices),
         Record::Figure(it) => figure(world, actors, it),
         Record::Car(it) => car::restore(world, actors, it),
+        Record::Felled(it) => felled(world, key.id, it),
     }
 }
 
 /// Says which number the next of a kind gets.
 fn number_next(actors: &mut Actors, key: RecordKey) {
     match key.kind {
-        RecordKind::Player | RecordKind::Course | RecordKind::View | RecordKind::Earth => {}
+        RecordKind::Player
+        | RecordKind::Course
+        | RecordKind::View
+        | RecordKind::Earth
+        | RecordKind::Felled => {}
         RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => {
             actors.number_next_fixture(key.kind, key.id);
         }
@@ -194,6 +201,16 @@ fn number_next(actors: &mut Actors, key: RecordKey) {
         RecordKind::Figure => actors.number_next::<Bot>(key.id),
         RecordKind::Car => actors.number_next::<Car>(key.id),
     }
+}
+
+/// Leaves out what was felled; false for what was so in no place of this world.
+fn felled(world: &mut World, id: u32, it: &FelledRecord) -> bool {
+    let Some(chart) = chart(&*world.strategy, it.chart) else {
+        return false;
+    };
+    let column = (chart, [it.x, it.z]);
+    world.felled.restore(&world.streamer, id, column, it);
+    true
 }
 
 /// Puts up what was put down, with its heading and its name.
@@ -299,6 +316,7 @@ fn most(kind: RecordKind) -> usize {
         RecordKind::Drop => 2 * MOST_DROPS,
         RecordKind::Figure => MOST_BOTS,
         RecordKind::Car => MOST_CARS,
+        RecordKind::Felled => MOST_FELLED,
     }
 }
 

@@ -160,9 +160,10 @@ impl WorldSetup {
             seed: self.seed,
             geometry: self.geometry.to_string(),
             radius_m: self.radius_m,
-            biome: match self.generator {
-                Generator::OneBiome => Biome::from_seed(self.seed).name().to_owned(),
-                Generator::Climates => String::new(),
+            biome: if self.generator.has_climates() {
+                String::new()
+            } else {
+                Biome::from_seed(self.seed).name().to_owned()
             },
             created_unix_s: now,
             last_played_unix_s: now,

@@ -8,6 +8,7 @@
 //! walks along a great circle, and comes home.
 
 mod heights;
+mod obstacles;
 mod places;
 #[cfg(test)]
 mod tests;
@@ -28,6 +29,8 @@ use crate::tuning::FOV_Y_RAD;
 const VIEWS: usize = 8;
 /// What a car or somebody in a view is worth, in metres of far land: more than all land.
 const THING_WORTH_M: f64 = 1000.0;
+/// What far land behind what grows close by is worth less, as a share: one steps aside.
+const HIDDEN_WORTH: f64 = 0.1;
 /// The ground about a foot may rise so much, in metres.
 const STEEPEST_M: f64 = 0.6;
 /// Bearings of the rays to either side, and the angle between two.
@@ -129,7 +132,9 @@ impl Search<'_> {
         let level = self.eye(feet, Look { yaw, pitch: 0.0 });
         let spots = self.survey(feet, yaw);
         let (far_m, edge_rad) = self.far_land(&level, &spots);
-        let land_m = far_m + place.rise_worth_m;
+        let obstacles = self.obstacles(feet);
+        let hidden = 1.0 - obstacles.open_share(yaw);
+        let land_m = far_m * (1.0 - HIDDEN_WORTH * hidden) + place.rise_worth_m;
         let closed = self.strategy().globe().is_some();
         let pitches = if closed { &CLOSED_DEG[..] } else { &OPEN_DEG };
         let edge_rad = if closed { 0.0 } else { edge_rad.min(0.0) };
@@ -141,8 +146,14 @@ impl Search<'_> {
             }
             let look = Look { yaw, pitch };
             let eye = self.eye(feet, look);
-            let figure = self.figure(&eye, feet, &spots);
-            let car = self.car(&eye, yaw, &spots, figure.map(|(spot, _)| spot.ray));
+            let figure = self.figure(&eye, feet, &spots, &obstacles);
+            let car = self.car(
+                &eye,
+                yaw,
+                &spots,
+                &obstacles,
+                figure.map(|(spot, _)| spot.ray),
+            );
             let things = u8::from(car.is_some()) + u8::from(figure.is_some());
             let worth_m = land_m + THING_WORTH_M * f64::from(things);
             if worth_m > most_m {

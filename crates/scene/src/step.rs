@@ -18,7 +18,7 @@ use crate::situation::{Situation, is_ground_ready};
 use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, REACH_M, STEP_S};
 use crate::world::World;
-use crate::{biome, body, circumnavigation, damage, door, drops, fixture, gun, npc, tool};
+use crate::{biome, body, circumnavigation, damage, door, drops, felling, fixture, gun, npc, tool};
 use antipode_frame::motion::Doing;
 
 /// All that a step changes: a world, its actors, the player and what is to be told of them.
@@ -70,24 +70,46 @@ impl Simulation {
             outbox.hints.push(Hint::BackAgain);
         }
         world.pass(STEP_S);
-        let now = Situation::of(world, actors, player);
-        let (mark, strokes) = tool::work(now, actions, outbox);
-        player.tool = mark;
-        let press = mark.map(|mark| mark.press).filter(|press| *press > 0);
-        player.presses = player.presses.max(press.unwrap_or_default());
-        for stroke in strokes {
-            world.streamer.edit_in(press, stroke);
-        }
+        work(world, actors, player, outbox, actions);
         if actions.undo {
             world.streamer.undo();
         }
         gun::use_in_hand(world, actors, player, outbox, actions);
         fixture::use_in_hand(world, actors, player, outbox, actions);
         gun::step_bullets(world, actors, player, outbox);
+        felling::step(world, actors, player, outbox);
         fixture::step(world, actors);
         drops::step(world, actors, player, outbox);
         player.primary_before = actions.primary;
         player.secondary_before = actions.secondary;
+    }
+}
+
+/// Works with the tool in hand, on what grows or on the ground.
+fn work(
+    world: &mut World,
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    actions: &Actions,
+) {
+    // Who strikes what grows does not dig, nor goes on into the ground when it falls.
+    let struck = felling::struck(Situation::of(world, actors, player), actions);
+    let digs = Actions {
+        primary: actions.primary && struck.is_none() && !player.has_felled,
+        ..*actions
+    };
+    let now = Situation::of(world, actors, player);
+    let (mark, strokes) = tool::work(now, &digs, outbox);
+    player.tool = mark;
+    player.has_felled &= actions.primary;
+    if let Some(it) = struck {
+        felling::chop(world, actors, player, outbox, it);
+    }
+    let press = mark.map(|mark| mark.press).filter(|press| *press > 0);
+    player.presses = player.presses.max(press.unwrap_or_default());
+    for stroke in strokes {
+        world.streamer.edit_in(press, stroke);
     }
 }
 

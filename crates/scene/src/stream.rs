@@ -22,7 +22,7 @@ use crate::situation::is_ground_ready;
 use crate::step::Simulation;
 use crate::tuning::{AUTOSAVE_S, BODIES_WITHIN_CHUNKS};
 use crate::world::World;
-use crate::{body, earthworks, ground_changed};
+use crate::{body, earthworks, felling, ground_changed};
 
 /// Ground within this distance of the player stands before a world counts as playable, in metres, as far as it is to be
 /// loaded at all: a hole so near would be seen.
@@ -247,12 +247,12 @@ impl Scene {
         let mut edited = Vec::new();
         for update in updates {
             match update {
-                Update::Loaded(chunk) => self.sim.world.put(chunk),
+                Update::Loaded(chunk) => {
+                    self.sim.world.put(chunk);
+                }
                 Update::Edited(chunks) => {
-                    for chunk in chunks {
-                        edited.push(chunk.coord);
-                        self.sim.world.put(chunk);
-                    }
+                    edited.extend(chunks.iter().map(|chunk| chunk.coord));
+                    felling::put_edited(&mut self.sim, chunks);
                 }
                 Update::Solid {
                     coord,

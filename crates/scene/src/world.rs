@@ -5,10 +5,11 @@ use std::sync::Arc;
 use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Doorway, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, Reach, Streamer};
-use antipode_terrain::{Field, RIM_REACH_M, Samples};
+use antipode_terrain::{Field, RIM_REACH_M, Samples, Thing};
 use glam::DVec3;
 
 use crate::day;
+use crate::felling::Felled;
 use crate::ground::{Ground, Spent, chunks_near, height_below};
 use crate::restore::{LONGEST_PLAYED_S, finite_or};
 use crate::setup::WorldSetup;
@@ -29,6 +30,8 @@ pub(crate) struct World {
     pub holds_land: bool,
     pub physics: PhysicsWorld,
     pub ground: Ground,
+    /// What of all that grows was felled.
+    pub felled: Felled,
     /// The pair of doors that stood when the step began.
     pub doors: Option<Doorway>,
     /// The chunk of the player's head when the step began: bodies move about it.
@@ -59,6 +62,7 @@ impl World {
             ground: Ground::new(Arc::clone(field)),
             strategy,
             streamer,
+            felled: Felled::default(),
             holds_land: false,
             doors: None,
             physics: PhysicsWorld::new(),
@@ -144,10 +148,16 @@ impl World {
     }
 
     /// Takes in a finished chunk.
-    pub fn put(&mut self, chunk: Chunk) {
-        let seen = self.streamer.keeps_in_view(chunk.coord);
+    /// Returns what stood on it and stands there no more.
+    pub fn put(&mut self, chunk: Chunk) -> Vec<(ChunkCoord, Thing)> {
+        let (coord, seen) = (chunk.coord, self.streamer.keeps_in_view(chunk.coord));
+        let stands = |thing: &Thing| chunk.mesh.things.iter().any(|it| it.slot == thing.slot);
+        let before = self.ground.things(coord).iter();
+        let lost = before.filter(|thing| !stands(thing));
+        let lost: Vec<_> = lost.map(|thing| (coord, *thing)).collect();
         let spent = self.ground.put(chunk, seen, &mut self.physics);
         self.discard(spent);
+        lost
     }
 
     /// Takes in what makes a chunk solid, or what it is without.

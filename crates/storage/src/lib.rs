@@ -65,9 +65,9 @@ pub use page_check::check_pages;
 pub use record::{Record, RecordChanges, RecordKey, RecordKind, Records};
 pub use saves::SavesDir;
 pub use schema::{
-    BotRecord, CarRecord, ChunkKey, CourseRecord, DropRecord, EarthRecord, FixtureRecord,
-    FlagRecord, LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SCHEMA_VERSION, SlotRecord,
-    StoredGround, ViewRecord, WorldMeta, WorldState,
+    BotRecord, CarRecord, ChunkKey, CourseRecord, DropRecord, EarthRecord, FelledRecord,
+    FixtureRecord, FlagRecord, LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SCHEMA_VERSION,
+    SlotRecord, StoredGround, ViewRecord, WorldMeta, WorldState,
 };
 pub use scratch::{Scratch, sweep};
 pub use slug::{ROOMS_FOLDER, is_reserved_name, slug_of};

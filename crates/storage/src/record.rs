@@ -17,8 +17,8 @@ use std::fmt;
 
 use crate::codec::{self, Fault};
 use crate::record_shapes::{
-    BotRecord, CarRecord, CourseRecord, DropRecord, EarthRecord, FixtureRecord, FlagRecord,
-    LampRecord, PlayerKept, ViewRecord,
+    BotRecord, CarRecord, CourseRecord, DropRecord, EarthRecord, FelledRecord, FixtureRecord,
+    FlagRecord, LampRecord, PlayerKept, ViewRecord,
 };
 use crate::store::Raw;
 use crate::survey::PLAYERS_STATE;
@@ -112,6 +112,8 @@ kinds! {
     Figure(BotRecord) = "figure", version 1;
     /// A car.
     Car(CarRecord) = "car", version 1;
+    /// What grew on a column of chunks and was felled.
+    Felled(FelledRecord) = "felled", version 1;
 }
 
 impl RecordKind {

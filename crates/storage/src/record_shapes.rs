@@ -188,6 +188,20 @@ pub struct EarthRecord {
     pub kinds: Vec<(u8, f64)>,
 }
 
+/// What grew on a column of chunks and was felled.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct FelledRecord {
+    /// The number of the chart.
+    #[serde(with = "chart")]
+    pub chart: u128,
+    /// Index of the column along x, in chunks.
+    pub x: i32,
+    /// Index along z.
+    pub z: i32,
+    /// A bit for each slot of the column, the first 64 first.
+    pub slots: [u64; 2],
+}
+
 /// How the player looks at the world.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ViewRecord {

@@ -28,6 +28,8 @@ pub(crate) enum Job {
     Strokes(Vec<Stroke>, Option<u64>),
     /// Undoes a press, which was seen from these chunks.
     Undo(u64, BTreeSet<ChunkCoord>),
+    /// Fells the thing of a slot on a chunk.
+    Fell(ChunkCoord, u8),
 }
 
 /// What the game hands over.
@@ -192,6 +194,12 @@ fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Appl
                 gathered,
                 ..enter(shared, batch, changed, reached)
             }
+        }
+        Job::Fell(coord, slot) => {
+            let mut applied = enter(shared, batch, Vec::new(), BTreeSet::new());
+            applied.remeshed.insert(*coord);
+            applied.entered = shared.edit_store.fell(*coord, *slot);
+            applied
         }
         Job::Undo(press, reach) => {
             match earthworks::undo(shared, *press, batch.stock.as_deref(), problems) {

@@ -5,12 +5,12 @@
 //! The disk is read outside the locks. Edits stay in memory once read (128 kB a chunk) as long as
 //! they are among those used last; of the others, what is saved is read again when it is needed.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::error::Error;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use antipode_geometry::ChunkCoord;
-use antipode_terrain::ChunkEdits;
+use antipode_geometry::{ChartId, ChunkCoord};
+use antipode_terrain::{ChunkEdits, Thing};
 use lru::LruCache;
 
 use crate::edit_backend::{EditBackend, ReadFault, Stored, key_of};
@@ -29,9 +29,16 @@ pub(crate) struct Snapshot {
     pub(crate) revision: u64,
     /// The chunks among the 27 that have edits.
     pub(crate) near: Vec<(ChunkCoord, Arc<ChunkEdits>)>,
+    /// What was felled in the chunk's column, a bit for each slot.
+    pub(crate) felled: u128,
 }
 
 impl Snapshot {
+    /// Whether a thing on the chunk was not felled.
+    pub(crate) fn keeps(&self, thing: &Thing) -> bool {
+        self.felled.unbounded_shr(thing.slot.into()) & 1 == 0
+    }
+
     /// The edits of one chunk, if it has any.
     pub(crate) fn of(&self, coord: ChunkCoord) -> Option<Arc<ChunkEdits>> {
         self.near
@@ -85,6 +92,14 @@ pub(crate) struct EditStore {
     backend: Option<Arc<dyn EditBackend>>,
 }
 
+/// Chunks over each other: their chart, and their index along x and z.
+pub type Column = (ChartId, [i32; 2]);
+
+/// The column of a chunk.
+pub fn column_of(coord: ChunkCoord) -> Column {
+    (coord.chart, [coord.index.x, coord.index.z])
+}
+
 /// Edits of chunks to be saved, or saved.
 pub(crate) type EditMap = BTreeMap<ChunkCoord, Arc<ChunkEdits>>;
 
@@ -99,6 +114,8 @@ struct State {
     told: bool,
     /// Changed, and not on disk as they are.
     unsaved: EditMap,
+    /// What was felled of each column of chunks, a bit for each slot. Whoever fells it keeps it.
+    felled: HashMap<Column, u128>,
     revision: u64,
     /// How often saved chunks were let go of: what was read from the store before may be older than what is there now.
     evictions: u64,
@@ -122,6 +139,7 @@ impl EditStore {
                 complained: HashSet::new(),
                 told: false,
                 unsaved: EditMap::new(),
+                felled: HashMap::new(),
                 revision: 0,
                 evictions: 0,
             }),
@@ -145,6 +163,11 @@ impl EditStore {
         Snapshot {
             revision: state.revision,
             near,
+            felled: state
+                .felled
+                .get(&column_of(coord))
+                .copied()
+                .unwrap_or_default(),
         }
     }
 
@@ -190,6 +213,22 @@ impl EditStore {
         state.unsaved.extend(land.clone());
         let revision = state.revision;
         Entered { revision, land }
+    }
+
+    /// Enters that a thing was felled, as a batch.
+    pub(crate) fn fell(&self, coord: ChunkCoord, slot: u8) -> Entered {
+        let mut state = self.lock();
+        state.revision += 1;
+        *state.felled.entry(column_of(coord)).or_default() |= 1_u128.unbounded_shl(slot.into());
+        Entered {
+            revision: state.revision,
+            land: EditMap::new(),
+        }
+    }
+
+    /// Takes over what was felled of a column in earlier visits, before anything is made.
+    pub(crate) fn remember_felled(&self, column: Column, slots: u128) {
+        *self.lock().felled.entry(column).or_default() |= slots;
     }
 
     /// Everything that is not saved yet.

@@ -48,5 +48,6 @@ mod tests;
 pub use api::{
     Cause, Chunk, Config, Detail, NotUndone, Reach, StreamingError, Until, Update, Wish,
 };
+pub use edit_store::{Column, column_of};
 pub use range::is_in_world;
 pub use streamer::Streamer;

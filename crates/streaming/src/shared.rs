@@ -3,15 +3,20 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use antipode_geometry::{ChunkCoord, Strategy};
+use antipode_geometry::{ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::TerrainCollider;
-use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, apply_edits};
+use antipode_plants::{add_solids, placed};
+use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, Thing, apply_edits};
+use glam::DVec3;
 
 use crate::api::Chunk;
 use crate::bases::Bases;
 use crate::edit_store::{EditStore, Snapshot};
 use crate::history::History;
 use crate::scheduler::Make;
+
+/// A thing goes with the sample of ground next to so far below its root, metres.
+const BELOW_ROOT_M: f64 = 0.6;
 
 /// A point in a worker's course, told to the test that watches it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +94,13 @@ impl Shared {
             solid,
         } = make;
         let samples = self.samples(coord, level, edits, again);
-        let mesh = Arc::new(self.mesh(coord, &samples));
+        let mut mesh = self.mesh(coord, &samples);
+        if !mesh.is_empty() {
+            mesh.things = placed(&self.field, coord);
+            mesh.things
+                .retain(|thing| edits.keeps(thing) && self.stands(coord, thing, edits));
+        }
+        let mesh = Arc::new(mesh);
         let collider = if solid {
             self.collider(coord, &mesh, again)
         } else {
@@ -101,6 +112,22 @@ impl Shared {
             collider,
             samples: solid.then_some(samples),
         }
+    }
+
+    /// Whether nobody has dug away the ground right below a thing.
+    fn stands(&self, coord: ChunkCoord, thing: &Thing, edits: &Snapshot) -> bool {
+        if edits.near.is_empty() {
+            return true;
+        }
+        let below = coord.origin() + thing.root.as_dvec3() - DVec3::Y * BELOW_ROOT_M;
+        let sample = ChartPoint::new(coord.chart, below.round());
+        let of = ChunkCoord::containing(sample);
+        let Some(edits) = edits.of(of) else {
+            return true;
+        };
+        let [i, j, k] = (sample.pos - of.origin()).to_array().map(|c| c as usize);
+        let delta = edits.delta(i, j, k);
+        delta <= 0.0 || self.field.sample(sample) + delta < 0.0
     }
 
     fn mesh(&self, coord: ChunkCoord, samples: &Samples) -> ChunkMesh {
@@ -139,8 +166,9 @@ impl Shared {
         again: bool,
     ) -> Option<TerrainCollider> {
         let before = self.bases.collider(coord);
-        let collider =
-            TerrainCollider::rebuild(before.as_ref(), &mesh.positions(), mesh.triangles());
+        let (mut corners, mut triangles) = (mesh.positions(), mesh.triangles().to_vec());
+        add_solids(&mesh.things, &mut corners, &mut triangles);
+        let collider = TerrainCollider::rebuild(before.as_ref(), &corners, &triangles);
         if again {
             self.bases.keep_collider(coord, collider.clone());
         }

@@ -13,6 +13,7 @@ use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
 use crate::batch_job::{EditBatch, Job};
 use crate::edit_backend::{EditBackend, coord_of};
+use crate::edit_store::Column;
 use crate::edit_store::{EditMap, EditStore};
 use crate::gathered::Gathered;
 use crate::outcome::{Edited, Loaded, Outcome};
@@ -164,6 +165,18 @@ impl Streamer {
         self.edit_in(None, stroke);
     }
 
+    /// Fells the thing of a slot ([`antipode_terrain::Thing::slot`]) on a chunk: it stands there no more. Whoever calls this
+    /// keeps it for the next visit; see [`Streamer::remember_felled`].
+    pub fn fell(&mut self, coord: ChunkCoord, slot: u8) {
+        self.strokes.fell(coord, slot);
+        self.feed();
+    }
+
+    /// Takes over what was felled in earlier visits of a column of chunks, a bit for each slot; before the first wish.
+    pub fn remember_felled(&self, column: Column, slots: u128) {
+        self.worker_pool.remember_felled(column, slots);
+    }
+
     /// Saves the given parts and every stroke made so far, and none that comes later, in one commit on the saver's
     /// thread, as soon as the strokes are in the edit store; [`Update::Saved`] or [`Update::SaveFailed`] tells the end. Parts that could not be saved are
     /// tried again with the next save unless that brings newer ones.
@@ -308,6 +321,10 @@ impl Streamer {
                 coords.extend(bordering);
                 Job::Strokes(strokes, press)
             }
+            Work::Fell(coord, slot) => {
+                coords.insert(coord);
+                Job::Fell(coord, slot)
+            }
             Work::Undo => match self.last_press() {
                 Ok(last) => {
                     let (number, reach) = (last.number, last.remeshed.clone());
@@ -334,6 +351,7 @@ impl Streamer {
                 self.strokes.put_back(match batch.job {
                     Job::Strokes(strokes, press) => Work::Strokes(strokes, press),
                     Job::Undo(..) => Work::Undo,
+                    Job::Fell(coord, slot) => Work::Fell(coord, slot),
                 });
                 self.scheduler.batch_not_sent();
             }

@@ -1,5 +1,6 @@
 //! Brush strokes that wait for the batch under way to be shown.
 
+use antipode_geometry::ChunkCoord;
 use antipode_terrain::Stroke;
 
 /// Strokes in one batch; the rest go into the next, so that a batch stays quick however long the
@@ -13,6 +14,8 @@ enum Waiting {
     Stroke(Stroke, Option<u64>),
     /// The last press is to be undone.
     Undo,
+    /// The thing of a slot on a chunk is felled.
+    Fell(ChunkCoord, u8),
 }
 
 /// What a batch does.
@@ -22,6 +25,8 @@ pub(crate) enum Work {
     Strokes(Vec<Stroke>, Option<u64>),
     /// The last press is undone.
     Undo,
+    /// The thing of a slot on a chunk is felled.
+    Fell(ChunkCoord, u8),
 }
 
 /// Strokes not yet handed to a worker, oldest first.
@@ -63,6 +68,12 @@ impl Strokes {
         self.marked = self.waiting.len();
     }
 
+    /// Has a thing felled after every stroke so far, before any other.
+    pub(crate) fn fell(&mut self, coord: ChunkCoord, slot: u8) {
+        self.waiting.push(Waiting::Fell(coord, slot));
+        self.marked = self.waiting.len();
+    }
+
     /// The moment now: after every stroke so far, before any other.
     pub(crate) fn mark(&mut self) -> Mark {
         self.marked = self.waiting.len();
@@ -79,7 +90,7 @@ impl Strokes {
         let before = until.map_or(u64::MAX, |mark| mark.0.saturating_sub(self.taken));
         let most = before.min(MOST_PER_BATCH as u64) as usize;
         let (press, count) = match self.waiting.iter().take(most).next()? {
-            Waiting::Undo => (None, 1),
+            Waiting::Undo | Waiting::Fell(..) => (None, 1),
             Waiting::Stroke(_, press) => {
                 let first = self.waiting.iter().take(most);
                 let same = |it: &&Waiting| matches!(it, Waiting::Stroke(_, of) if of == press);
@@ -88,24 +99,22 @@ impl Strokes {
         };
         self.taken += count as u64;
         self.marked = self.marked.saturating_sub(count);
-        let taken = self.waiting.drain(..count);
-        let strokes: Vec<_> = taken
-            .filter_map(|it| match it {
-                Waiting::Stroke(stroke, _) => Some(stroke),
-                Waiting::Undo => None,
-            })
-            .collect();
-        Some(if strokes.is_empty() {
-            Work::Undo
-        } else {
-            Work::Strokes(strokes, press)
-        })
+        let mut strokes = Vec::with_capacity(count);
+        for it in self.waiting.drain(..count) {
+            match it {
+                Waiting::Stroke(stroke, _) => strokes.push(stroke),
+                Waiting::Undo => return Some(Work::Undo),
+                Waiting::Fell(coord, slot) => return Some(Work::Fell(coord, slot)),
+            }
+        }
+        Some(Work::Strokes(strokes, press))
     }
 
     /// Puts back work that could not be handed over, before any that came since.
     pub(crate) fn put_back(&mut self, work: Work) {
         let before: Vec<_> = match work {
             Work::Undo => vec![Waiting::Undo],
+            Work::Fell(coord, slot) => vec![Waiting::Fell(coord, slot)],
             Work::Strokes(strokes, press) => {
                 let strokes = strokes.into_iter();
                 strokes.map(|it| Waiting::Stroke(it, press)).collect()

@@ -10,6 +10,7 @@ use std::time::Duration;
 use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, bounded};
 
 use crate::batch_job::EditBatch;
+use crate::edit_store::Column;
 use crate::outcome::Outcome;
 use crate::plan::Request;
 use crate::saver::{self, Parts};
@@ -145,6 +146,11 @@ impl WorkerPool {
         self.ends
             .as_ref()
             .is_some_and(|ends| ends.urgent.try_send(job).is_ok())
+    }
+
+    /// See [`crate::Streamer::remember_felled`].
+    pub(crate) fn remember_felled(&self, column: Column, slots: u128) {
+        self.shared.edit_store.remember_felled(column, slots);
     }
 
     /// Hands over a batch, or gives it back if there is no room.

@@ -41,6 +41,8 @@ const SPHERE_MOST_M: f64 = 11.0;
 /// The ground of a world before any edit: a pure function of seed and space.
 #[derive(Debug, Clone)]
 pub struct Field {
+    generator: Generator,
+    seed: u64,
     strategy: Arc<dyn Atlas>,
     lattice: Arc<Lattice>,
     /// The biome of a world of one.
@@ -65,10 +67,9 @@ impl Field {
             (middle, (half * SPHERE_SHARE).min(SPHERE_MOST_M))
         });
         let alone = Biome::from_seed(seed);
-        let climate = match generator {
-            Generator::OneBiome => None,
-            Generator::Climates => Some(Arc::new(Climate::new(seed, &*strategy))),
-        };
+        let climate = generator
+            .has_climates()
+            .then(|| Arc::new(Climate::new(seed, &*strategy)));
         let (octaves, sums_m, lowest_m) = match &climate {
             None => {
                 let most_m = alone.max_amplitude_m();
@@ -81,6 +82,8 @@ impl Field {
             ),
         };
         let mut field = Self {
+            generator,
+            seed,
             lattice: Arc::new(Lattice::new(seed)),
             relief: Relief::new(sums_m, lowest_m, bounds),
             alone,

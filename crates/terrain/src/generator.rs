@@ -6,13 +6,25 @@ pub enum Generator {
     /// One biome a world, chosen by its seed.
     OneBiome = 1,
     /// Biomes by climate, whose shapes and colours go over into each other.
-    #[default]
     Climates = 2,
+    /// The same land, with plants and stones on it.
+    #[default]
+    Planted = 3,
 }
 
 impl Generator {
     /// All, the oldest first.
-    pub const ALL: [Self; 2] = [Self::OneBiome, Self::Climates];
+    pub const ALL: [Self; 3] = [Self::OneBiome, Self::Climates, Self::Planted];
+
+    /// Whether its worlds have biomes by climate, and caves; else one biome.
+    pub const fn has_climates(self) -> bool {
+        !matches!(self, Self::OneBiome)
+    }
+
+    /// Whether anything grows and stands on its land.
+    pub const fn has_things(self) -> bool {
+        matches!(self, Self::Planted)
+    }
 
     /// The number that saves have for it.
     pub const fn number(self) -> u16 {

@@ -37,11 +37,13 @@ pub enum Kind {
     Copper = 13,
     /// The rarest ore, deepest down, which shines; below ground only.
     Crystal = 14,
+    /// Planks and logs; only of trees that were felled.
+    Wood = 15,
 }
 
 impl Kind {
     /// Every kind, in the order of their numbers.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Grass,
         Self::Soil,
         Self::Sand,
@@ -56,11 +58,12 @@ impl Kind {
         Self::Coal,
         Self::Copper,
         Self::Crystal,
+        Self::Wood,
     ];
     /// What a number without a kind is shown as.
     pub const PLAIN: Self = Self::Soil;
 
-    /// The number that saves have for it, 1 to 14.
+    /// The number that saves have for it, 1 to 15.
     pub const fn byte(self) -> u8 {
         self as u8
     }
@@ -88,6 +91,7 @@ impl Kind {
             Self::Coal => "coal",
             Self::Copper => "copper",
             Self::Crystal => "crystal",
+            Self::Wood => "wood",
         }
     }
 
@@ -98,12 +102,12 @@ impl Kind {
 
     /// Whether untouched land has it below ground only.
     pub fn is_deep(self) -> bool {
-        self >= Self::Slate
+        (Self::Slate..=Self::Crystal).contains(&self)
     }
 
     /// Whether it is an ore.
     pub fn is_ore(self) -> bool {
-        self >= Self::Coal
+        (Self::Coal..=Self::Crystal).contains(&self)
     }
 
     /// How hard it is to dig: 0 for loose ground, 1 for stone and coal, 2 for copper and 3 for crystal.
@@ -120,9 +124,13 @@ impl Kind {
     #[must_use]
     pub const fn where_steep(self) -> Self {
         match self {
-            Self::Snow | Self::Basalt | Self::Slate | Self::Coal | Self::Copper | Self::Crystal => {
-                self
-            }
+            Self::Snow
+            | Self::Basalt
+            | Self::Slate
+            | Self::Coal
+            | Self::Copper
+            | Self::Crystal
+            | Self::Wood => self,
             _ => Self::Rock,
         }
     }
@@ -131,7 +139,7 @@ impl Kind {
     pub fn cover(self) -> Cover {
         match self {
             Self::Grass | Self::Moss => Cover::Grass,
-            Self::Soil | Self::Clay | Self::Snow => Cover::Soil,
+            Self::Soil | Self::Clay | Self::Snow | Self::Wood => Cover::Soil,
             Self::Sand => Cover::Sand,
             Self::Gravel | Self::Ash | Self::Coal => Cover::Gravel,
             Self::Rock | Self::Basalt | Self::Slate | Self::Copper | Self::Crystal => Cover::Rock,
@@ -189,7 +197,7 @@ mod tests {
             assert_eq!((kind.byte(), Kind::of_byte(number)), (number, Some(kind)));
             assert_eq!(Kind::of_name(kind.name()), Some(kind));
         }
-        for byte in [0, 15, 127, 255] {
+        for byte in [0, 16, 127, 255] {
             assert_eq!(Kind::of_byte(byte), None, "{byte}");
         }
         assert_eq!(Kind::of_name("lava"), None);
@@ -220,6 +228,6 @@ mod tests {
     fn there_are_kinds_enough_and_the_deep_ones_are_told() {
         let deep: Vec<_> = Kind::ALL.into_iter().filter(|k| k.is_deep()).collect();
         let ores: Vec<_> = Kind::ALL.into_iter().filter(|k| k.is_ore()).collect();
-        assert_eq!((Kind::ALL.len(), deep.len(), ores.len()), (14, 4, 3));
+        assert_eq!((Kind::ALL.len(), deep.len(), ores.len()), (15, 4, 3));
     }
 }

@@ -55,6 +55,7 @@ impl Mesher {
             indices: self.indices.clone(),
             seams,
             error_m: field.level_error_m(level) as f32,
+            things: Vec::new(),
         }
     }
 

@@ -8,6 +8,7 @@ use glam::Vec3;
 use crate::kind::between_bytes;
 use crate::level::Level;
 use crate::light::LightTables;
+use crate::thing::Thing;
 
 /// Units of a vertex's position in a metre.
 pub const UNITS_PER_M: u32 = 1024;
@@ -45,6 +46,18 @@ impl Vertex {
         let place = parts.map(|p| p.round().clamp(0.0, CHUNK_PARTS as f32) as u32);
         let [r, g, b] = colour;
         Self::at(place, octahedral(normal), [r, g, b, 255])
+    }
+
+    /// The vertex at a position in metres from the corner of what it is part of, each held to 0..64 and to 1/1024 m.
+    pub fn wide(position: Vec3, normal: Vec3, colour: [u8; 4]) -> Self {
+        // Casts saturate.
+        let units = position * UNITS_PER_M as f32 + 0.5;
+        Self {
+            units: units.to_array().map(|unit| unit as u16),
+            parts: 0,
+            octahedral: octahedral(normal),
+            colour,
+        }
     }
 
     /// The vertex at a place in 1/32768 m from the chunk's origin, each 0..=2^20.
@@ -139,6 +152,8 @@ pub struct ChunkMesh {
     /// What the level is off by, metres: 99 of 100 places of untouched land lie nearer to the full
     /// surface ([`Field::level_error_m`](crate::Field::level_error_m)). 0 at [`Level::FULL`].
     pub error_m: f32,
+    /// What grows and stands on it.
+    pub things: Vec<Thing>,
 }
 
 impl ChunkMesh {

@@ -6,10 +6,13 @@ use std::path::Path;
 use antipode_tests::program::{comparable, field, number, run};
 use serde_json::Value;
 
+/// Land on which nothing stands in a car's way.
+const BARE: &str = "generator=2";
 const SPACES: [&str; 3] = ["euclidean", "hyperbolic", "spherical"];
 
-/// The beginning of a script: a new world, and a player who stands beside its car and looks at it.
+/// The beginning of a script: a new world, of bare land, and a player who stands beside its car and looks at it.
 fn beside_the_car(saves: &Path, new: &str) -> String {
+    let new = new.replacen("seed=", &format!("{BARE} seed="), 1);
     let asked = run(saves, &format!("new {new}\nwait 2\nprobe"));
     let car = asked.probe(0);
     let yaw = number(car, "car.yaw").to_radians();

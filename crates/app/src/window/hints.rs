@@ -31,6 +31,10 @@ pub struct HintContext {
     pub gathering: bool,
     /// Whether it is dark where the player is.
     pub dark: bool,
+    /// Whether somebody answers the player.
+    pub answered: bool,
+    /// Whether the player sits in a car.
+    pub drives: bool,
     /// Elevation of the view, radians.
     pub pitch_rad: f64,
 }
@@ -44,6 +48,8 @@ impl HintContext {
             closed: scene.strategy().globe().is_some(),
             gathering: scene.stock().is_some(),
             dark: scene.is_dark(),
+            answered: scene.is_answered(),
+            drives: scene.is_driving(),
             pitch_rad: scene.head().pitch,
         }
     }
@@ -155,10 +161,11 @@ impl Hints {
                 self.finish(lesson);
             }
         }
+        // Nobody has learnt what he tried in vain.
         for (action, is_used) in [
             (Action::Jump, actions.jump),
-            (Action::Talk, actions.talk),
-            (Action::EnterCar, actions.enter_car),
+            (Action::Talk, context.answered),
+            (Action::EnterCar, context.drives),
             (Action::OtherMap, actions.turn_map),
             (Action::Camera, actions.toggle_camera),
             (Action::Flashlight, actions.toggle_light),

@@ -182,6 +182,7 @@ fn slab(seen: &Seen) -> ChunkLand {
         level: antipode_terrain::Level::FULL,
         min,
         max,
+        whole: [min, max],
         triangles: 1,
         error_m: 0.0,
         ground: Ground::UNKNOWN,

@@ -5,7 +5,7 @@
 
 use antipode_frame::{Frame, View};
 use antipode_geometry::{
-    ChartId, ChartPoint, Domain, Eye, Projection, SightCell, Strategy, side_normals,
+    CHUNK_CELLS, ChartId, ChartPoint, Domain, Eye, Projection, SightCell, Strategy, side_normals,
 };
 use glam::{DMat3, DVec3, DVec4};
 
@@ -199,6 +199,16 @@ impl Bounds {
         self.bend.at(distance_m)
     }
 
+    /// How many pixels a metre takes that is a metre off, in the middle of the picture.
+    pub fn near_px(&self) -> f64 {
+        self.scale.focal_px
+    }
+
+    /// About how many pixels a metre of a chunk takes: as many as the chunk has, over its side.
+    pub fn metre_px(&self, cell: &SightCell) -> f64 {
+        self.scale.spans_px(cell) / f64::from(CHUNK_CELLS)
+    }
+
     /// Edges of the land up to so long that are farther than this keep to the tolerance as they are, metres along
     /// the chart.
     pub fn refine_within_m(&self, tolerance: &Tolerance, longest_edge_m: f64) -> f64 {
@@ -232,12 +242,13 @@ impl Bounds {
             return None;
         }
         let tolerance_px = CRACK_SHARE * tolerance_px;
-        let size = chunk.max - chunk.min;
+        let [low, high] = chunk.whole;
+        let size = high - low;
         let guess = self.bend_px(Self::nearest_chart_m(frame, chunk)) * size.length_squared();
         if guess > FRAME_WORTH_TRYING * tolerance_px {
             return None;
         }
-        let middle = ChartPoint::new(chunk.coord.chart, 0.5 * (chunk.min + chunk.max));
+        let middle = ChartPoint::new(chunk.coord.chart, 0.5 * (low + high));
         let origin = frame
             .view
             .strategy

@@ -40,6 +40,8 @@ pub struct ChunkChoice {
     pub place: usize,
     /// No point of it is nearer to the eye, metres of the space.
     pub distance_m: f64,
+    /// About how many pixels a metre of it takes.
+    pub metre_px: f64,
     /// How its vertices are ported.
     pub port: Port,
     /// Whether it reaches beyond what its chart shows.
@@ -50,6 +52,20 @@ pub struct ChunkChoice {
     pub depth: DepthMethod,
     /// The error of its frame or of its straight edges, pixels; 0 where that is found edge by edge.
     pub error_px: f64,
+}
+
+impl ChunkChoice {
+    /// What is no chunk: carried vertex by vertex, and whole.
+    pub const LOOSE: Self = Self {
+        place: usize::MAX,
+        distance_m: 0.0,
+        metre_px: 0.0,
+        port: Port::Vertex,
+        trimmed: false,
+        refine: false,
+        depth: DepthMethod::Vertex,
+        error_px: 0.0,
+    };
 }
 
 /// Chooses for one chunk.
@@ -81,6 +97,7 @@ pub fn choose(
     ChunkChoice {
         place,
         distance_m: cell.nearest_m,
+        metre_px: bounds.metre_px(cell),
         refine,
         depth: match port {
             Port::Vertex => depth_method(frame, bounds, tolerance),

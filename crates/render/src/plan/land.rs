@@ -5,6 +5,7 @@ use antipode_terrain::{ChunkMesh, Level, UNITS_PER_M};
 use glam::{DVec3, U16Vec3};
 
 use super::choice::LONGEST_EDGE_M;
+use crate::things::with_things;
 
 /// A mesh that keeps this far from its chunk's floor does not go on below it, metres.
 const FLOOR_CLEARANCE_M: f64 = 0.01;
@@ -20,6 +21,8 @@ pub struct ChunkLand {
     pub min: DVec3,
     /// Highest corner of its mesh, chart metres.
     pub max: DVec3,
+    /// Lowest and highest corner of that and of what stands on it, chart metres.
+    pub whole: [DVec3; 2],
     /// Triangles of its surface.
     pub triangles: usize,
     /// What its level is off by, metres.
@@ -136,11 +139,17 @@ impl ChunkLand {
         }
         let corner = |units: U16Vec3| origin + DVec3::from(units.to_array().map(metres));
         let is_empty = mesh.vertices.is_empty();
+        let (min, max) = if is_empty {
+            (origin, origin)
+        } else {
+            (corner(min), corner(max))
+        };
         Self {
             coord,
             level: mesh.level,
-            min: if is_empty { origin } else { corner(min) },
-            max: if is_empty { origin } else { corner(max) },
+            min,
+            max,
+            whole: with_things([min, max], origin, &mesh.things),
             triangles: mesh.triangles().len(),
             error_m: f64::from(mesh.error_m),
             ground: Ground::of(mesh),

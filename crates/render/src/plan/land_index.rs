@@ -77,13 +77,14 @@ impl LandIndex {
         let level = |v: glam::DVec3| DVec2::new(v.x, v.z);
         let (mut min, mut max) = (glam::DVec3::INFINITY, glam::DVec3::NEG_INFINITY);
         for chunk in members() {
-            min = min.min(chunk.min);
-            max = max.max(chunk.max);
+            min = min.min(chunk.whole[0]);
+            max = max.max(chunk.whole[1]);
         }
         let middle = 0.5 * level(min + max);
         let reach = |chunk: &ChunkLand| {
-            let half = 0.5 * level(chunk.max - chunk.min);
-            (0.5 * level(chunk.min + chunk.max)).distance(middle) + half.length()
+            let [low, high] = chunk.whole;
+            let half = 0.5 * level(high - low);
+            (0.5 * level(low + high)).distance(middle) + half.length()
         };
         TileGroup {
             cylinder: BoundingCylinder {

@@ -23,7 +23,7 @@ mod way;
 use std::sync::Arc;
 
 use antipode_frame::{Frame, Quality};
-use antipode_geometry::{CHUNK_CELLS, Eye, SightCell, Strategy};
+use antipode_geometry::{Eye, SightCell, Strategy};
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};
 pub use land::{ChunkLand, Ground};
@@ -103,9 +103,7 @@ impl Planner {
             .iter()
             .map(|candidate| {
                 let chunk = &land_index.land()[candidate.place];
-                // A metre takes about as many pixels as the chunk has, over its side.
-                let metre_px = scale.spans_px(&candidate.cell) / f64::from(CHUNK_CELLS);
-                stats.level_error_at_least(chunk.error_m * metre_px);
+                stats.level_error_at_least(chunk.error_m * bounds.metre_px(&candidate.cell));
                 let (place, cell) = (candidate.place, &candidate.cell);
                 let choice = choice::choose(frame, chunk, place, cell, &bounds, &tolerance);
                 stats.count(&choice, chunk);
@@ -153,7 +151,7 @@ fn all(frame: &Frame, land_index: &LandIndex) -> Vec<Candidate> {
     let chunks = land_index.land().iter().enumerate();
     let candidate = |(place, chunk): (usize, &ChunkLand)| Candidate {
         place,
-        cell: strategy.sight_cell(eye, chunk.coord.chart, chunk.min, chunk.max),
+        cell: strategy.sight_cell(eye, chunk.coord.chart, chunk.whole[0], chunk.whole[1]),
         ring: 0,
     };
     chunks.map(candidate).collect()
@@ -181,7 +179,8 @@ fn candidates(
         for place in land_index.chunks(group) {
             let chunk = &land_index.land()[place];
             let chart = chunk.coord.chart;
-            let cell = frustum.cell_seen(strategy, eye, chart, chunk.min, chunk.max);
+            let [low, high] = chunk.whole;
+            let cell = frustum.cell_seen(strategy, eye, chart, low, high);
             match cell.filter(|cell| cell.nearest_m <= fog_m) {
                 Some(cell) if scale.spans_px(&cell) < tolerance.small_px => {
                     stats.triangles_small += chunk.triangles;

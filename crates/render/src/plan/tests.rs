@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use antipode_frame::Quality;
-use antipode_geometry::{ChartId, ChunkCoord};
+use antipode_geometry::{CHUNK_CELLS, ChartId, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 use glam::{DVec3, IVec2, IVec3, Vec3};
 
@@ -55,6 +55,7 @@ fn land(numbers: &mut Numbers, frame: &Frame) -> Vec<ChunkLand> {
             level,
             min,
             max,
+            whole: [min, max],
             triangles: numbers.between(1.0, 5000.0) as usize,
             error_m: numbers.between(0.0, 2.0),
             ground: Ground::random(numbers),

@@ -247,12 +247,12 @@ impl Caster {
         0.5 * (self.max - self.min)
     }
 
-    /// All of a chunk's land.
+    /// All of a chunk's land, and what stands on it.
     pub fn of(land: &ChunkLand) -> Self {
         Self {
             chart: land.coord.chart,
-            min: land.min,
-            max: land.max,
+            min: land.whole[0],
+            max: land.whole[1],
         }
     }
 }

@@ -9,7 +9,6 @@ use super::light::{Caster, Light, Rectangle};
 use super::uniform::CasterUniform;
 use super::{MapTarget, Over, Pass, SLOTS, ShadowSources, Shadows};
 use crate::chunk_store::ChunkStore;
-use crate::uniforms::ChunkInstance;
 
 /// The slot that a map is made in.
 pub(super) fn slot_of(level: usize) -> usize {
@@ -185,9 +184,8 @@ impl Shadows {
             let Some(from) = shot.light.origin(&*frame.view.strategy, coord.chart) else {
                 continue;
             };
-            let instance = ChunkInstance::new(coord.origin(), from);
             let chart = land.charts.number(coord.chart);
-            used += land.chunks.list_caster(coord, chart, instance, list);
+            used += land.chunks.list_caster(coord, chart, from, list);
         }
         draws.send(&self.queue, list);
         let uniform = CasterUniform::new(shot, DVec4::W);

@@ -9,12 +9,13 @@ use hecs::{Entity, Query};
 use super::bearing::{ahead, way};
 use super::doors::Detour;
 use super::mind::{Mind, State};
-use super::navigation::{ASKS_M, WalkableGround};
+use super::navigation::{ASKS_M, PLANS_M, WalkableGround};
 use super::senses::{Around, Event};
 use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
 use crate::bot::{Bot, BotView};
 use crate::damage::fall_damage;
 use crate::door;
+use crate::felling;
 use crate::frame::ModelId;
 use crate::pick::over;
 use crate::player::{self, Appearance, Body, Health, Look, Position, wrap_angle};
@@ -110,7 +111,9 @@ impl Npc<'_> {
         if !world.is_firm_around(self.position.0, ASKS_M) {
             return;
         }
-        let blocked: Vec<_> = self.mind.blocked.iter().map(|(spot, _)| *spot).collect();
+        let blocked = self.mind.blocked.iter().map(|(spot, _)| *spot);
+        let trunks = felling::trunks_near(world, self.position.0, PLANS_M);
+        let blocked: Vec<_> = blocked.chain(trunks).collect();
         let land = WalkableGround {
             strategy: around.strategy(),
             ground: &world.ground,

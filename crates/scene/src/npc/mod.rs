@@ -46,7 +46,7 @@ pub(crate) use population::send_hostile_away;
 use senses::{Around, Quarry};
 pub(crate) use senses::{Event, sees, world_view_params};
 pub use speech::Speech;
-pub(crate) use speech::speech;
+pub(crate) use speech::{is_speaking, speech};
 pub use talk::Line;
 pub(crate) use talk::talk;
 use tuning::{LEAVES_BULLETS, THINKS_EVERY_STEPS};

@@ -2,6 +2,7 @@
 
 use antipode_geometry::{ChartPoint, ChunkCoord};
 use antipode_items::Item;
+use antipode_plants::placed_near;
 use glam::DVec3;
 
 use super::bearing::{ahead, any_heading, apart_m, toward};
@@ -21,6 +22,8 @@ use crate::world::World;
 const EVERY_STEPS: u64 = 60;
 /// Places that are tried each time.
 const TRIES: u32 = 4;
+/// Nobody comes nearer to what grows, metres.
+const ROOM_M: f64 = 2.0;
 /// Gap below the feet of a figure that appears, in metres.
 const CLEARANCE_M: f64 = 0.15;
 /// How much nearer than the border of where bodies move someone comes, in metres.
@@ -93,7 +96,12 @@ fn let_one_come(world: &World, actors: &mut Actors, player: &Player, hostile: bo
         let mut point = ahead(&*world.strategy, now.feet(), toward(heading), away_m);
         point.pos.y = world.ground.untouched_height(point) + CLEARANCE_M;
         let there = world.lets_move(ChunkCoord::containing(point));
-        (there && !may_see(now, point)).then_some(point)
+        // By the seed: what is loaded there may differ.
+        let is_free = || {
+            let field = world.ground.field();
+            placed_near(field, point, ROOM_M).next().is_none()
+        };
+        (there && !may_see(now, point) && is_free()).then_some(point)
     });
     let Some(point) = place else { return false };
     let yaw = any_heading(&*world.strategy, point.chart, dice.heading());

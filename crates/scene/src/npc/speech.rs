@@ -40,6 +40,26 @@ pub struct Speech {
     pub at: Option<DVec2>,
 }
 
+/// Who is speaking: the words, and the speaker as others see him.
+fn spoken(now: Situation<'_>) -> Option<(Said, bot::BotView)> {
+    let said = now.actors.npcs.said?;
+    if now.world.simulated_s - said.at_s > STAY_S {
+        return None;
+    }
+    let mut bots = bot::views(now.actors).into_iter();
+    let speaker = bots.find(|view| view.bot.id == said.speaker)?;
+    // A figure that is shot at stops talking.
+    let is_heard = speaker.health > 0.0
+        && !speaker.fights
+        && apart_m(&*now.world.strategy, now.feet(), speaker.point) < HEARD_M;
+    is_heard.then_some((said, speaker))
+}
+
+/// Whether anybody is heard.
+pub(crate) fn is_speaking(now: Situation<'_>) -> bool {
+    spoken(now).is_some()
+}
+
 /// What is being said, in a picture that was taken so, of that vertical field of view in radians.
 pub(crate) fn speech(
     now: Situation<'_>,
@@ -47,17 +67,7 @@ pub(crate) fn speech(
     seen: &Seen,
     fov_y_rad: f64,
 ) -> Option<Speech> {
-    let said = now.actors.npcs.said?;
-    if now.world.simulated_s - said.at_s > STAY_S {
-        return None;
-    }
-    let bots = bot::views(now.actors);
-    let speaker = bots.iter().find(|view| view.bot.id == said.speaker)?;
-    // A figure that is shot at stops talking.
-    let is_heard = speaker.health > 0.0
-        && !speaker.fights
-        && apart_m(&*now.world.strategy, now.feet(), speaker.point) < HEARD_M;
-    is_heard.then(|| {
+    spoken(now).map(|(said, speaker)| {
         let over = seen
             .place(speaker.bot.id, speaker.point)
             .moved(DVec3::Y * (now.actors.tuning.height_m + OVER_M));

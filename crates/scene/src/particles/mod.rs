@@ -41,6 +41,8 @@ pub(crate) enum Effect {
         up: DVec3,
         speed_m_s: f64,
     },
+    /// Wood was struck.
+    Chopped { at: ChartPoint },
     /// Feet came down from a fall of that speed.
     Landed { at: ChartPoint, speed_m_s: f64 },
     /// A foot of somebody who goes that fast came down, in metres per second of the chart.

@@ -48,11 +48,18 @@ fn dustiness(kind: Kind) -> f64 {
         Kind::Gravel => 0.6,
         Kind::Snow => 0.5,
         Kind::Clay => 0.45,
-        Kind::Grass => 0.3,
+        Kind::Grass | Kind::Wood => 0.3,
         Kind::Moss => 0.22,
         Kind::Rock | Kind::Basalt | Kind::Slate | Kind::Copper | Kind::Crystal => 0.18,
     }
 }
+
+/// Bark and splinters.
+const WOOD: Surface = Surface {
+    kind: Kind::Wood,
+    colour: [0.22, 0.13, 0.07],
+    sky: 1.0,
+};
 
 /// How a kind of ground breaks.
 #[derive(Clone, Copy, Debug)]
@@ -93,6 +100,7 @@ pub(super) fn breaks(kind: Kind) -> Breaks {
         Kind::Coal => of(7.0, 1.0, 1.6, 0.70, 0.03, [0.02, 0.07]),
         Kind::Copper => of(7.0, 0.0, 1.2, 0.45, 0.25, [0.02, 0.075]),
         Kind::Crystal => of(8.0, 0.0, 0.6, 0.32, 0.30, [0.02, 0.08]),
+        Kind::Wood => of(7.0, 0.0, 0.7, 0.30, 0.20, [0.025, 0.07]),
     }
 }
 
@@ -103,6 +111,7 @@ impl Particles {
             Effect::Dug { at, radius_m } => self.dig(world, at, radius_m, 1.0),
             Effect::Built { at, radius_m } => self.dig(world, at, radius_m, 0.0),
             Effect::Struck { at, up, speed_m_s } => self.strike(world, at, up, speed_m_s),
+            Effect::Chopped { at } => self.burst(at, DVec3::Y, &WOOD, 0.8, 1.2),
             Effect::Landed { at, speed_m_s } => self.puff(world, at, speed_m_s, DVec3::ZERO),
             Effect::Stepped { at, velocity } => {
                 let speed_m_s = STEP_SHARE * velocity.length();

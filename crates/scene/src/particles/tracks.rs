@@ -95,7 +95,13 @@ fn softness(kind: Kind) -> f64 {
         Kind::Moss => 0.28,
         Kind::Grass => 0.24,
         Kind::Gravel => 0.14,
-        Kind::Rock | Kind::Basalt | Kind::Slate | Kind::Coal | Kind::Copper | Kind::Crystal => 0.0,
+        Kind::Rock
+        | Kind::Basalt
+        | Kind::Slate
+        | Kind::Coal
+        | Kind::Copper
+        | Kind::Crystal
+        | Kind::Wood => 0.0,
     }
 }
 

@@ -28,6 +28,8 @@ const APART_RAD: f64 = TAU / ROUND as f64;
 /// Of a place so many headings are tried, which are apart by so many rays.
 const HEADINGS: usize = 3;
 const APART_RAYS: i32 = 2;
+/// How far from what grows one begins, metres.
+const FEET_ROOM_M: f64 = 0.8;
 /// From here on land is far, in metres, and so much of it over what is nearer is enough on a ray, in radians.
 const FAR_M: f64 = 32.0;
 const ENOUGH_RAD: f64 = 6.0 * PI / 180.0;
@@ -99,7 +101,8 @@ impl Search<'_> {
             let ChartPoint { pos, .. } = place.feet;
             let feet = standing_at(self.field, pos.x, pos.z);
             let is_level = self.spread_m(self.ground(feet), DVec2::splat(0.7), 0.0) <= STEEPEST_M;
-            is_level.then_some(Place { feet, ..place })
+            let is_free = self.obstacles(feet).leave(feet, FEET_ROOM_M);
+            (is_level && is_free).then_some(Place { feet, ..place })
         });
         stood_on.take(MOST_VIEWS).collect()
     }

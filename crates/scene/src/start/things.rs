@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use antipode_geometry::{ChartPoint, Eye, Projection};
 use glam::{DVec2, DVec3};
 
+use super::obstacles::Obstacles;
 use super::{STEEPEST_M, Search, Spot};
 use crate::npc::way_to;
 use crate::player;
@@ -27,6 +28,9 @@ const CAR_RISE_M: f64 = 0.7;
 const CAR_SEEN_M: f64 = 1.0;
 /// What is to be seen of a figure over the ground, in metres.
 const FIGURE_SEEN_M: f64 = 0.9;
+/// How far from what grows a figure and a car stand, so that both can go on, metres.
+const FIGURE_ROOM_M: f64 = 1.0;
+const CAR_ROOM_M: f64 = 3.0;
 /// Steps of a line of sight, in metres.
 const SIGHT_STEP_M: f64 = 0.4;
 
@@ -37,10 +41,12 @@ impl Search<'_> {
         eye: &Eye,
         feet: ChartPoint,
         spots: &[Spot],
+        obstacles: &Obstacles,
     ) -> Option<(Spot, f64)> {
         let fits = |spot: &&Spot| {
             FIGURE_AT.contains(&spot.ring)
                 && spot.ray != 0
+                && obstacles.shows(spot.ground, FIGURE_ROOM_M)
                 && self.is_seen(eye, spot.ground, FIGURE_SEEN_M)
                 && self.is_seen(eye, spot.ground, 2.0 * FIGURE_SEEN_M)
                 && self.spread_m(spot.ground, DVec2::splat(0.5), 0.0) < STEEPEST_M
@@ -56,11 +62,13 @@ impl Search<'_> {
         eye: &Eye,
         yaw: f64,
         spots: &[Spot],
+        obstacles: &Obstacles,
         figure: Option<i32>,
     ) -> Option<(ChartPoint, f64)> {
         let heading = player::wrap_angle(yaw + 0.3 * PI);
         let fits = |spot: &&Spot| {
             CAR_AT.contains(&spot.ring)
+                && obstacles.leave(spot.ground, CAR_ROOM_M)
                 && figure.is_none_or(|ray| (ray - spot.ray).abs() >= APART_RAYS)
                 && self.is_seen(eye, spot.ground, CAR_SEEN_M)
                 && self.spread_m(spot.ground, CAR_M, heading) < CAR_RISE_M

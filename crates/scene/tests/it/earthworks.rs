@@ -129,7 +129,7 @@ fn shapes_and_kinds_are_chosen_without_the_console() {
     assert_eq!(scene.brush().shape, BrushShape::Box);
     assert_eq!(scene.brush_chosen(), Some(Choice::Shape));
     steps(&mut scene, 1, &choose(0, -1, false));
-    assert_eq!(scene.brush().kind, Some(Kind::Crystal));
+    assert_eq!(scene.brush().kind, Some(Kind::Wood));
     assert_eq!(scene.brush_chosen(), Some(Choice::Kind));
 
     steps(&mut scene, 1, &choose(0, 0, true));

@@ -24,6 +24,7 @@ mod doors_placed;
 mod doors_seen;
 mod drops;
 mod earthworks;
+mod felling;
 mod flags;
 mod gathering;
 mod gun;

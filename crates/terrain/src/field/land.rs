@@ -32,10 +32,12 @@ const ROUNDING_M: f32 = 1e-3;
 impl Field {
     /// Which generator makes it.
     pub fn generator(&self) -> Generator {
-        match self.climate {
-            None => Generator::OneBiome,
-            Some(_) => Generator::Climates,
-        }
+        self.generator
+    }
+
+    /// The seed of its world.
+    pub fn seed(&self) -> u64 {
+        self.seed
     }
 
     /// The biome of the land at a point.

@@ -14,6 +14,8 @@ const DIAL: HintContext = HintContext {
     closed: false,
     gathering: false,
     dark: false,
+    answered: false,
+    drives: false,
     pitch_rad: 0.0,
 };
 /// A flat one, unbent, and a closed one.
@@ -38,9 +40,15 @@ fn told(hints: &Hints, context: HintContext) -> String {
     })
 }
 
+/// Whoever is talked to answers here, and every car can be got into.
 fn pass(hints: &mut Hints, actions: &Actions, time_s: f64) {
+    let context = HintContext {
+        answered: actions.talk,
+        drives: actions.enter_car,
+        ..DIAL
+    };
     for _ in 0..(time_s / STEP_S).round() as u32 {
-        hints.step(actions, DIAL);
+        hints.step(actions, context);
     }
 }
 
@@ -300,4 +308,18 @@ fn every_language_names_the_keys_in_every_hint() {
         assert!(model.text.contains(&texts.say("key-Mouse")));
         assert!(model.footer.contains('N') && model.footer.contains("13"));
     }
+}
+
+#[test]
+fn who_talks_to_nobody_and_gets_into_no_car_has_not_learnt_it() {
+    let mut hints = Hints::default();
+    let tries = Actions {
+        talk: true,
+        enter_car: true,
+        ..Actions::default()
+    };
+    hints.step(&tries, DIAL);
+    assert!(hints.learnt().is_empty(), "{:?}", hints.learnt());
+    pass(&mut hints, &tries, STEP_S);
+    assert_eq!(hints.learnt().len(), 2, "{:?}", hints.learnt());
 }

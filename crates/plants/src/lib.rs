@@ -1,0 +1,16 @@
+//! Plants and stones: which stand where in a world that nobody has touched, and what they look like.
+//!
+//! Places are a pure function of seed and field; shapes of the species, its age and how large it is in the picture. No
+//! input or output, no GPU.
+
+mod habitat;
+mod noise;
+mod placement;
+mod shape;
+mod solid;
+mod species;
+
+pub use placement::{placed, placed_near};
+pub use shape::{Corner, Material, Shape, Size, shape};
+pub use solid::add_solids;
+pub use species::{Age, Species, Trunk};

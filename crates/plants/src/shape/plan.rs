@@ -1,0 +1,57 @@
+//! Which shape each species and age grows into.
+
+use super::mesh::match_tones;
+use super::{Shape, Size, boulder, broadleaf, canopy, palm, snag, spruce, toadstool};
+use crate::species::{Age, Species};
+
+/// The lengths that a plant's shape keeps to, metres.
+#[derive(Clone, Copy)]
+pub(super) struct Build {
+    /// How old it is.
+    pub age: Age,
+    /// Its height.
+    pub height: f32,
+    /// How far its crown reaches.
+    pub radius: f32,
+    /// The radius of its trunk.
+    pub trunk: f32,
+}
+
+impl Build {
+    /// One of three values by age.
+    pub(super) fn by_age<T>(&self, young: T, grown: T, old: T) -> T {
+        match self.age {
+            Age::Young => young,
+            Age::Grown => grown,
+            Age::Old => old,
+        }
+    }
+}
+
+/// The three sizes of a plant.
+pub(super) fn grow(species: Species, age: Age) -> [Shape; 3] {
+    let build = Build {
+        age,
+        height: species.height_m(age) as f32,
+        radius: species.radius_m(age) as f32,
+        trunk: species
+            .trunk(age)
+            .map_or(0.0, |trunk| trunk.radius_m as f32),
+    };
+    let [near, mut middle, mut far] = Size::ALL.map(|size| match species {
+        Species::Spruce => spruce::grow(build, size),
+        Species::Palm => palm::grow(build, size),
+        Species::Snag => snag::grow(build, size),
+        Species::Toadstool => toadstool::grow(build, size),
+        Species::Boulder => boulder::grow(build, size),
+        Species::Oak => broadleaf::oak(build).shape(size),
+        Species::Birch => broadleaf::birch(build).shape(size),
+        Species::Acacia => canopy::acacia(build).shape(size),
+        Species::Willow => canopy::willow(build).shape(size),
+        Species::Kapok => canopy::kapok(build).shape(size),
+        Species::Bush => broadleaf::bush(build).shape(size),
+    });
+    match_tones(&near, &mut middle);
+    match_tones(&near, &mut far);
+    [near, middle, far]
+}

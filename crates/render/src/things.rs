@@ -1,0 +1,500 @@
+//! What grows and stands on chunks, as meshes in the pages of the land.
+//!
+//! All that stands on a chunk is one mesh, so that it is culled, hidden, carried into the space, lit and shadowed as the chunk's
+//! land is, and costs a call nothing. It is made from the shapes of `antipode_plants` in one of their three sizes, by how large
+//! a metre of the chunk is in the picture. No edge is long and no triangle is a card: what is far off is a solid of a dozen
+//! triangles, which every map of the space bends as it does land.
+
+use antipode_frame::{FallingThing, Frame, Quality};
+use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord};
+use antipode_plants::{Age, Corner, Material, Shape, Size, Species, shape};
+use antipode_terrain::{Level, Thing, Vertex};
+use glam::{DVec3, Quat, Vec3};
+
+use crate::charts::Charts;
+use crate::chunk_store::{ChunkStore, GpuChunk};
+use crate::draw_list::DrawList;
+use crate::lamps::lights_near;
+use crate::land_mesh::LandMesh;
+use crate::pages::Pages;
+use crate::parts::parts;
+use crate::plan::{ChunkChoice, FramePlan, Port};
+use crate::renderer::Preset;
+use crate::shadow::{Caster, Shadows};
+use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
+use crate::touched::Touched;
+use crate::uniforms::ChunkInstance;
+
+/// How far a thing may reach out of its chunk, whole metres: the corner that its mesh is told from lies so far before the
+/// chunk's along each axis.
+const MARGIN_M: i32 = 16;
+/// How far a thing reaches as it falls, whole metres.
+const FALLS_M: i32 = 31;
+/// From so many pixels a metre on things are near, and from so many on not far: for cards, and for the processor, to which a
+/// corner is as dear as a hundred pixels.
+const CARD_PX: [f64; 2] = [24.0, 5.0];
+const SOFTWARE_PX: [f64; 2] = [64.0, 7.0];
+/// Where a thing is drawn by fewer triangles than now only if a metre has this share of those pixels: on the line between two
+/// sizes it does not flip to and fro.
+const COARSER_SHARE: f64 = 0.8;
+/// The fast quality has them coarser, as if they were smaller.
+const FAST_SHARE: f64 = 0.6;
+/// Nearer than this the things of a chunk are looked at one by one, metres.
+const SINGLY_M: f64 = 64.0;
+/// Corners of things that a frame makes at most, but for one chunk's: a third of a millisecond.
+const CORNERS: usize = 16_000;
+/// How much wider a box is than its thing: leaves sway.
+const SLACK_M: f64 = 0.3;
+/// How much the normals of leaves lean upwards: light comes through them from above, so that a crown is not black from below.
+const LEAVES_UP: f32 = 0.6;
+/// The numbers of what they are made of in the fourth byte of vertices, under all of the sky; surfaces.wgsl.
+const WOOD: u8 = 15 | OPEN_SKY;
+const LEAVES: u8 = 16 | OPEN_SKY;
+const STONE: u8 = 5 | OPEN_SKY;
+const OPEN_SKY: u8 = 6 << 5;
+
+/// The things of a chunk on the adapter.
+#[derive(Debug)]
+pub struct Grown {
+    /// In which size each of them is shown.
+    sizes: Vec<Size>,
+    mesh: LandMesh,
+    /// What throws their shadow, where that is another.
+    shadow: Option<LandMesh>,
+}
+
+/// What a thing is, if it is known.
+fn kind_of(thing: &Thing) -> Option<(Species, Age)> {
+    Some((Species::of_byte(thing.species)?, Age::of_byte(thing.age)?))
+}
+
+/// A box of land with what stands on it: `origin` is the chunk's corner.
+pub fn with_things(land: [DVec3; 2], origin: DVec3, things: &[Thing]) -> [DVec3; 2] {
+    let known = things.iter().filter_map(|it| Some((it, kind_of(it)?)));
+    known.fold(land, |[low, high], (thing, (species, age))| {
+        let scale = f64::from(thing.scale);
+        let around_m = species.radius_m(age) * scale * 1.2 + SLACK_M;
+        let over_m = species.height_m(age) * scale * 1.2 + SLACK_M;
+        let root = origin + thing.root.as_dvec3();
+        [
+            low.min(root - DVec3::new(around_m, 0.0, around_m)),
+            high.max(root + DVec3::new(around_m, over_m, around_m)),
+        ]
+    })
+}
+
+/// The box of those that stand on one mesh of a chunk and not on another; nothing where all do.
+pub fn changed(coord: ChunkCoord, old: &[Thing], new: &[Thing]) -> Option<Touched> {
+    let only = |these: &[Thing], others: &[Thing]| -> Vec<Thing> {
+        let is_only = |it: &&Thing| !others.contains(it);
+        these.iter().filter(is_only).copied().collect()
+    };
+    let all = [only(old, new), only(new, old)].concat();
+    let nothing = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    let [min, max] = with_things(nothing, coord.origin(), &all);
+    min.is_finite().then_some(Touched {
+        of: Caster {
+            chart: coord.chart,
+            min,
+            max,
+        },
+        is_edited: true,
+    })
+}
+
+/// The size for a metre of so many pixels, of things that are shown in a size before.
+fn size_for(metre_px: f64, [near_px, middle_px]: [f64; 2], before: Option<Size>) -> Size {
+    let from = |px: f64, size: Size| {
+        let is_finer = before.is_some_and(|before| before <= size);
+        metre_px >= if is_finer { COARSER_SHARE * px } else { px }
+    };
+    if from(near_px, Size::Near) {
+        Size::Near
+    } else if from(middle_px, Size::Middle) {
+        Size::Middle
+    } else {
+        Size::Far
+    }
+}
+
+/// From so many pixels a metre on things are near, and from so many on not far.
+fn thresholds_px(quality: Quality, preset: Preset) -> [f64; 2] {
+    let least = match preset {
+        Preset::Software => SOFTWARE_PX,
+        Preset::Card => CARD_PX,
+    };
+    match quality {
+        Quality::Fast => least.map(|px| px / FAST_SHARE),
+        Quality::Balanced | Quality::Exact => least,
+    }
+}
+
+/// A mesh of things in a size.
+#[derive(Default)]
+struct Baked {
+    vertices: Vec<Vertex>,
+    indices: Vec<u32>,
+}
+
+impl Baked {
+    fn of(things: &[Thing], sizes: impl Iterator<Item = Size>, eye: Option<Vec3>) -> Self {
+        let mut all = Self::default();
+        let mut pairs: Vec<_> = things.iter().zip(sizes).collect();
+        // What is drawn first hides what is behind it before that is lit.
+        if let Some(eye) = eye {
+            let away = |thing: &Thing| thing.root.distance_squared(eye);
+            pairs.sort_by(|(a, _), (b, _)| away(a).total_cmp(&away(b)));
+        }
+        for (thing, size) in pairs {
+            if let Some((species, age)) = kind_of(thing) {
+                all.add(thing, shape(species, age, size));
+            }
+        }
+        all
+    }
+
+    fn add(&mut self, thing: &Thing, shape: &Shape) {
+        let root = thing.root + Vec3::splat(MARGIN_M as f32);
+        let (sin, cos) = thing.turn_rad.sin_cos();
+        let turned = |v: Vec3| Vec3::new(v.x * cos - v.z * sin, v.y, v.x * sin + v.z * cos);
+        self.put_up(thing, shape, root, turned);
+    }
+
+    /// Adds a shape whose root comes to a place, turned so.
+    fn put_up(&mut self, thing: &Thing, shape: &Shape, root: Vec3, turned: impl Fn(Vec3) -> Vec3) {
+        let first = self.vertices.len() as u32;
+        let vertex = |corner: &Corner| {
+            let [r, g, b] = corner.colour;
+            let (made_of, up) = match corner.material {
+                Material::Wood => (WOOD, 0.0),
+                Material::Leaves => (LEAVES, LEAVES_UP),
+                Material::Stone => (STONE, 0.0),
+            };
+            let place = root + turned(corner.place * thing.scale);
+            let normal = turned(corner.normal) + Vec3::Y * up;
+            Vertex::wide(place, normal, [r, g, b, made_of])
+        };
+        self.vertices.extend(shape.corners.iter().map(vertex));
+        let corners = shape.triangles.iter().flatten();
+        self.indices
+            .extend(corners.map(|&corner| first + u32::from(corner)));
+    }
+
+    fn put(self, pages: &mut Pages) -> LandMesh {
+        let mut sections: [&[u32]; crate::parts::SECTIONS] = Default::default();
+        sections[0] = &self.indices;
+        LandMesh::put(pages, parts(&self.vertices, sections, &[]))
+    }
+}
+
+impl Grown {
+    /// Things in these sizes; nothing of a chunk without.
+    fn of(
+        things: &[Thing],
+        sizes: Vec<Size>,
+        eye: Option<Vec3>,
+        pages: &mut Pages,
+    ) -> Option<Self> {
+        if things.is_empty() {
+            return None;
+        }
+        let mesh = Baked::of(things, sizes.iter().copied(), eye).put(pages);
+        // Nobody counts the leaves of a shadow.
+        let of_shadow = || sizes.iter().map(|size| (*size).max(Size::Middle));
+        let has_near = sizes.contains(&Size::Near);
+        let shadow = has_near.then(|| Baked::of(things, of_shadow(), None).put(pages));
+        Some(Self {
+            sizes,
+            mesh,
+            shadow,
+        })
+    }
+
+    /// Things that nobody has looked at yet.
+    pub fn far(things: &[Thing], pages: &mut Pages) -> Option<Self> {
+        Self::of(things, vec![Size::Far; things.len()], None, pages)
+    }
+
+    /// Gives its room back.
+    pub fn give_back(self, pages: &mut Pages) {
+        self.mesh.give_back(pages);
+        if let Some(shadow) = self.shadow {
+            shadow.give_back(pages);
+        }
+    }
+
+    /// Lists them in a frame, carried as their chunk is, but past the edge of its chart as well.
+    pub fn list(
+        &self,
+        frame: &Frame,
+        coord: ChunkCoord,
+        choice: &ChunkChoice,
+        light: ThingsLight,
+        list: &mut DrawList,
+        chart: u32,
+    ) {
+        let corner = coord.origin() - f64::from(MARGIN_M);
+        let corner = ChartPoint::new(coord.chart, corner);
+        let instance = ChunkInstance::at(frame, corner, &choice.port)
+            .shaded(0, light.by_figures)
+            .lit(light.lights, Level::FULL);
+        let whole = ChunkChoice {
+            trimmed: false,
+            ..choice.clone()
+        };
+        let number = TerrainPipelines::number(&whole, false, light.reach, light.lights);
+        let pieces = self.mesh.pieces(0).map(|piece| (number, piece));
+        list.add(chart, instance, pieces);
+    }
+
+    /// Lists what throws their shadow, for a map whose matrix begins at a place of the chart, metres; returns its triangles.
+    pub fn list_caster(
+        &self,
+        coord: ChunkCoord,
+        chart: u32,
+        from: DVec3,
+        list: &mut DrawList,
+    ) -> usize {
+        let caster = self.shadow.as_ref().unwrap_or(&self.mesh);
+        let corner = coord.origin() - f64::from(MARGIN_M);
+        let instance = ChunkInstance::new(corner, from).past_rim();
+        list.add(chart, instance, caster.pieces(0).map(|piece| (0, piece)));
+        caster.triangles()
+    }
+}
+
+/// What falls on the things of a chunk.
+#[derive(Clone, Copy, Debug)]
+pub struct ThingsLight {
+    reach: ShadowReach,
+    by_figures: bool,
+    lights: [u32; 3],
+}
+
+impl ThingsLight {
+    /// What may throw a shadow on them, and the lamps and beams that may light them.
+    pub fn of(shadows: &Shadows, reach: ShadowReach, lights: [u32; 3]) -> Self {
+        Self {
+            reach: shadows.told_apart(reach),
+            by_figures: reach == ShadowReach::All,
+            lights,
+        }
+    }
+}
+
+/// A thing on its way down, in one picture: its mesh, and where that is told from.
+#[derive(Debug)]
+pub struct Fallen {
+    mesh: LandMesh,
+    corner: ChartPoint,
+}
+
+impl Fallen {
+    /// A thing as it hangs at the moment; nothing of what is not known.
+    pub fn of(it: &FallingThing, pages: &mut Pages) -> Option<Self> {
+        let (species, age) = kind_of(&it.thing)?;
+        let corner = it.point.pos.floor() - f64::from(FALLS_M);
+        let root = (it.point.pos - corner).as_vec3();
+        let turn = it.turn.as_quat() * Quat::from_rotation_y(-it.thing.turn_rad);
+        let mut baked = Baked::default();
+        baked.put_up(&it.thing, shape(species, age, Size::Near), root, |v| {
+            turn * v
+        });
+        Some(Self {
+            mesh: baked.put(pages),
+            corner: ChartPoint::new(it.point.chart, corner),
+        })
+    }
+
+    /// Gives its room back.
+    pub fn give_back(self, pages: &mut Pages) {
+        self.mesh.give_back(pages);
+    }
+
+    /// Lists it, ported by vertex.
+    pub fn list(&self, frame: &Frame, list: &mut DrawList, charts: &mut Charts) {
+        let ChartPoint { chart, pos } = self.corner;
+        let lights = lights_near(frame, chart, pos, pos + 2.0 * f64::from(FALLS_M));
+        let instance = ChunkInstance::at(frame, self.corner, &Port::Vertex)
+            .shaded(0, true)
+            .lit(lights, Level::FULL);
+        let number = TerrainPipelines::number(&ChunkChoice::LOOSE, false, ShadowReach::All, lights);
+        let pieces = self.mesh.pieces(0).map(|piece| (number, piece));
+        list.add(charts.number(chart), instance, pieces);
+    }
+}
+
+impl ChunkStore {
+    /// Lists what falls.
+    pub(crate) fn list_fallen(&self, frame: &Frame, list: &mut DrawList, charts: &mut Charts) {
+        for it in &self.fallen {
+            it.list(frame, list, charts);
+        }
+    }
+
+    /// Shows what stands on a new mesh, as it was before where it is the same.
+    pub(crate) fn plant(&mut self, coord: ChunkCoord, old: Option<&mut GpuChunk>) {
+        let Some(chunk) = self.chunks.get_mut(&coord) else {
+            return;
+        };
+        let things = &chunk.source.things;
+        let before = old.and_then(|old| {
+            let is_same = old.source.things == *things;
+            old.grown.take_if(|_| is_same)
+        });
+        chunk.grown = before.or_else(|| Grown::far(things, &mut self.pages));
+    }
+
+    /// Shows the things of the chunks that are drawn in the sizes that they have in the picture, the nearest first, as many as
+    /// a frame has time for.
+    pub fn grow(&mut self, frame: &Frame, plan: &FramePlan, preset: Preset) {
+        let thresholds_px = thresholds_px(frame.view.quality, preset);
+        for before in std::mem::take(&mut self.fallen) {
+            before.give_back(&mut self.pages);
+        }
+        let falling = frame.content.falling.iter();
+        self.fallen = falling
+            .filter_map(|it| Fallen::of(it, &mut self.pages))
+            .collect();
+        let land = self.land();
+        let mut left = if self.rush { usize::MAX } else { CORNERS };
+        for choice in &plan.chunks {
+            let chunk = &land.land()[choice.place];
+            let Some(grown) = self.chunks.get_mut(&chunk.coord) else {
+                continue;
+            };
+            let eye = (choice.distance_m < SINGLY_M)
+                .then(|| {
+                    frame
+                        .view
+                        .strategy
+                        .carry(frame.view.eye.point, chunk.coord.chart)
+                })
+                .flatten();
+            let scale = Scale {
+                metre_px: choice.metre_px,
+                near_px: plan.bounds.near_px(),
+                thresholds_px,
+                eye: eye.map(|eye| (eye.point.pos - chunk.coord.origin()).as_vec3()),
+            };
+            left = left.saturating_sub(grown.grow(&scale, &mut self.pages));
+            if left == 0 {
+                return;
+            }
+        }
+    }
+}
+
+/// How large the things of a chunk are in a picture.
+struct Scale {
+    /// About how many pixels a metre of the chunk takes.
+    metre_px: f64,
+    /// How many one takes that is a metre off.
+    near_px: f64,
+    /// See [`thresholds_px`].
+    thresholds_px: [f64; 2],
+    /// Where the eye is, of a chunk so near that its things differ: metres from its corner.
+    eye: Option<Vec3>,
+}
+
+impl Scale {
+    fn size(&self, thing: &Thing, before: Size) -> Size {
+        let px = self.eye.map_or(self.metre_px, |eye| {
+            let away_m = thing.root.distance(eye).max(1.0);
+            self.near_px / f64::from(away_m)
+        });
+        size_for(px, self.thresholds_px, Some(before))
+    }
+}
+
+impl GpuChunk {
+    /// Shows its things in the sizes that they have; returns how many corners that took.
+    fn grow(&mut self, scale: &Scale, pages: &mut Pages) -> usize {
+        let Some(before) = &self.grown else { return 0 };
+        let things = &self.source.things;
+        let pairs = || things.iter().zip(&before.sizes);
+        if pairs().all(|(thing, size)| scale.size(thing, *size) == *size) {
+            return 0;
+        }
+        let sizes: Vec<_> = pairs()
+            .map(|(thing, size)| scale.size(thing, *size))
+            .collect();
+        let corners = things.iter().zip(&sizes).filter_map(|(thing, size)| {
+            let (species, age) = kind_of(thing)?;
+            Some(shape(species, age, *size).corners.len())
+        });
+        let corners = corners.sum();
+        if let Some(before) = self.grown.take() {
+            before.give_back(pages);
+        }
+        self.grown = Grown::of(things, sizes, scale.eye, pages);
+        corners
+    }
+}
+
+const _: () = assert!(
+    2 * MARGIN_M + CHUNK_CELLS <= 64,
+    "vertices reach no farther"
+);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_between_two_sizes_keeps_the_one_that_it_has() {
+        use Size::{Far, Middle, Near};
+        let size_for = |px, before| size_for(px, CARD_PX, before);
+        let [near_px, middle_px] = CARD_PX;
+        assert_eq!(
+            [1.0, 6.0, 60.0].map(|px| size_for(px, None)),
+            [Far, Middle, Near]
+        );
+        let at = |px: f64| [Far, Middle, Near].map(|before| size_for(px, Some(before)));
+        assert_eq!(at(0.9 * middle_px), [Far, Middle, Middle]);
+        assert_eq!(at(0.9 * near_px), [Middle, Middle, Near]);
+        assert_eq!(at(0.7 * middle_px), [Far; 3]);
+    }
+
+    #[test]
+    fn shadows_are_told_of_what_was_felled_and_of_nothing_else() {
+        let at = |x: f32| Thing {
+            root: Vec3::new(x, 4.0, 8.0),
+            slot: x as u8,
+            species: Species::Oak.byte(),
+            age: Age::Grown.byte(),
+            turn_rad: 0.0,
+            scale: 1.0,
+        };
+        let coord = ChunkCoord::new(antipode_geometry::ChartId::FIRST, glam::IVec3::X);
+        assert!(changed(coord, &[at(1.0), at(9.0)], &[at(9.0), at(1.0)]).is_none());
+        let gone = changed(coord, &[at(1.0), at(9.0)], &[at(9.0)]);
+        let middle = gone.map(|it| it.of.middle()).unwrap_or_default();
+        assert!((middle.x - 33.0).abs() < 0.01 && middle.y > 6.0, "{middle}");
+    }
+
+    #[test]
+    fn things_lie_within_their_box_and_reach_of_their_vertices() {
+        for species in Species::ALL {
+            for age in Age::ALL {
+                for (corner, turn_rad) in [(0.0, 0.3), (31.9, 2.0)] {
+                    let thing = Thing {
+                        root: Vec3::new(corner, 12.0, corner),
+                        slot: 0,
+                        species: species.byte(),
+                        age: age.byte(),
+                        turn_rad,
+                        scale: 1.14,
+                    };
+                    let root = thing.root.as_dvec3();
+                    let [low, high] = with_things([root; 2], DVec3::ZERO, &[thing]);
+                    for vertex in Baked::of(&[thing], [Size::Near].into_iter(), None).vertices {
+                        let place = vertex.position().as_dvec3() - f64::from(MARGIN_M);
+                        let is_in = place.cmple(high) & place.with_y(high.y).cmpge(low);
+                        assert!(is_in.all(), "{species:?} {age:?}: {place} in {low} {high}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! What grows: it stands in the way, is felled by tools and by digging, strikes who is under it, and stays felled.
+
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
+use antipode_plants::{Age, Species, placed_near};
+use antipode_scene::{Actions, Generator, Kind, Mode, Scene, WorldSetup};
+use antipode_storage::WorldStore;
+use glam::DVec3;
+
+use crate::common::{LIMIT, setup, steps};
+
+fn planted(geometry: Geometry) -> WorldSetup {
+    WorldSetup {
+        generator: Generator::Planted,
+        mode: Mode::Gathering,
+        radius_m: if geometry == Geometry::Spherical {
+            64.0
+        } else {
+            20.0
+        },
+        seed: 7,
+        ..setup(geometry)
+    }
+}
+
+fn open(setup: WorldSetup) -> Scene {
+    let mut scene = Scene::open(setup, None).unwrap();
+    assert!(scene.wait_for_step(LIMIT));
+    scene
+}
+
+/// A grown tree that stands alone near the middle, and how it is called.
+fn tree(scene: &Scene) -> (ChartPoint, Species) {
+    let field = scene.field();
+    let near = |at: ChartPoint, within_m: f64| placed_near(field, at, within_m);
+    let middle = ChartPoint::new(ChartId::FIRST, DVec3::ZERO);
+    let mut all: Vec<_> = near(middle, 60.0)
+        .filter(|(_, species, age)| {
+            let stout = species
+                .trunk(*age)
+                .is_some_and(|trunk| trunk.radius_m > 0.12);
+            species.is_tree() && *age == Age::Grown && stout
+        })
+        .filter(|(root, ..)| near(*root, 4.5).count() == 1)
+        .collect();
+    all.sort_by(|(a, ..), (b, ..)| a.pos.length().total_cmp(&b.pos.length()));
+    let (root, species, _) = *all.first().expect("a tree that stands alone");
+    (root, species)
+}
+
+/// Puts the player so far from a tree along +x, looking at its trunk.
+fn stand_before(scene: &mut Scene, root: ChartPoint, away_m: f64) {
+    let feet = root.moved(DVec3::new(away_m, 0.0, 0.0));
+    let (chart, x, z) = (feet.chart, feet.pos.x, feet.pos.z);
+    let height_m = scene.field().surface_height(chart, x, z);
+    scene.teleport(ChartPoint::new(chart, feet.pos.with_y(height_m + 0.05)));
+    assert!(scene.settle(LIMIT));
+    let rise = root.pos.y + 1.2 - (height_m + 1.62);
+    scene.aim(std::f64::consts::PI, (rise / away_m).atan());
+    steps(scene, 2, &Actions::default());
+}
+
+fn felled(scene: &Scene) -> (u32, usize) {
+    let plants = scene.probe().plants.unwrap();
+    (plants.felled, plants.falling)
+}
+
+fn wood_m3(scene: &Scene) -> f64 {
+    let stock = scene.probe().stock.unwrap();
+    stock.get(Kind::Wood.name()).copied().unwrap_or_default()
+}
+
+fn chop() -> Actions {
+    Actions {
+        primary: true,
+        ..Actions::default()
+    }
+}
+
+#[test]
+fn a_tree_is_felled_by_a_tool_falls_away_from_the_blow_and_gives_its_wood() {
+    for geometry in Geometry::ALL {
+        let mut scene = open(planted(geometry));
+        let (root, species) = tree(&scene);
+        stand_before(&mut scene, root, 2.0);
+        let ahead = scene.probe().plants.unwrap().ahead;
+        assert_eq!(ahead, Some(species.name()), "{geometry:?}");
+        let edited = scene.probe().chunks.edited;
+        let mut chopped = 0;
+        while felled(&scene).0 == 0 && chopped < 600 {
+            steps(&mut scene, 1, &chop());
+            chopped += 1;
+        }
+        assert!(
+            (20..600).contains(&chopped),
+            "{geometry:?}: {chopped} steps"
+        );
+        assert_eq!(felled(&scene), (1, 1), "{geometry:?}");
+        assert_eq!(wood_m3(&scene), 0.0, "it is still in the air");
+        steps(&mut scene, 400, &Actions::default());
+        assert_eq!(felled(&scene), (1, 0), "{geometry:?}");
+        assert!(wood_m3(&scene) > 0.1, "{geometry:?}: {}", wood_m3(&scene));
+        assert_eq!(
+            scene.probe().player.health,
+            20.0,
+            "it falls away from the blow"
+        );
+        assert_eq!(scene.probe().chunks.edited, edited, "no ground was dug");
+        assert_eq!(
+            scene.probe().plants.unwrap().ahead,
+            None,
+            "nothing stands there"
+        );
+    }
+}
+
+#[test]
+fn a_trunk_stops_who_walks_into_it() {
+    for geometry in Geometry::ALL {
+        let mut scene = open(planted(geometry));
+        let (root, _) = tree(&scene);
+        stand_before(&mut scene, root, 3.0);
+        let ahead = Actions {
+            forward: 1.0,
+            ..Actions::default()
+        };
+        steps(&mut scene, 120, &ahead);
+        let feet = scene.feet();
+        let past_m = root.pos.x - feet.pos.x;
+        let beside_m = (root.pos.z - feet.pos.z).abs();
+        assert!(
+            past_m < 0.0 || beside_m > 0.3,
+            "{geometry:?}: through the trunk to {past_m} m behind it"
+        );
+    }
+}
+
+#[test]
+fn what_the_ground_was_dug_away_from_under_falls_and_undoing_leaves_it_felled() {
+    let mut scene = open(planted(Geometry::Euclidean));
+    let (root, species) = tree(&scene);
+    stand_before(&mut scene, root, 4.0);
+    // At the ground beside the trunk.
+    let eye = scene.head().point.pos;
+    let way = root.pos + DVec3::new(1.2, -0.3, 0.6) - eye;
+    scene.aim(way.z.atan2(way.x), way.y.atan2(way.x.hypot(way.z)));
+    steps(&mut scene, 1, &Actions::default());
+    assert_eq!(
+        scene.probe().plants.unwrap().ahead,
+        None,
+        "{species:?} is not aimed at"
+    );
+    for _ in 0..400 {
+        steps(&mut scene, 1, &chop());
+        if felled(&scene).0 > 0 {
+            break;
+        }
+    }
+    assert!(felled(&scene).0 >= 1, "nothing fell");
+    steps(&mut scene, 400, &Actions::default());
+    assert!(wood_m3(&scene) > 0.1);
+    let undo = Actions {
+        undo: true,
+        ..Actions::default()
+    };
+    let before = felled(&scene).0;
+    steps(&mut scene, 1, &undo);
+    steps(&mut scene, 30, &Actions::default());
+    assert_eq!(felled(&scene), (before, 0));
+}
+
+fn health(scene: &Scene, id: u32) -> Option<f64> {
+    let bots = scene.bots();
+    bots.iter().find(|it| it.bot.id == id).map(|it| it.health)
+}
+
+#[test]
+fn a_falling_tree_strikes_who_stands_under_it_and_nobody_beside() {
+    let mut scene = open(planted(Geometry::Euclidean));
+    let (root, _) = tree(&scene);
+    stand_before(&mut scene, root, 2.0);
+    let beyond = |along: f64, across: f64| {
+        let at = root.pos + DVec3::new(-along, 0.0, across);
+        let y = scene.field().surface_height(root.chart, at.x, at.z);
+        ChartPoint::new(root.chart, at.with_y(y + 0.05))
+    };
+    let places = (beyond(3.0, 0.0), beyond(3.0, 9.0));
+    for _ in 0..600 {
+        steps(&mut scene, 1, &chop());
+        if felled(&scene).1 > 0 {
+            break;
+        }
+    }
+    // Who had come sooner would have walked about.
+    let under = scene.spawn_bot(places.0, FRAC_PI_2, false);
+    let beside = scene.spawn_bot(places.1, FRAC_PI_2, false);
+    let healthy = health(&scene, beside);
+    steps(&mut scene, 300, &Actions::default());
+    assert_eq!(felled(&scene), (1, 0));
+    assert!(health(&scene, under).is_none_or(|left| left <= 0.0));
+    assert_eq!(health(&scene, beside), healthy);
+}
+
+#[test]
+fn what_was_felled_stays_so_in_the_save_and_nothing_else_is_kept_of_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let here = dir.path().join("world");
+    let setup = planted(Geometry::Euclidean);
+    let store = WorldStore::create(&here, &setup.to_meta()).unwrap();
+    let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(scene.wait_for_step(LIMIT));
+    let (root, species) = tree(&scene);
+    stand_before(&mut scene, root, 2.0);
+    let before = scene.probe().plants.unwrap().near[species.name()];
+    for _ in 0..1000 {
+        steps(&mut scene, 1, &chop());
+        if felled(&scene) == (1, 0) {
+            break;
+        }
+    }
+    scene.close().unwrap();
+
+    let store = WorldStore::open(&here).unwrap();
+    let setup = WorldSetup::from_meta(&store.meta(), 2).unwrap();
+    let mut again = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(again.wait_for_step(LIMIT) && again.settle(LIMIT));
+    let plants = again.probe().plants.unwrap();
+    assert_eq!((plants.felled, plants.falling), (1, 0));
+    let left = plants.near.get(species.name()).copied().unwrap_or_default();
+    assert_eq!(left, before - 1);
+    assert_eq!(again.probe().chunks.edited, 0, "no ground was changed");
+    assert!(wood_m3(&again) > 0.1);
+}
