@@ -24,12 +24,12 @@ const SMALL: [&str; 6] = [
     "software",
 ];
 
-/// A saves directory with a world called Felt.
+/// A saves directory with a world called Felt, of bare land: nothing that grows is before its sky.
 fn felt() -> TempDir {
     let saves = tempfile::tempdir().unwrap();
     let made = run(
         saves.path(),
-        "new euclidean seed=8 name=Felt\nwait 0.5\nsave",
+        "new euclidean seed=8 generator=2 name=Felt\nwait 0.5\nsave",
     );
     assert_eq!(made.status, Some(0), "{}", made.stderr);
     settle_settings(saves.path(), "");

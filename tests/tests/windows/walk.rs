@@ -27,7 +27,8 @@ const SCREEN: (u32, u32) = (2560, 1440);
 /// Most of a core that a game may use while nobody sees it.
 const MOST_UNSEEN: f64 = 0.05;
 /// Begins in a flat world by day.
-const IN_A_WORLD: [&str; 6] = ["--geometry", "euclidean", "--seed", "7", "--name", "Walk"];
+/// On a shore, where little grows before the sky.
+const IN_A_WORLD: [&str; 6] = ["--geometry", "euclidean", "--seed", "11", "--name", "Walk"];
 
 /// An empty saves directory with settings for tests, and a display; `None` where there is none.
 fn ready(more: &str) -> Option<(String, TempDir)> {
