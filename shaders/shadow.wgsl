@@ -198,7 +198,7 @@ fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
             lit += twelve_of(square, f32(2u * row), part.x, wy) * (1.0 / 25.0);
         }
     }
-    return mix(1.0, lit * (1.0 - placed.turned), map.weight);
+    return mix(point.open, lit * (1.0 - placed.turned), map.weight);
 }
 
 // Which pixels show the next map where one ends, by a fixed noise from 0 to 1 (Jimenez, 2014).

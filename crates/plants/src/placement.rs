@@ -24,6 +24,8 @@ const ACROSS: i32 = (CHUNK_CELLS as f64 / CELL_M) as i32 + 3;
 const JITTER: f64 = 0.55;
 /// Nothing stands so near to the middle of the first chart, where worlds begin that have no view to begin with, metres.
 const CLEAR_M: f64 = 10.0;
+/// Nothing grows farther out, metres.
+const FARTHEST_M: f64 = 1e9;
 /// How far about a place borders of biomes are looked for, so that they are ragged, metres.
 const RAGGED_M: f64 = 9.0;
 /// The least upright part of a normal on which trees, bushes and boulders stand.
@@ -110,7 +112,10 @@ impl<'a> Plan<'a> {
         corners: [DVec3; 2],
         is_wanted: impl Fn(DVec3) -> bool,
     ) -> impl Iterator<Item = (DVec3, Thing)> {
-        let grows = self.field.generator().has_things();
+        let far_m = corners.map(|at| at.abs().max_element());
+        // Nobody comes there, and cells have their numbers.
+        let is_far = far_m[0].max(far_m[1]) > FARTHEST_M;
+        let grows = self.field.generator().has_things() && !is_far;
         let cells = grows.then(|| self.cells(corners)).into_iter().flatten();
         cells.filter_map(move |(cell, slot)| {
             let (root, thing) = self.thing(cell, &is_wanted)?;

@@ -85,14 +85,23 @@ impl Felled {
         *all |= slots;
     }
 
-    /// What a save has of it.
-    pub fn records(&self, all: &mut All) {
-        all.extend(self.columns.iter().map(|((chart, [x, z]), (id, slots))| {
+    /// What a save has of it. What still falls stands there again: its wood has not been had yet.
+    pub fn records(&self, actors: &Actors, all: &mut All) {
+        let falling = actors.map(|_, it: &Falling| {
+            let Standing { coord, thing, .. } = it.standing;
+            (column_of(coord), 1_u128.unbounded_shl(thing.slot.into()))
+        });
+        let landed = self.columns.iter().filter_map(|(column, (id, slots))| {
+            let falls = falling.iter().filter(|(of, _)| of == column);
+            let slots = falls.fold(*slots, |slots, (_, slot)| slots & !slot);
+            (slots != 0).then_some((column, (id, slots)))
+        });
+        all.extend(landed.map(|((chart, [x, z]), (id, slots))| {
             let record = FelledRecord {
                 chart: chart.number(),
                 x: *x,
                 z: *z,
-                slots: [*slots as u64, (*slots >> 64) as u64],
+                slots: [slots as u64, (slots >> 64) as u64],
             };
             (RecordKind::Felled.numbered(*id), Record::Felled(record))
         }));
@@ -232,10 +241,14 @@ pub(crate) fn probe(now: Situation<'_>) -> Option<PlantsProbe> {
     })
 }
 
-/// What a tool that digs strikes of what grows, if it is at it.
+/// What a tool that digs strikes of what grows, if it was at it in the last step.
 pub(crate) fn struck(now: Situation<'_>, actions: &Actions) -> Option<Standing> {
-    let mark = actions.primary.then(|| tool::mark(now)).flatten()?;
-    mark.hits.then(|| at(now.world, mark.point)).flatten()
+    let mark = now
+        .player
+        .tool
+        .filter(|mark| actions.primary && mark.hits)?;
+    tool::strength_in_hand(now)?;
+    at(now.world, mark.point)
 }
 
 /// The roots of what is solid within so many metres of a place.

@@ -40,7 +40,7 @@ pub(crate) fn records(
         car_given: actors.cars.given,
     }));
     single(Record::View(view_record(world, player)));
-    world.felled.records(&mut all);
+    world.felled.records(actors, &mut all);
     things(actors, player, &mut all);
     figures(actors, &mut all);
     all.extend(actors.map(|id, car: &Car| {

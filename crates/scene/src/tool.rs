@@ -95,7 +95,7 @@ fn hindrance(now: Situation<'_>, mark: &ToolMark, digs: bool) -> Option<Hint> {
 }
 
 /// What the tool in a free hand digs, per second.
-fn strength_in_hand(now: Situation<'_>) -> Option<f32> {
+pub(crate) fn strength_in_hand(now: Situation<'_>) -> Option<f32> {
     let held = now.player.inventory.held();
     let held = held.filter(|_| !now.actors.cars.is_driving());
     held.and_then(Item::brush_strength_per_s)

@@ -153,6 +153,15 @@ fn worlds_begun_before_there_were_things_have_none() {
     assert!(!in_square(&field, ChartId::FIRST, [0, 0], 6).is_empty());
 }
 
+#[test]
+fn at_the_ends_of_the_numbers_nothing_grows_and_nothing_fails() {
+    let field = Field::new(7, flat());
+    for x in [i32::MIN, i32::MIN + 1, i32::MAX - 1, i32::MAX] {
+        let coord = ChunkCoord::new(ChartId::FIRST, IVec3::new(x, 0, -x.max(-i32::MAX)));
+        assert!(placed(&field, coord).is_empty());
+    }
+}
+
 /// A world is the same on every machine and for ever: what stood here when this was written.
 #[test]
 fn what_stands_where_is_told_by_the_seed() {

@@ -204,6 +204,34 @@ fn a_falling_tree_strikes_who_stands_under_it_and_nobody_beside() {
 }
 
 #[test]
+fn a_tree_that_still_falls_when_the_world_is_left_stands_there_again() {
+    let dir = tempfile::tempdir().unwrap();
+    let here = dir.path().join("world");
+    let setup = planted(Geometry::Euclidean);
+    let store = WorldStore::create(&here, &setup.to_meta()).unwrap();
+    let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(scene.wait_for_step(LIMIT));
+    let (root, species) = tree(&scene);
+    stand_before(&mut scene, root, 2.0);
+    let before = scene.probe().plants.unwrap().near[species.name()];
+    for _ in 0..600 {
+        steps(&mut scene, 1, &chop());
+        if felled(&scene) == (1, 1) {
+            break;
+        }
+    }
+    assert_eq!(felled(&scene), (1, 1));
+    scene.close().unwrap();
+
+    let store = WorldStore::open(&here).unwrap();
+    let setup = WorldSetup::from_meta(&store.meta(), 2).unwrap();
+    let mut again = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(again.wait_for_step(LIMIT) && again.settle(LIMIT));
+    let plants = again.probe().plants.unwrap();
+    assert_eq!((plants.felled, plants.near[species.name()]), (0, before));
+}
+
+#[test]
 fn what_was_felled_stays_so_in_the_save_and_nothing_else_is_kept_of_it() {
     let dir = tempfile::tempdir().unwrap();
     let here = dir.path().join("world");
