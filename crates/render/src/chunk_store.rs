@@ -12,6 +12,7 @@ use glam::DVec3;
 use crate::blend::BlendClock;
 use crate::charts::Charts;
 use crate::draw_list::DrawList;
+use crate::fallen::Fallen;
 use crate::gpu::Gpu;
 use crate::lamps::lights_near;
 use crate::land_mesh::{LandMesh, SeamMask};
@@ -23,7 +24,7 @@ use crate::seams;
 use crate::shades::Shades;
 use crate::shadow::{Caster, Shadows};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
-use crate::things::{self, Fallen, Grown, ThingsLight};
+use crate::things::{self, Grown, ThingsLight};
 use crate::touched::Touched;
 use crate::uniforms::ChunkInstance;
 

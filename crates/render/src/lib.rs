@@ -18,6 +18,7 @@ mod culling;
 mod draw_list;
 mod dust;
 mod error;
+mod fallen;
 mod figure_buffers;
 mod figure_draws;
 mod figure_pipelines;

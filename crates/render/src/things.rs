@@ -5,20 +5,18 @@
 //! a metre of the chunk is in the picture. No edge is long and no triangle is a card: what is far off is a solid of a dozen
 //! triangles, which every map of the space bends as it does land.
 
-use antipode_frame::{FallingThing, Frame, Quality};
+use antipode_frame::{Frame, Quality};
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord};
 use antipode_plants::{Age, Corner, Material, Shape, Size, Species, shape};
 use antipode_terrain::{Level, Thing, Vertex};
-use glam::{DVec3, Quat, Vec3};
+use glam::{DVec3, Vec3};
 
-use crate::charts::Charts;
 use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::draw_list::DrawList;
-use crate::lamps::lights_near;
 use crate::land_mesh::LandMesh;
 use crate::pages::Pages;
 use crate::parts::parts;
-use crate::plan::{ChunkChoice, FramePlan, Port};
+use crate::plan::{ChunkChoice, FramePlan};
 use crate::renderer::Preset;
 use crate::shadow::{Caster, Shadows};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
@@ -28,8 +26,6 @@ use crate::uniforms::ChunkInstance;
 /// How far a thing may reach out of its chunk, whole metres: the corner that its mesh is told from lies so far before the
 /// chunk's along each axis.
 const MARGIN_M: i32 = 16;
-/// How far a thing reaches as it falls, whole metres.
-const FALLS_M: i32 = 31;
 /// From so many pixels a metre on things are near, and from so many on not far: for cards, and for the processor, to which a
 /// corner is as dear as a hundred pixels.
 const CARD_PX: [f64; 2] = [24.0, 5.0];
@@ -64,7 +60,7 @@ pub struct Grown {
 }
 
 /// What a thing is, if it is known.
-fn kind_of(thing: &Thing) -> Option<(Species, Age)> {
+pub fn kind_of(thing: &Thing) -> Option<(Species, Age)> {
     Some((Species::of_byte(thing.species)?, Age::of_byte(thing.age)?))
 }
 
@@ -131,7 +127,7 @@ fn thresholds_px(quality: Quality, preset: Preset) -> [f64; 2] {
 
 /// A mesh of things in a size.
 #[derive(Default)]
-struct Baked {
+pub struct Baked {
     vertices: Vec<Vertex>,
     indices: Vec<u32>,
 }
@@ -161,7 +157,13 @@ impl Baked {
     }
 
     /// Adds a shape whose root comes to a place, turned so.
-    fn put_up(&mut self, thing: &Thing, shape: &Shape, root: Vec3, turned: impl Fn(Vec3) -> Vec3) {
+    pub fn put_up(
+        &mut self,
+        thing: &Thing,
+        shape: &Shape,
+        root: Vec3,
+        turned: impl Fn(Vec3) -> Vec3,
+    ) {
         let first = self.vertices.len() as u32;
         let vertex = |corner: &Corner| {
             let [r, g, b] = corner.colour;
@@ -180,7 +182,8 @@ impl Baked {
             .extend(corners.map(|&corner| first + u32::from(corner)));
     }
 
-    fn put(self, pages: &mut Pages) -> LandMesh {
+    /// Puts it into pages.
+    pub fn put(self, pages: &mut Pages) -> LandMesh {
         let mut sections: [&[u32]; crate::parts::SECTIONS] = Default::default();
         sections[0] = &self.indices;
         LandMesh::put(pages, parts(&self.vertices, sections, &[]))
@@ -282,56 +285,7 @@ impl ThingsLight {
     }
 }
 
-/// A thing on its way down, in one picture: its mesh, and where that is told from.
-#[derive(Debug)]
-pub struct Fallen {
-    mesh: LandMesh,
-    corner: ChartPoint,
-}
-
-impl Fallen {
-    /// A thing as it hangs at the moment; nothing of what is not known.
-    pub fn of(it: &FallingThing, pages: &mut Pages) -> Option<Self> {
-        let (species, age) = kind_of(&it.thing)?;
-        let corner = it.point.pos.floor() - f64::from(FALLS_M);
-        let root = (it.point.pos - corner).as_vec3();
-        let turn = it.turn.as_quat() * Quat::from_rotation_y(-it.thing.turn_rad);
-        let mut baked = Baked::default();
-        baked.put_up(&it.thing, shape(species, age, Size::Near), root, |v| {
-            turn * v
-        });
-        Some(Self {
-            mesh: baked.put(pages),
-            corner: ChartPoint::new(it.point.chart, corner),
-        })
-    }
-
-    /// Gives its room back.
-    pub fn give_back(self, pages: &mut Pages) {
-        self.mesh.give_back(pages);
-    }
-
-    /// Lists it, ported by vertex.
-    pub fn list(&self, frame: &Frame, list: &mut DrawList, charts: &mut Charts) {
-        let ChartPoint { chart, pos } = self.corner;
-        let lights = lights_near(frame, chart, pos, pos + 2.0 * f64::from(FALLS_M));
-        let instance = ChunkInstance::at(frame, self.corner, &Port::Vertex)
-            .shaded(0, true)
-            .lit(lights, Level::FULL);
-        let number = TerrainPipelines::number(&ChunkChoice::LOOSE, false, ShadowReach::All, lights);
-        let pieces = self.mesh.pieces(0).map(|piece| (number, piece));
-        list.add(charts.number(chart), instance, pieces);
-    }
-}
-
 impl ChunkStore {
-    /// Lists what falls.
-    pub(crate) fn list_fallen(&self, frame: &Frame, list: &mut DrawList, charts: &mut Charts) {
-        for it in &self.fallen {
-            it.list(frame, list, charts);
-        }
-    }
-
     /// Shows what stands on a new mesh, as it was before where it is the same.
     pub(crate) fn plant(&mut self, coord: ChunkCoord, old: Option<&mut GpuChunk>) {
         let Some(chunk) = self.chunks.get_mut(&coord) else {
@@ -349,13 +303,7 @@ impl ChunkStore {
     /// a frame has time for.
     pub fn grow(&mut self, frame: &Frame, plan: &FramePlan, preset: Preset) {
         let thresholds_px = thresholds_px(frame.view.quality, preset);
-        for before in std::mem::take(&mut self.fallen) {
-            before.give_back(&mut self.pages);
-        }
-        let falling = frame.content.falling.iter();
-        self.fallen = falling
-            .filter_map(|it| Fallen::of(it, &mut self.pages))
-            .collect();
+        self.renew_fallen(frame);
         let land = self.land();
         let mut left = if self.rush { usize::MAX } else { CORNERS };
         for choice in &plan.chunks {
