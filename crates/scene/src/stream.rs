@@ -1,6 +1,6 @@
 //! Between the scene and the chunk workers: wishes out, finished chunks in, and what a script waits for.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use std::sync::Arc;
 
@@ -147,11 +147,19 @@ impl Scene {
 
     /// Blocks until no chunk work is pending, or `limit` has passed; returns false when it did.
     pub fn settle(&mut self, limit: Duration) -> bool {
+        let until = Instant::now() + limit;
         self.request_ground();
-        let updates = self.sim.world.streamer.wait(Until::Idle, limit);
-        self.apply(updates);
+        loop {
+            let left = until.saturating_duration_since(Instant::now());
+            let updates = self.sim.world.streamer.wait(Until::Idle, left);
+            self.apply(updates);
+            // What was applied may ask for more: a tree falls whose ground is gone.
+            if self.pending() == 0 || left.is_zero() {
+                break;
+            }
+        }
         self.refresh_marker();
-        self.sim.world.streamer.pending() == 0
+        self.pending() == 0
     }
 
     /// How much of the ground around a new arrival stands, 0 to 1; at 1 the world can be played.

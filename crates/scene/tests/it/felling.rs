@@ -153,7 +153,9 @@ fn what_the_ground_was_dug_away_from_under_falls_and_undoing_leaves_it_felled() 
         "{species:?} is not aimed at"
     );
     for _ in 0..400 {
-        steps(&mut scene, 1, &chop());
+        scene.step(&chop());
+        // The stroke's work is done when that of what fell is.
+        assert!(scene.settle(LIMIT));
         if felled(&scene).0 > 0 {
             break;
         }
