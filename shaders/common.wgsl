@@ -92,6 +92,7 @@ struct Scene {
     ring_x: vec4<f32>,          // in a closed world, metres of the chart along x for a difference in view coordinates,
     ring_y: vec4<f32>,          // and along y and z
     ring_z: vec4<f32>,
+    wind: vec4<f32>,            // turns of its gusts and of what flutters in them, radians, and how far it bends a blade's tip, m
     ring_ground: vec4<f32>,     // as what the land within the ring is shown: a kind's colour and its number, 0 as it is
     cuts: mat4x4<f32>,          // columns: covectors of view coordinates; what has a negative product with one is cut off
     figure_cut: vec4<f32>,      // one that cuts figures only

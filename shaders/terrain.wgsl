@@ -101,9 +101,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.grain = grain;
     // No haze is lit where neither the eye nor the land has a sky.
     out.veil = haze_before(view) * (fog * mix(1.0, ground.z, scene.covered));
-    // Of what grows no cut shows layers.
-    let steep = select(sqrt(max(1.0 - authored.y * authored.y, 0.0)), 0.0, ground.x >= f32(WOOD));
-    out.land = vec4<f32>(1.0 - fog, spread_m, steep, world.y);
+    out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     out.place = vec4<f32>(place, beyond_chart(p));
     let mark = select(0.0, SHADED, (in.flags & 1u) != 0u);
     out.feet = vec4<f32>(nearest_feet(place, in.flags >> 1u), in.world.w + mark);
@@ -247,7 +245,33 @@ fn common_tone(in: VertexOut) -> f32 {
     return tone * (1.0 - 0.55 * shade);
 }
 
-// Land with the surfaces of its kinds, lit by pixel.
+// What light needs to know of a pixel with a surface.
+struct Seen {
+    view: vec4<f32>,
+    normal: vec3<f32>,
+    frame_normal: vec4<f32>,
+    lights: vec3<u32>,
+    sky: f32,           // what is left of it
+}
+
+// All light on a surface, lit by pixel.
+fn lit_surface(surface: Surface, seen: Seen, share: f32, steps: Steps) -> vec3<f32> {
+    let tilt = tilted(normalize(seen.normal), seen.frame_normal, surface.slope, steps);
+    // A normal n and a slope s have in the mean of all slopes the light of n, as long as n - s is not made one long: far off,
+    // where no slope is seen, it is no lighter. Two thirds of a slope in space lie along the ground.
+    let stretch = sqrt(1.0 + 0.67 * dot(surface.slope, surface.slope));
+    var lit = surface.albedo * stretch * daylight_on(seen.view, tilt.normal, tilt.model_normal, share, seen.sky);
+    // Blinn's highlight of the key light.
+    let half_way = normalize(scene.key_direction - direction_of(seen.view.xyz));
+    let shine = pow(max(dot(seen_normal(seen.view, tilt.normal, tilt.model_normal), half_way), 0.0), 36.0);
+    lit += scene.key_colour * (0.30 * surface.gloss * shine * share);
+    if any_lit(seen.lights) {
+        lit += surface.albedo * lights_on(seen.view, tilt.model_normal, seen.lights, 0.0);
+    }
+    return lit + surface.glow;
+}
+
+// Land with the surfaces of its kinds.
 fn surface_light(in: VertexOut, share: f32, steps: Steps, offered: f32) -> vec3<f32> {
     let wide_m = 0.7 * max(length(steps.grain_x), length(steps.grain_y));
     var weights = mat4x4<f32>(in.kinds_a, in.kinds_b, in.kinds_c, in.kinds_d);
@@ -257,19 +281,7 @@ fn surface_light(in: VertexOut, share: f32, steps: Steps, offered: f32) -> vec3<
         albedo = mix(albedo, scene.ring_ground.rgb, offered);
     }
     let surface = surface_at(weights, albedo, in.grain, wide_m);
-    let tilt = tilted(normalize(in.facing), in.frame_normal, surface.slope, steps);
-    // A normal n and a slope s have in the mean of all slopes the light of n, as long as n - s is not made one long: far off,
-    // where no slope is seen, it is no lighter. Two thirds of a slope in space lie along the ground.
-    let stretch = sqrt(1.0 + 0.67 * dot(surface.slope, surface.slope));
-    var lit = surface.albedo * stretch * daylight_on(in.view, tilt.normal, tilt.model_normal, share, in.dark.x);
-    // Blinn's highlight of the key light.
-    let half_way = normalize(scene.key_direction - direction_of(in.view.xyz));
-    let shine = pow(max(dot(seen_normal(in.view, tilt.normal, tilt.model_normal), half_way), 0.0), 36.0);
-    lit += scene.key_colour * (0.30 * surface.gloss * shine * share);
-    if any_lit(in.lights) {
-        lit += surface.albedo * lights_on(in.view, tilt.model_normal, in.lights, 0.0);
-    }
-    return lit + surface.glow;
+    return lit_surface(surface, Seen(in.view, in.facing, in.frame_normal, in.lights, in.dark.x), share, steps);
 }
 
 // Of `offered` it is of the kind that was chosen to build of.
@@ -326,8 +338,8 @@ struct DeepOut {
 }
 
 // Hyperbolic depth is not quite linear inside a triangle: here each fragment is ported for its own.
-fn own_depth(in: VertexOut) -> f32 {
-    let clip = clip_from_view(scene.space, port_to_view(scene.space, in.place.xyz));
+fn depth_at(place: vec3<f32>) -> f32 {
+    let clip = clip_from_view(scene.space, port_to_view(scene.space, place));
     return clamp(clip.z / max(clip.w, 1e-6), 0.0, 1.0);
 }
 
@@ -339,7 +351,7 @@ fn fragment_deep(in: VertexOut) -> DeepOut {
     if is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), depth_at(in.place.xyz));
 }
 
 @fragment
@@ -350,7 +362,7 @@ fn fragment_deep_rim(in: VertexOut) -> DeepOut {
     if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), depth_at(in.place.xyz));
 }
 
 // Which pixels show what comes at a share from 0 to 1: a 4 x 4 ordered dither (Bayer, 1973).
@@ -386,5 +398,5 @@ fn fragment_deep_blending(in: VertexOut) -> DeepOut {
     if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
-    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point, steps, ring.z), ring), depth_at(in.place.xyz));
 }

@@ -113,6 +113,8 @@ setting-reduced-motion = Weniger Bewegung
 setting-reduced-motion-about = Die Krümmung springt, statt zu gleiten, Menüs blenden nicht, der Kopf federt nicht, der Blick über die Haube neigt sich nicht, und hinter dem Menü zieht keine Welt vorbei.
 setting-head-dip = Federn bei der Landung
 setting-head-dip-about = Der Blick sinkt ein wenig, wenn du nach einem Sprung oder Sturz landest.
+setting-wind = Wind
+setting-wind-about = Laub und Gras wiegen sich. Bei weniger Bewegung stehen sie still.
 
 # The file of the settings. { $file } is a path, { $reason } comes from the system, { $value } from the file.
 settings-file-damaged = Die Datei der Einstellungen war beschädigt. Was sich lesen ließ, gilt; die beschädigte Datei bleibt als { $file } erhalten.

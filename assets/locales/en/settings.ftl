@@ -113,6 +113,8 @@ setting-reduced-motion = Less motion
 setting-reduced-motion-about = The curvature jumps instead of gliding, menus do not fade, the head does not dip, the view from the bonnet does not lean, and no world flies by behind the menu.
 setting-head-dip = Head dips on landing
 setting-head-dip-about = The view sinks a little when you land from a jump or a fall.
+setting-wind = Wind
+setting-wind-about = Leaves and grass sway. Still with less motion.
 
 # The file of the settings. { $file } is a path, { $reason } comes from the system, { $value } from the file.
 settings-file-damaged = The settings file was damaged. The game uses the settings that it could read, and keeps the damaged file as { $file }.

@@ -113,6 +113,8 @@ setting-reduced-motion = Menos movimiento
 setting-reduced-motion-about = La curvatura salta en vez de deslizarse, los menús no se desvanecen, la cabeza no se hunde, la vista desde el capó no se inclina y ningún mundo pasa tras el menú.
 setting-head-dip = Hundirse al caer
 setting-head-dip-about = La vista baja un poco cuando caes de un salto o de lo alto.
+setting-wind = Viento
+setting-wind-about = Las hojas y la hierba se mecen. Con menos movimiento quedan quietas.
 
 # The file of the settings. { $file } is a path, { $reason } comes from the system, { $value } from the file.
 settings-file-damaged = El archivo de ajustes estaba dañado. Vale lo que se pudo leer; el archivo dañado se guarda como { $file }.

@@ -114,6 +114,8 @@ setting-reduced-motion = Mniej ruchu
 setting-reduced-motion-about = Krzywizna przeskakuje zamiast płynąć, menu nie zanikają, głowa się nie ugina, widok znad maski się nie przechyla, a za menu nie płynie żaden świat.
 setting-head-dip = Ugięcie przy lądowaniu
 setting-head-dip-about = Widok opada lekko, gdy lądujesz po skoku lub upadku.
+setting-wind = Wiatr
+setting-wind-about = Liście i trawa się kołyszą. Przy mniejszym ruchu stoją nieruchomo.
 
 # The file of the settings. { $file } is a path, { $reason } comes from the system, { $value } from the file.
 settings-file-damaged = Plik ustawień był uszkodzony. Obowiązuje to, co dało się odczytać; uszkodzony plik zachowano jako { $file }.

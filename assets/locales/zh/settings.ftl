@@ -112,6 +112,8 @@ setting-reduced-motion = 减少动态
 setting-reduced-motion-about = 曲率直接跳变而不滑动，菜单不渐变，头部不下沉，引擎盖视角不倾斜，菜单背后也没有世界飞过。
 setting-head-dip = 落地时下沉
 setting-head-dip-about = 跳跃或坠落着地时视线稍稍下沉。
+setting-wind = 风
+setting-wind-about = 树叶和草会随风摇摆。减少动态时静止。
 
 # The file of the settings. { $file } is a path, { $reason } comes from the system, { $value } from the file.
 settings-file-damaged = 设置文件已损坏。能读出的部分有效；损坏的文件保存为 { $file }。

@@ -63,6 +63,7 @@ pub fn viewing(settings: &Settings) -> Viewing {
         fov_y_rad: settings.field_of_view_deg.to_radians(),
         contour_bands: settings.contour_bands,
         head_dip: settings.head_dip,
+        wind: settings.wind,
         reduced_motion: settings.reduced_motion,
         safe_marker: settings.safe_marker,
     }

@@ -28,6 +28,8 @@ pub struct View {
     pub mark: Option<ChartPoint>,
     /// Whether faint contour bands are drawn on the land.
     pub contour_bands: bool,
+    /// Whether leaves and grass sway in the wind.
+    pub wind: bool,
     /// What the picture may leave out or simplify.
     pub quality: Quality,
     /// An isometry of the space that is applied to view coordinates, in metres and w without unit. The identity gives the
@@ -58,6 +60,7 @@ impl View {
             shows_marks: true,
             mark: None,
             contour_bands: false,
+            wind: true,
             quality: Quality::default(),
             isometry: DMat4::IDENTITY,
             cuts: [DVec4::ZERO; Self::CUTS],

@@ -56,7 +56,8 @@ impl Fallen {
         let instance = ChunkInstance::at(frame, self.corner, &Port::Vertex)
             .shaded(0, true)
             .lit(lights, Level::FULL);
-        let number = TerrainPipelines::number(&ChunkChoice::LOOSE, false, ShadowReach::All, lights);
+        let number =
+            TerrainPipelines::number_of_plants(&ChunkChoice::LOOSE, ShadowReach::All, lights);
         let pieces = self.mesh.pieces(0).map(|piece| (number, piece));
         list.add(charts.number(chart), instance, pieces);
     }

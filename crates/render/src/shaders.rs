@@ -13,7 +13,10 @@ const SURFACES: [&str; 2] = [
     include_str!("../../../shaders/surfaces.wgsl"),
 ];
 
-/// The land.
+/// What grows on the land: the other part of the land's shader.
+const PLANTS: &str = include_str!("../../../shaders/plants.wgsl");
+
+/// The land, and what grows on it.
 pub const TERRAIN: Shader = Shader {
     name: "terrain",
     own: include_str!("../../../shaders/terrain.wgsl"),
@@ -82,6 +85,9 @@ impl Shader {
                     parts.push(&tints);
                 }
                 parts.push(self.own);
+                if self.name == TERRAIN.name {
+                    parts.push(PLANTS);
+                }
                 parts.join("\n")
             }
             None => self.own.to_owned(),
@@ -258,6 +264,7 @@ pub mod tests {
             "shadow",
             "surfaces",
             "surface_kinds",
+            "plants",
             TERRAIN.name,
             FIGURE.name,
             MARKER.name,

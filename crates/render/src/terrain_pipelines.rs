@@ -33,6 +33,7 @@ pub struct TerrainPipelines {
 struct Few {
     plain: Option<RenderPipeline>,
     rim: Option<RenderPipeline>,
+    plant: Option<RenderPipeline>,
 }
 
 /// The ways of drawing land.
@@ -54,10 +55,16 @@ struct Set {
     deep_blending: RenderPipeline,
     /// Some of the pixels of a mesh ported as a whole.
     framed_blending: RenderPipeline,
+    /// What grows on land, ported by vertex.
+    plant: RenderPipeline,
+    /// The same, each fragment with its own depth.
+    deep_plant: RenderPipeline,
+    /// The same, ported as a whole.
+    framed_plant: RenderPipeline,
 }
 
 /// Ways of [`Few`], which come first, and the reaches that they come in.
-const FEW: usize = 2;
+const FEW: usize = 3;
 const REACHES: usize = 3;
 
 impl TerrainPipelines {
@@ -73,6 +80,7 @@ impl TerrainPipelines {
             Few {
                 plain: Some(terrain("fragment")),
                 rim: is_round.then(|| terrain("fragment_rim")),
+                plant: Some(maker.make(module, ["vertex_plant", "fragment_plant"], buffers, SOLID)),
             }
         };
         let reached = |reach| {
@@ -105,15 +113,29 @@ impl TerrainPipelines {
     pub fn number(choice: &ChunkChoice, blends: bool, reach: ShadowReach, lights: [u32; 3]) -> u8 {
         let deep = choice.depth == DepthMethod::Fragment;
         let way = match (&choice.port, deep, choice.trimmed, blends) {
-            (Port::Vertex, false, false, false) => 0,
-            (Port::Vertex, false, true, false) => 1,
-            (Port::Vertex, true, false, false) => 2,
-            (Port::Vertex, true, true, false) => 3,
-            (Port::Frame(_), .., false) => 4,
-            (Port::Vertex, false, _, true) => 5,
-            (Port::Vertex, true, _, true) => 6,
-            (Port::Frame(_), .., true) => 7,
+            (Port::Vertex, false, false, false) => 1,
+            (Port::Vertex, false, true, false) => 2,
+            (Port::Vertex, true, false, false) => 3,
+            (Port::Vertex, true, true, false) => 4,
+            (Port::Frame(_), .., false) => 5,
+            (Port::Vertex, false, _, true) => 6,
+            (Port::Vertex, true, _, true) => 7,
+            (Port::Frame(_), .., true) => 8,
         };
+        Self::number_of(way, reach, lights)
+    }
+
+    /// The same of what grows on the land of a choice.
+    pub fn number_of_plants(choice: &ChunkChoice, reach: ShadowReach, lights: [u32; 3]) -> u8 {
+        let way = match (&choice.port, choice.depth) {
+            (Port::Frame(_), _) => 10,
+            (Port::Vertex, DepthMethod::Fragment) => 9,
+            (Port::Vertex, _) => 0,
+        };
+        Self::number_of(way, reach, lights)
+    }
+
+    fn number_of(way: usize, reach: ShadowReach, lights: [u32; 3]) -> u8 {
         // What comes in several reaches, lit and unlit, has its numbers side by side, before all others.
         let number = if way < FEW {
             2 * (REACHES * way + reach as usize) + usize::from(lights == [0; 3])
@@ -134,14 +156,17 @@ impl TerrainPipelines {
             unlit.or_else(|| of(lit))
         };
         match (way, number - number.min(2 * REACHES * FEW)) {
-            (0, _) => own(|few| few.plain.as_ref()).unwrap_or(&all.plain),
-            (1, _) => own(|few| few.rim.as_ref()).unwrap_or(&all.rim),
+            (0, _) => own(|few| few.plant.as_ref()).unwrap_or(&all.plant),
+            (1, _) => own(|few| few.plain.as_ref()).unwrap_or(&all.plain),
+            (2, _) => own(|few| few.rim.as_ref()).unwrap_or(&all.rim),
             (_, 0) => &all.deep,
             (_, 1) => &all.deep_rim,
             (_, 2) => &all.framed,
             (_, 3) => &all.blending,
             (_, 4) => &all.deep_blending,
-            _ => &all.framed_blending,
+            (_, 5) => &all.framed_blending,
+            (_, 6) => &all.deep_plant,
+            _ => &all.framed_plant,
         }
     }
 }
@@ -162,6 +187,9 @@ impl Set {
             blending: terrain("vertex", "fragment_blending"),
             deep_blending: terrain("vertex", "fragment_deep_blending"),
             framed_blending: terrain("vertex_framed", "fragment_blending"),
+            plant: terrain("vertex_plant", "fragment_plant"),
+            deep_plant: terrain("vertex_plant", "fragment_deep_plant"),
+            framed_plant: terrain("vertex_plant_framed", "fragment_plant"),
         }
     }
 }

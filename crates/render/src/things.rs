@@ -29,7 +29,7 @@ const MARGIN_M: i32 = 16;
 /// From so many pixels a metre on things are near, and from so many on not far: for cards, and for the processor, to which a
 /// corner is as dear as a hundred pixels.
 const CARD_PX: [f64; 2] = [24.0, 5.0];
-const SOFTWARE_PX: [f64; 2] = [64.0, 7.0];
+const SOFTWARE_PX: [f64; 2] = [64.0, 10.0];
 /// Where a thing is drawn by fewer triangles than now only if a metre has this share of those pixels: on the line between two
 /// sizes it does not flip to and fro.
 const COARSER_SHARE: f64 = 0.8;
@@ -241,11 +241,7 @@ impl Grown {
         let instance = ChunkInstance::at(frame, corner, &choice.port)
             .shaded(0, light.by_figures)
             .lit(light.lights, Level::FULL);
-        let whole = ChunkChoice {
-            trimmed: false,
-            ..choice.clone()
-        };
-        let number = TerrainPipelines::number(&whole, false, light.reach, light.lights);
+        let number = TerrainPipelines::number_of_plants(choice, light.reach, light.lights);
         let pieces = self.mesh.pieces(0).map(|piece| (number, piece));
         list.add(chart, instance, pieces);
     }
@@ -277,8 +273,13 @@ pub struct ThingsLight {
 impl ThingsLight {
     /// What may throw a shadow on them, and the lamps and beams that may light them.
     pub fn of(shadows: &Shadows, reach: ShadowReach, lights: [u32; 3]) -> Self {
+        // Where branches cost, no shadow of a figure is looked for on leaves: few would see it there.
+        let looked_for = match reach {
+            ShadowReach::All | ShadowReach::Land => ShadowReach::Land,
+            ShadowReach::Nothing => reach,
+        };
         Self {
-            reach: shadows.told_apart(reach),
+            reach: shadows.told_apart(looked_for),
             by_figures: reach == ShadowReach::All,
             lights,
         }
@@ -311,6 +312,9 @@ impl ChunkStore {
             let Some(grown) = self.chunks.get_mut(&chunk.coord) else {
                 continue;
             };
+            if grown.grown.is_none() {
+                continue;
+            }
             let eye = (choice.distance_m < SINGLY_M)
                 .then(|| {
                     frame
@@ -319,8 +323,10 @@ impl ChunkStore {
                         .carry(frame.view.eye.point, chunk.coord.chart)
                 })
                 .flatten();
+            let middle = chunk.coord.origin() + mean_root(&grown.source.things);
+            let middle = ChartPoint::new(chunk.coord.chart, middle);
             let scale = Scale {
-                metre_px: choice.metre_px,
+                metre_px: plan.bounds.metre_px_at(frame, middle),
                 near_px: plan.bounds.near_px(),
                 thresholds_px,
                 eye: eye.map(|eye| (eye.point.pos - chunk.coord.origin()).as_vec3()),
@@ -333,9 +339,15 @@ impl ChunkStore {
     }
 }
 
+/// The middle of some things, metres from the corner of their chunk.
+fn mean_root(things: &[Thing]) -> DVec3 {
+    let sum: DVec3 = things.iter().map(|it| it.root.as_dvec3()).sum();
+    sum / things.len().max(1) as f64
+}
+
 /// How large the things of a chunk are in a picture.
 struct Scale {
-    /// About how many pixels a metre of the chunk takes.
+    /// How many pixels a metre takes amid the things of the chunk.
     metre_px: f64,
     /// How many one takes that is a metre off.
     near_px: f64,

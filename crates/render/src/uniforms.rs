@@ -18,6 +18,10 @@ const CONTOUR_STRENGTH: f32 = 0.24;
 /// Grain repeats after this many metres, so that its coordinates stay small however far one walks.
 const GRAIN_PERIOD_M: f64 = 256.0;
 
+/// How fast gusts go by and how fast they flutter, radians a second, and how far a gust bends a blade's tip, metres.
+const WIND_PER_S: [f32; 2] = [0.9, 5.3];
+const WIND_M: f32 = 0.12;
+
 /// `Scene` of common.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -55,6 +59,7 @@ pub struct SceneUniform {
     ring_light: [f32; 3],
     ring_radius_m: f32,
     ring_axes: [[f32; 4]; 3],
+    wind: [f32; 4],
     ring_ground: [f32; 4],
     cuts: [[f32; 4]; View::CUTS],
     figure_cut: [f32; 4],
@@ -114,6 +119,7 @@ impl SceneUniform {
             ring_light: ring.light,
             ring_radius_m: ring.radius_m,
             ring_axes: ring.axes,
+            wind: wind(frame),
             ring_ground: ring.ground,
             cuts: frame.view.cuts.map(|cut| cut.as_vec4().into()),
             figure_cut: frame.view.figure_cut.as_vec4().into(),
@@ -123,6 +129,19 @@ impl SceneUniform {
             shadows: *shadows,
         }
     }
+}
+
+/// The wind of a moment: the turns of gusts and of what flutters, radians, and how far it bends, metres.
+fn wind(frame: &Frame) -> [f32; 4] {
+    let turn =
+        |rate_per_s: f32| (frame.content.time_s * rate_per_s).rem_euclid(std::f32::consts::TAU);
+    let [gust, flutter] = WIND_PER_S.map(turn);
+    [
+        gust,
+        flutter,
+        if frame.view.wind { WIND_M } else { 0.0 },
+        0.0,
+    ]
 }
 
 /// Where a body of a closed world stands: a unit vector of the model in view coordinates.

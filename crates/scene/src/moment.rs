@@ -219,6 +219,7 @@ impl Scene {
             fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
             covered: 1.0 - self.field().sky_left(eye.point),
             contour_bands: self.shown.viewing.contour_bands,
+            wind: self.shown.viewing.sways(),
             quality: self.shown.quality,
             ..View::new(eye, Projection::new(fov_y_rad, aspect, NEAR_M), strategy)
         };

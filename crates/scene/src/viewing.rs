@@ -11,7 +11,9 @@ pub struct Viewing {
     pub contour_bands: bool,
     /// Whether the head dips on landing.
     pub head_dip: bool,
-    /// Whether nothing glides or dips.
+    /// Whether leaves and grass sway in the wind.
+    pub wind: bool,
+    /// Whether nothing glides, dips or sways.
     pub reduced_motion: bool,
     /// Whether the ring about what is dug or built is told by lightness alone.
     pub safe_marker: bool,
@@ -23,6 +25,7 @@ impl Default for Viewing {
             fov_y_rad: FOV_Y_RAD,
             contour_bands: false,
             head_dip: true,
+            wind: true,
             reduced_motion: false,
             safe_marker: false,
         }
@@ -33,5 +36,10 @@ impl Viewing {
     /// Whether the head dips after all.
     pub(crate) fn dips(&self) -> bool {
         self.head_dip && !self.reduced_motion
+    }
+
+    /// Whether leaves and grass sway after all.
+    pub(crate) fn sways(&self) -> bool {
+        self.wind && !self.reduced_motion
     }
 }

@@ -316,7 +316,7 @@ macro_rules! choice_of {
 
 const PERCENT: Kind = slider(0.0, 100.0, 5.0, "unit-percent");
 
-static FIELDS: [Field; 35] = [
+static FIELDS: [Field; 36] = [
     number!(
         "mouse-sensitivity",
         Look,
@@ -397,6 +397,7 @@ static FIELDS: [Field; 35] = [
     toggle!("safe-marker", Comfort, safe_marker),
     toggle!("reduced-motion", Comfort, reduced_motion),
     toggle!("head-dip", Comfort, head_dip),
+    toggle!("wind", Comfort, wind),
     toggle!("hints", Comfort, hints),
 ];
 

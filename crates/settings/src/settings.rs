@@ -68,6 +68,8 @@ pub struct Settings {
     pub pad_dead_zone_pc: f64,
     /// Whether the view dips on landing.
     pub head_dip: bool,
+    /// Whether leaves and grass sway in the wind.
+    pub wind: bool,
     /// Whether gliding and swaying are left out.
     pub reduced_motion: bool,
     /// Whether the brush marker is told by lightness and not by hue.
@@ -113,6 +115,7 @@ impl Default for Settings {
             pad_invert_look: false,
             pad_dead_zone_pc: 15.0,
             head_dip: true,
+            wind: true,
             reduced_motion: false,
             safe_marker: false,
             high_contrast: false,

@@ -204,7 +204,17 @@ impl Bounds {
         self.scale.focal_px
     }
 
-    /// About how many pixels a metre of a chunk takes: as many as the chunk has, over its side.
+    /// How many pixels a metre takes at a place, were it in the middle of the picture: the longest of three that lie along the
+    /// axes.
+    pub fn metre_px_at(&self, frame: &Frame, place: ChartPoint) -> f64 {
+        let view = frame.view.strategy.viewer(&frame.view.eye);
+        let direction = |by: DVec3| view(place.moved(by)).truncate().normalize_or_zero();
+        let angle = |axis: DVec3| direction(0.5 * axis).distance(direction(-0.5 * axis));
+        let most_rad = DVec3::AXES.map(angle).into_iter().fold(0.0, f64::max);
+        most_rad * self.scale.focal_px
+    }
+
+    /// How many pixels a metre of a chunk takes at most, in the mean over its side.
     pub fn metre_px(&self, cell: &SightCell) -> f64 {
         self.scale.spans_px(cell) / f64::from(CHUNK_CELLS)
     }

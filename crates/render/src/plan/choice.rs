@@ -40,8 +40,6 @@ pub struct ChunkChoice {
     pub place: usize,
     /// No point of it is nearer to the eye, metres of the space.
     pub distance_m: f64,
-    /// About how many pixels a metre of it takes.
-    pub metre_px: f64,
     /// How its vertices are ported.
     pub port: Port,
     /// Whether it reaches beyond what its chart shows.
@@ -59,7 +57,6 @@ impl ChunkChoice {
     pub const LOOSE: Self = Self {
         place: usize::MAX,
         distance_m: 0.0,
-        metre_px: 0.0,
         port: Port::Vertex,
         trimmed: false,
         refine: false,
@@ -97,7 +94,6 @@ pub fn choose(
     ChunkChoice {
         place,
         distance_m: cell.nearest_m,
-        metre_px: bounds.metre_px(cell),
         refine,
         depth: match port {
             Port::Vertex => depth_method(frame, bounds, tolerance),

@@ -44,6 +44,7 @@ pub fn calm() -> How {
         viewing: Viewing {
             fov_y_rad: 0.6,
             contour_bands: true,
+            wind: false,
             head_dip: false,
             reduced_motion: true,
             safe_marker: true,

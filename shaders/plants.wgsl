@@ -1,0 +1,167 @@
+// What grows and stands on the land, in vertices of the land's layout: lit as land is, without its grain, its layers and the ring
+// about what is dug. What is of leaves sways in the wind and gives way where it is close to the eye.
+// Follows terrain.wgsl and surfaces.wgsl.
+
+// The numbers of blades in the fourth byte of vertices, where they stand and at their tips; crates/render/src/things.rs.
+const BLADE_FEET: u32 = 17u;
+const BLADE_TIPS: u32 = 18u;
+
+// Distances from the eye between which leaves come to be seen, metres.
+const GIVES_WAY_M: vec2<f32> = vec2<f32>(0.5, 1.6);
+
+struct PlantOut {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) facing: vec3<f32>,     // as land has it, and
+    @location(1) @interpolate(perspective, centroid) albedo: vec3<f32>,
+    @location(2) veil: vec3<f32>,
+    @location(3) place: vec4<f32>,      // xyz: from the reference, m; w: share of the plant's own colour in the fog
+    @location(4) view: vec4<f32>,
+    @location(5) frame_normal: vec4<f32>,
+    @location(6) @interpolate(flat) lights: vec3<u32>,
+    @location(7) dark: vec3<f32>,
+    @location(8) grain: vec3<f32>,
+    @location(9) @interpolate(flat) marks: vec2<u32>, // what it is made of; whether a figure's shadow may fall on it
+}
+
+// How far the wind bends what sways altogether, metres along the grain's axes: gusts that go over the land, and a flutter in them.
+// Whole waves in the 256 m after which the grain's places wrap.
+fn wind_at(world: vec3<f32>) -> vec3<f32> {
+    let q = world.xz * (6.2831853 / 256.0);
+    let gust = 0.5 + 0.5 * sin(dot(q, vec2<f32>(7.0, 4.0)) - scene.wind.x);
+    let flutter = sin(dot(q, vec2<f32>(61.0, -47.0)) + 40.0 * q.y - scene.wind.y);
+    let bent = scene.wind.z * (gust * gust + 0.2) * (0.7 + 0.3 * flutter);
+    return vec3<f32>(0.8 * bent, -0.15 * bent * flutter, 0.6 * bent);
+}
+
+// How much of that bends a vertex made of this.
+fn sway_of(made_of: u32) -> f32 {
+    return select(select(0.0, 1.0, made_of == BLADE_TIPS), 0.5, made_of == LEAVES);
+}
+
+fn made_of_byte(in: VertexIn) -> u32 {
+    return u32(in.colour.a * 255.0 + 0.5) & NUMBER_BITS;
+}
+
+fn swayed(in: VertexIn) -> vec3<f32> {
+    let world = in.world.xyz + position_of(in.units);
+    return from_reference(in) + wind_at(world) * sway_of(made_of_byte(in));
+}
+
+fn plant_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> PlantOut {
+    let authored = normal_of(in);
+    let number = u32(in.colour.a * 255.0 + 0.5);
+    let left = f32(min(number >> SKY_SHIFT, OPEN_SKY)) / f32(OPEN_SKY);
+    let space = space_of_chart();
+    let fog = fog_at(eye_distance(space, view));
+    let chart_normal = port_normal(space, p, authored);
+    let normal = in_common_axes(chart_normal);
+    var out: PlantOut;
+    out.clip = clip_from_view(space, view);
+    out.albedo = to_linear(in.colour.rgb) + 0.014;
+    out.veil = haze_before(view) * (fog * mix(1.0, left, scene.covered));
+    out.place = vec4<f32>(in_common_axes(p), 1.0 - fog);
+    out.view = view;
+    out.marks = vec2<u32>(number & NUMBER_BITS, in.flags & 1u);
+    if wants_model_normal(in.lights) {
+        out.frame_normal = frame_vector(space, p, chart_normal);
+    }
+    let sky = mix(DEEPEST_SKY, 1.0, left);
+    if BY_PIXEL {
+        out.facing = normal;
+        out.dark.x = sky;
+        out.grain = grain_point(in.world.xyz + in_common_axes(position_of(in.units)), p);
+    } else {
+        let light = land_light(view, normal, out.frame_normal, out.albedo, sky);
+        out.facing = light.facing;
+        out.dark = light.dark;
+    }
+    if any_lit(in.lights) {
+        let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
+        out.lights = lamplight.near;
+        out.veil += out.albedo * lamplight.far * (1.0 - fog);
+    }
+    return out;
+}
+
+@vertex
+fn vertex_plant(in: VertexIn) -> PlantOut {
+    let p = swayed(in);
+    return plant_at(in, p, port_to_view(space_of_chart(), p));
+}
+
+@vertex
+fn vertex_plant_framed(in: VertexIn) -> PlantOut {
+    let p = swayed(in);
+    let q = in_common_axes(p);
+    return plant_at(in, p, in.frame_origin + in.frame_x * q.x + in.frame_y * q.y + in.frame_z * q.z);
+}
+
+// What maps of shadows and the next pixel are asked about a pixel of a plant: before it may be discarded.
+struct PlantPixel {
+    point: Shaded,
+    steps: Steps,
+}
+
+fn plant_pixel(in: PlantOut) -> PlantPixel {
+    var steps = Steps();
+    if BY_PIXEL {
+        steps = Steps(dpdx(in.grain), dpdy(in.grain), dpdx(in.view), dpdy(in.view));
+    }
+    return PlantPixel(shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal), steps);
+}
+
+// Whether leaves leave a pixel to what is behind them. Not in software: there the question alone costs a twelfth of a picture.
+fn gives_way(in: PlantOut) -> bool {
+    if !BY_PIXEL {
+        return false;
+    }
+    let shown = smoothstep(GIVES_WAY_M.x, GIVES_WAY_M.y, length(in.view.xyz));
+    return in.marks.x == LEAVES && dither(in.clip.xy) > shown;
+}
+
+// Made of one kind, each pixel of it.
+fn plant_surface(in: PlantOut, steps: Steps) -> Surface {
+    if in.marks.x > LEAVES {
+        return Surface(in.albedo, vec3<f32>(0.0), 0.0, vec3<f32>(0.0));
+    }
+    let wide_m = 0.7 * max(length(steps.grain_x), length(steps.grain_y));
+    let detail = detail_of(in.marks.x, Spot(in.grain, grain_up(in.grain), wide_m));
+    return Surface(in.albedo * detail.tone, detail.slope, detail.gloss, detail.glow);
+}
+
+fn plant_colour(in: PlantOut, pixel: PlantPixel) -> vec4<f32> {
+    let by_figures = in.marks.y != 0u;
+    let own = in.place.w;
+    if BY_PIXEL {
+        let unlit = is_unlit(in.view, normalize(in.facing), in.frame_normal);
+        let share = key_share(open_to(pixel.point, in.dark.x), in.clip.xy, unlit, by_figures);
+        let seen = Seen(in.view, in.facing, in.frame_normal, in.lights, in.dark.x);
+        return vec4<f32>(lit_surface(plant_surface(in, pixel.steps), seen, share, pixel.steps) * own + in.veil, 1.0);
+    }
+    let light = LandLight(in.facing, in.dark);
+    let unlit = is_land_unlit(light, in.view, in.frame_normal);
+    let share = key_share(open_to(pixel.point, land_sky(light)), in.clip.xy, unlit, by_figures);
+    var lit = daylit(light, in.albedo, share);
+    if any_lit(in.lights) {
+        lit += in.albedo * lights_on(in.view, in.frame_normal, in.lights, 0.0);
+    }
+    return vec4<f32>(lit * own + in.veil, 1.0);
+}
+
+@fragment
+fn fragment_plant(in: PlantOut) -> @location(0) vec4<f32> {
+    let pixel = plant_pixel(in);
+    if gives_way(in) || is_cut(in.view) {
+        discard;
+    }
+    return plant_colour(in, pixel);
+}
+
+@fragment
+fn fragment_deep_plant(in: PlantOut) -> DeepOut {
+    let pixel = plant_pixel(in);
+    if gives_way(in) || is_cut(in.view) {
+        discard;
+    }
+    return DeepOut(plant_colour(in, pixel), depth_at(in.place.xyz));
+}
