@@ -135,8 +135,9 @@ fn plant_colour(in: PlantOut, pixel: PlantPixel) -> vec4<f32> {
     if BY_PIXEL {
         let unlit = is_unlit(in.view, normalize(in.facing), in.frame_normal);
         let share = key_share(open_to(pixel.point, in.dark.x), in.clip.xy, unlit, by_figures);
+        let surface = plant_surface(in, pixel.steps);
         let seen = Seen(in.view, in.facing, in.frame_normal, in.lights, in.dark.x);
-        return vec4<f32>(lit_surface(plant_surface(in, pixel.steps), seen, share, pixel.steps) * own + in.veil, 1.0);
+        return vec4<f32>(lit_surface(surface, seen, share * detail_share(pixel.point), pixel.steps) * own + in.veil, 1.0);
     }
     let light = LandLight(in.facing, in.dark);
     let unlit = is_land_unlit(light, in.view, in.frame_normal);

@@ -59,6 +59,12 @@ fn surely_faced(cosine: f32) -> f32 {
     return smoothstep(0.25 * FACING, 0.75 * FACING, cosine);
 }
 
+// The share of the key light that what slopes in a surface's detail may have: none where the surface itself turns away. Maps are not
+// asked there, and in a cave every slope to the sun would shine.
+fn detail_share(point: Shaded) -> f32 {
+    return select(point.faced, 1.0, SHADOWS == 0u);
+}
+
 // What reaches a place of so much sky as far as no map tells: deep below untouched land there is no sun.
 fn open_to(point: Shaded, sky: f32) -> Shaded {
     var told = point;

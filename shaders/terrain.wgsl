@@ -291,7 +291,7 @@ fn land_colour(in: VertexOut, point: Shaded, steps: Steps, offered: f32) -> vec4
     let share = key_share(open_to(point, sky), in.clip.xy, unlit, in.feet.w > 0.5 * SHADED);
     let tone = common_tone(in) * in.land.x;
     if BY_PIXEL {
-        return vec4<f32>(surface_light(in, share, steps, offered) * tone + in.veil, 1.0);
+        return vec4<f32>(surface_light(in, share * detail_share(point), steps, offered) * tone + in.veil, 1.0);
     }
     var lit = daylit(LandLight(in.facing, in.dark), in.albedo, share);
     if any_lit(in.lights) {

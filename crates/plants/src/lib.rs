@@ -3,14 +3,18 @@
 //! Places are a pure function of seed and field; shapes of the species, its age and how large it is in the picture. No
 //! input or output, no GPU.
 
+mod growth;
 mod habitat;
 mod noise;
 mod placement;
 mod shape;
 mod solid;
 mod species;
+mod undergrowth;
 
+pub use growth::Growth;
 pub use placement::{placed, placed_near};
-pub use shape::{Corner, Material, Shape, Size, shape};
+pub use shape::{Corner, Material, Shape, Size, low_shape, shape};
 pub use solid::add_solids;
 pub use species::{Age, Species, Trunk};
+pub use undergrowth::undergrowth;

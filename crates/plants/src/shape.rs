@@ -4,6 +4,7 @@ mod boulder;
 mod broadleaf;
 mod canopy;
 mod crown;
+mod low;
 mod mesh;
 mod palm;
 mod plan;
@@ -20,6 +21,8 @@ use std::sync::LazyLock;
 
 use glam::Vec3;
 
+pub use low::low_shape;
+
 use crate::species::{Age, Species};
 
 /// What a corner is made of.
@@ -31,6 +34,12 @@ pub enum Material {
     Leaves,
     /// Stone.
     Stone,
+    /// Grass, of the colour of its ground.
+    Blade,
+    /// Other small growth.
+    Petal,
+    /// Crystal.
+    Crystal,
 }
 
 /// How large a plant is in the picture, and so how many triangles it takes.

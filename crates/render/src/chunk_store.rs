@@ -16,6 +16,7 @@ use crate::fallen::Fallen;
 use crate::gpu::Gpu;
 use crate::lamps::lights_near;
 use crate::land_mesh::{LandMesh, SeamMask};
+use crate::low_growth::LowGrowth;
 use crate::pages::Pages;
 use crate::parts::{Block, parts, sections};
 use crate::plan::{ChunkLand, FramePlan, LandIndex, Tolerance};
@@ -55,6 +56,8 @@ pub struct GpuChunk {
     pub is_urgent: bool,
     /// What stands on it.
     pub grown: Option<Grown>,
+    /// What grows low on it, near the eye.
+    pub low: Option<LowGrowth>,
     /// The mesh of another level that it follows, for a moment.
     fading: Option<Fading>,
 }
@@ -91,6 +94,9 @@ impl GpuChunk {
         }
         if let Some(fading) = self.fading {
             fading.mesh.give_back(pages);
+        }
+        if let Some(low) = self.low {
+            low.give_back(pages);
         }
         if let Some(grown) = self.grown {
             grown.give_back(pages);
@@ -265,6 +271,7 @@ impl ChunkStore {
             coming: None,
             is_urgent: false,
             grown: None,
+            low: None,
             fading: None,
         };
         self.land_index = None;
@@ -418,9 +425,12 @@ impl ChunkStore {
             let instance = ChunkInstance::of(frame, coord, &choice.port)
                 .shaded(shades, reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
+            let light = ThingsLight::of(shadows, reach, lights);
             if let Some(grown) = &chunk.grown {
-                let light = ThingsLight::of(shadows, reach, lights);
                 grown.list(frame, coord, choice, light, list, chart);
+            }
+            if let Some(low) = &chunk.low {
+                light.list(low.mesh(), frame, coord, choice, list, chart);
             }
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);

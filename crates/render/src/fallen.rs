@@ -6,6 +6,7 @@ use antipode_plants::{Size, shape};
 use antipode_terrain::Level;
 use glam::Quat;
 
+use crate::baked::Baked;
 use crate::charts::Charts;
 use crate::chunk_store::ChunkStore;
 use crate::draw_list::DrawList;
@@ -14,7 +15,7 @@ use crate::land_mesh::LandMesh;
 use crate::pages::Pages;
 use crate::plan::{ChunkChoice, Port};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
-use crate::things::{Baked, kind_of};
+use crate::things::kind_of;
 use crate::uniforms::ChunkInstance;
 
 /// How far a thing reaches as it falls, whole metres.

@@ -7,6 +7,7 @@
 //! This crate opens no window and loads no world. It never asks which space a world is in: the frame's strategy
 //! brings the shader text of its map.
 
+mod baked;
 mod ball;
 mod bent_mesh;
 mod blend;
@@ -29,6 +30,7 @@ mod hand;
 mod heavens;
 mod lamps;
 mod land_mesh;
+mod low_growth;
 mod marker;
 mod models;
 mod offscreen;

@@ -6,16 +6,17 @@
 //! triangles, which every map of the space bends as it does land.
 
 use antipode_frame::{Frame, Quality};
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord};
-use antipode_plants::{Age, Corner, Material, Shape, Size, Species, shape};
-use antipode_terrain::{Level, Thing, Vertex};
+use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_plants::{Age, Size, Species, shape};
+use antipode_terrain::{Level, Thing};
 use glam::{DVec3, Vec3};
 
+use crate::baked::{Baked, MARGIN_M};
 use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::draw_list::DrawList;
 use crate::land_mesh::LandMesh;
+use crate::low_growth::Reach;
 use crate::pages::Pages;
-use crate::parts::parts;
 use crate::plan::{ChunkChoice, FramePlan};
 use crate::renderer::Preset;
 use crate::shadow::{Caster, Shadows};
@@ -23,9 +24,6 @@ use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::touched::Touched;
 use crate::uniforms::ChunkInstance;
 
-/// How far a thing may reach out of its chunk, whole metres: the corner that its mesh is told from lies so far before the
-/// chunk's along each axis.
-const MARGIN_M: i32 = 16;
 /// From so many pixels a metre on things are near, and from so many on not far: for cards, and for the processor, to which a
 /// corner is as dear as a hundred pixels.
 const CARD_PX: [f64; 2] = [24.0, 5.0];
@@ -41,14 +39,6 @@ const SINGLY_M: f64 = 64.0;
 const CORNERS: usize = 16_000;
 /// How much wider a box is than its thing: leaves sway.
 const SLACK_M: f64 = 0.3;
-/// How much the normals of leaves lean upwards: light comes through them from above, so that a crown is not black from below.
-const LEAVES_UP: f32 = 0.6;
-/// The numbers of what they are made of in the fourth byte of vertices, under all of the sky; surfaces.wgsl.
-const WOOD: u8 = 15 | OPEN_SKY;
-const LEAVES: u8 = 16 | OPEN_SKY;
-const STONE: u8 = 5 | OPEN_SKY;
-const OPEN_SKY: u8 = 6 << 5;
-
 /// The things of a chunk on the adapter.
 #[derive(Debug)]
 pub struct Grown {
@@ -125,71 +115,6 @@ fn thresholds_px(quality: Quality, preset: Preset) -> [f64; 2] {
     }
 }
 
-/// A mesh of things in a size.
-#[derive(Default)]
-pub struct Baked {
-    vertices: Vec<Vertex>,
-    indices: Vec<u32>,
-}
-
-impl Baked {
-    fn of(things: &[Thing], sizes: impl Iterator<Item = Size>, eye: Option<Vec3>) -> Self {
-        let mut all = Self::default();
-        let mut pairs: Vec<_> = things.iter().zip(sizes).collect();
-        // What is drawn first hides what is behind it before that is lit.
-        if let Some(eye) = eye {
-            let away = |thing: &Thing| thing.root.distance_squared(eye);
-            pairs.sort_by(|(a, _), (b, _)| away(a).total_cmp(&away(b)));
-        }
-        for (thing, size) in pairs {
-            if let Some((species, age)) = kind_of(thing) {
-                all.add(thing, shape(species, age, size));
-            }
-        }
-        all
-    }
-
-    fn add(&mut self, thing: &Thing, shape: &Shape) {
-        let root = thing.root + Vec3::splat(MARGIN_M as f32);
-        let (sin, cos) = thing.turn_rad.sin_cos();
-        let turned = |v: Vec3| Vec3::new(v.x * cos - v.z * sin, v.y, v.x * sin + v.z * cos);
-        self.put_up(thing, shape, root, turned);
-    }
-
-    /// Adds a shape whose root comes to a place, turned so.
-    pub fn put_up(
-        &mut self,
-        thing: &Thing,
-        shape: &Shape,
-        root: Vec3,
-        turned: impl Fn(Vec3) -> Vec3,
-    ) {
-        let first = self.vertices.len() as u32;
-        let vertex = |corner: &Corner| {
-            let [r, g, b] = corner.colour;
-            let (made_of, up) = match corner.material {
-                Material::Wood => (WOOD, 0.0),
-                Material::Leaves => (LEAVES, LEAVES_UP),
-                Material::Stone => (STONE, 0.0),
-            };
-            let place = root + turned(corner.place * thing.scale);
-            let normal = turned(corner.normal) + Vec3::Y * up;
-            Vertex::wide(place, normal, [r, g, b, made_of])
-        };
-        self.vertices.extend(shape.corners.iter().map(vertex));
-        let corners = shape.triangles.iter().flatten();
-        self.indices
-            .extend(corners.map(|&corner| first + u32::from(corner)));
-    }
-
-    /// Puts it into pages.
-    pub fn put(self, pages: &mut Pages) -> LandMesh {
-        let mut sections: [&[u32]; crate::parts::SECTIONS] = Default::default();
-        sections[0] = &self.indices;
-        LandMesh::put(pages, parts(&self.vertices, sections, &[]))
-    }
-}
-
 impl Grown {
     /// Things in these sizes; nothing of a chunk without.
     fn of(
@@ -236,14 +161,7 @@ impl Grown {
         list: &mut DrawList,
         chart: u32,
     ) {
-        let corner = coord.origin() - f64::from(MARGIN_M);
-        let corner = ChartPoint::new(coord.chart, corner);
-        let instance = ChunkInstance::at(frame, corner, &choice.port)
-            .shaded(0, light.by_figures)
-            .lit(light.lights, Level::FULL);
-        let number = TerrainPipelines::number_of_plants(choice, light.reach, light.lights);
-        let pieces = self.mesh.pieces(0).map(|piece| (number, piece));
-        list.add(chart, instance, pieces);
+        light.list(&self.mesh, frame, coord, choice, list, chart);
     }
 
     /// Lists what throws their shadow, for a map whose matrix begins at a place of the chart, metres; returns its triangles.
@@ -271,6 +189,26 @@ pub struct ThingsLight {
 }
 
 impl ThingsLight {
+    /// Lists a mesh that is told from [`MARGIN_M`] before its chunk's corner.
+    pub fn list(
+        self,
+        mesh: &LandMesh,
+        frame: &Frame,
+        coord: ChunkCoord,
+        choice: &ChunkChoice,
+        list: &mut DrawList,
+        chart: u32,
+    ) {
+        let corner = coord.origin() - f64::from(MARGIN_M);
+        let corner = ChartPoint::new(coord.chart, corner);
+        let instance = ChunkInstance::at(frame, corner, &choice.port)
+            .shaded(0, self.by_figures)
+            .lit(self.lights, Level::FULL);
+        let number = TerrainPipelines::number_of_plants(choice, self.reach, self.lights);
+        let pieces = mesh.pieces(0).map(|piece| (number, piece));
+        list.add(chart, instance, pieces);
+    }
+
     /// What may throw a shadow on them, and the lamps and beams that may light them.
     pub fn of(shadows: &Shadows, reach: ShadowReach, lights: [u32; 3]) -> Self {
         // Where branches cost, no shadow of a figure is looked for on leaves: few would see it there.
@@ -307,14 +245,12 @@ impl ChunkStore {
         self.renew_fallen(frame);
         let land = self.land();
         let mut left = if self.rush { usize::MAX } else { CORNERS };
+        let reach = Reach::of(frame.view.quality, preset);
         for choice in &plan.chunks {
             let chunk = &land.land()[choice.place];
             let Some(grown) = self.chunks.get_mut(&chunk.coord) else {
                 continue;
             };
-            if grown.grown.is_none() {
-                continue;
-            }
             let eye = (choice.distance_m < SINGLY_M)
                 .then(|| {
                     frame
@@ -323,13 +259,21 @@ impl ChunkStore {
                         .carry(frame.view.eye.point, chunk.coord.chart)
                 })
                 .flatten();
+            let eye = eye.map(|eye| (eye.point.pos - chunk.coord.origin()).as_vec3());
+            if choice.distance_m < SINGLY_M {
+                let made = grown.sprout(eye, reach, &mut self.pages);
+                left = left.saturating_sub(made);
+            }
+            if grown.grown.is_none() {
+                continue;
+            }
             let middle = chunk.coord.origin() + mean_root(&grown.source.things);
             let middle = ChartPoint::new(chunk.coord.chart, middle);
             let scale = Scale {
                 metre_px: plan.bounds.metre_px_at(frame, middle),
                 near_px: plan.bounds.near_px(),
                 thresholds_px,
-                eye: eye.map(|eye| (eye.point.pos - chunk.coord.origin()).as_vec3()),
+                eye,
             };
             left = left.saturating_sub(grown.grow(&scale, &mut self.pages));
             if left == 0 {
@@ -391,11 +335,6 @@ impl GpuChunk {
         corners
     }
 }
-
-const _: () = assert!(
-    2 * MARGIN_M + CHUNK_CELLS <= 64,
-    "vertices reach no farther"
-);
 
 #[cfg(test)]
 mod tests {

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::TerrainCollider;
-use antipode_plants::{add_solids, placed};
+use antipode_plants::{add_solids, placed, undergrowth};
 use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, Thing, apply_edits};
 use glam::DVec3;
 
@@ -99,6 +99,7 @@ impl Shared {
             mesh.things = placed(&self.field, coord);
             mesh.things
                 .retain(|thing| edits.keeps(thing) && self.stands(coord, thing, edits));
+            mesh.tufts = undergrowth(&self.field, coord, &mesh);
         }
         let mesh = Arc::new(mesh);
         let collider = if solid {

@@ -56,6 +56,7 @@ impl Mesher {
             seams,
             error_m: field.level_error_m(level) as f32,
             things: Vec::new(),
+            tufts: Vec::new(),
         }
     }
 

@@ -9,6 +9,7 @@ use crate::kind::between_bytes;
 use crate::level::Level;
 use crate::light::LightTables;
 use crate::thing::Thing;
+use crate::tuft::Tuft;
 
 /// Units of a vertex's position in a metre.
 pub const UNITS_PER_M: u32 = 1024;
@@ -154,6 +155,8 @@ pub struct ChunkMesh {
     pub error_m: f32,
     /// What grows and stands on it.
     pub things: Vec<Thing>,
+    /// What grows low on it, at [`Level::FULL`].
+    pub tufts: Vec<Tuft>,
 }
 
 impl ChunkMesh {

@@ -77,6 +77,7 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
         ("ring_x", offset_of!(SceneUniform, ring_axes)),
         ("ring_y", offset_of!(SceneUniform, ring_axes) + 16),
         ("ring_z", offset_of!(SceneUniform, ring_axes) + 32),
+        ("wind", offset_of!(SceneUniform, wind)),
         ("ring_ground", offset_of!(SceneUniform, ring_ground)),
         ("cuts", offset_of!(SceneUniform, cuts)),
         ("figure_cut", offset_of!(SceneUniform, figure_cut)),
