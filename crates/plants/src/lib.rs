@@ -16,5 +16,5 @@ pub use growth::Growth;
 pub use placement::{placed, placed_near};
 pub use shape::{Corner, Material, Shape, Size, low_shape, shape};
 pub use solid::add_solids;
-pub use species::{Age, Species, Trunk};
+pub use species::{Age, Species, Trunk, left_of};
 pub use undergrowth::undergrowth;

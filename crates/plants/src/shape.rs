@@ -10,6 +10,7 @@ mod palm;
 mod plan;
 mod snag;
 mod spruce;
+mod stump;
 #[cfg(test)]
 #[expect(clippy::expect_used, reason = "tests fail by panicking")]
 mod tests;

@@ -63,6 +63,7 @@ fn add_solid(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::species::left_of;
 
     #[test]
     fn a_trunk_is_closed_above_ground_and_faces_outwards() {
@@ -87,6 +88,13 @@ mod tests {
             species: Species::Bush.byte(),
             ..thing
         };
+        let stump = left_of(&thing).into_iter().collect::<Vec<_>>();
+        let (mut low, mut none) = (Vec::new(), Vec::new());
+        add_solids(&stump, &mut low, &mut none);
+        let tops = low.iter().map(|corner| corner[1] - thing.root.y);
+        let high_m = tops.fold(0.0, f32::max);
+        assert!((0.3..0.6).contains(&high_m), "a stump is low: {high_m} m");
+        assert_eq!(left_of(&bush), None);
         let before = corners.len();
         add_solids(&[bush], &mut corners, &mut Vec::new());
         assert_eq!(corners.len(), before, "nobody bumps into a bush");

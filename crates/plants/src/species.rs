@@ -1,5 +1,7 @@
 //! What kinds of plants and stones there are, and what is known of each without its shape.
 
+use antipode_terrain::Thing;
+
 /// A kind of plant or stone. The numbers are those of saved worlds: none may ever change its meaning.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -24,6 +26,8 @@ pub enum Species {
     Toadstool = 9,
     /// A low round bush.
     Bush = 32,
+    /// What a felled tree leaves. Nothing of it is saved but that the tree was felled.
+    Stump = 40,
     /// A boulder.
     Boulder = 48,
 }
@@ -67,6 +71,21 @@ impl Age {
     }
 }
 
+/// The radius of a stump's trunk that is as large as its kind, metres.
+const STUMP_M: f64 = 0.3;
+
+/// What is left of a thing that was felled: nothing but of trees.
+pub fn left_of(felled: &Thing) -> Option<Thing> {
+    let (species, age) = (Species::of_byte(felled.species)?, Age::of_byte(felled.age)?);
+    let trunk = species.trunk(age).filter(|_| species.is_tree())?;
+    Some(Thing {
+        species: Species::Stump.byte(),
+        age: Age::Grown.byte(),
+        scale: felled.scale * (trunk.radius_m / STUMP_M) as f32,
+        ..*felled
+    })
+}
+
 /// Lengths of a grown plant, metres.
 struct Lengths {
     height: f64,
@@ -77,7 +96,7 @@ struct Lengths {
 
 impl Species {
     /// All.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Oak,
         Self::Spruce,
         Self::Birch,
@@ -88,6 +107,7 @@ impl Species {
         Self::Snag,
         Self::Toadstool,
         Self::Bush,
+        Self::Stump,
         Self::Boulder,
     ];
 
@@ -119,6 +139,7 @@ impl Species {
             Self::Snag => "snag",
             Self::Toadstool => "toadstool",
             Self::Bush => "bush",
+            Self::Stump => "stump",
             Self::Boulder => "boulder",
         }
     }
@@ -185,6 +206,7 @@ impl Species {
             Self::Snag => (5.0, 1.7, 0.22, 3.4),
             Self::Toadstool => (5.0, 2.4, 0.3, 4.0),
             Self::Bush => (1.1, 0.95, 0.0, 0.0),
+            Self::Stump => (0.45, 0.42, STUMP_M, 0.45),
             Self::Boulder => (1.0, 0.9, 0.9, 1.0),
         };
         Lengths {

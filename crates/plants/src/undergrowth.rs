@@ -102,7 +102,7 @@ impl<'a> Patch<'a> {
                 return None;
             }
             let root = places[0] * weights.x + places[1] * weights.y + places[2] * weights.z;
-            self.tuft(root, corners[0], &mut draw)
+            self.tuft(root, corners[weights.max_position()], &mut draw)
         };
         cells.filter_map(tuft).collect()
     }

@@ -410,28 +410,20 @@ impl ChunkStore {
         self.list_fallen(frame, list, charts);
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let frustum = space.frustum(eye, &frame.view.projection);
-        // Close to the far side of a closed picture the drawn edges leave the cells in which their blocks are seen.
-        let is_open = space.sight_limit_m(eye) >= std::f64::consts::PI * space.radius_at_m(eye);
-        let hides = Tolerance::of(frame.view.quality).hides && is_open && !frame.view.is_moved();
+        let hides = hides_blocks(frame);
         for choice in &plan.chunks {
             let coord = land[choice.place].coord;
             let Some(chunk) = self.chunks.get(&coord) else {
                 continue;
             };
             let chart = charts.number(coord.chart);
-            let shades = shades.on(&chunk.land);
             let lights = lights_near(frame, coord.chart, chunk.land.min, chunk.land.max);
             let reach = shadows.reach(frame, &Caster::of(&chunk.land));
             let instance = ChunkInstance::of(frame, coord, &choice.port)
-                .shaded(shades, reach == ShadowReach::All)
+                .shaded(shades.on(&chunk.land), reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
             let light = ThingsLight::of(shadows, reach, lights);
-            if let Some(grown) = &chunk.grown {
-                grown.list(frame, coord, choice, light, list, chart);
-            }
-            if let Some(low) = &chunk.low {
-                light.list(low.mesh(), frame, coord, choice, list, chart);
-            }
+            chunk.list_growth(frame, choice, light, list, chart);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
             let Some((old, progress)) = self.blend(chunk) else {
@@ -457,12 +449,11 @@ impl ChunkStore {
             };
             plan.stats.chunks_blending += 1;
             let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach), lights);
-            let before = self.seams(coord, old.level, &old.mesh);
-            for (mesh, seams, progress) in [(mesh, seams, progress), (&old.mesh, before, -progress)]
-            {
-                let pieces = mesh.pieces(seams).map(|piece| (number, piece));
-                list.add(chart, instance.blending(progress), pieces);
-            }
+            let before = old.mesh.pieces(self.seams(coord, old.level, &old.mesh));
+            let comes = mesh.pieces(seams).map(|piece| (number, piece));
+            list.add(chart, instance.blending(progress), comes);
+            let goes = before.map(|piece| (number, piece));
+            list.add(chart, instance.blending(-progress), goes);
         }
     }
 
@@ -474,6 +465,14 @@ impl ChunkStore {
             self.chunks.get(&other).map(GpuChunk::finest)
         })
     }
+}
+
+/// Whether blocks of land that are not seen may be left out of a picture. Close to the far side of a closed one the drawn edges leave the
+/// cells in which their blocks are seen.
+fn hides_blocks(frame: &Frame) -> bool {
+    let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
+    let is_open = space.sight_limit_m(eye) >= std::f64::consts::PI * space.radius_at_m(eye);
+    Tolerance::of(frame.view.quality).hides && is_open && !frame.view.is_moved()
 }
 
 /// Bytes that a mesh takes on the adapter.

@@ -15,7 +15,7 @@ use crate::baked::{Baked, MARGIN_M};
 use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::draw_list::DrawList;
 use crate::land_mesh::LandMesh;
-use crate::low_growth::Reach;
+use crate::low_growth::{LowGrowth, Reach};
 use crate::pages::Pages;
 use crate::plan::{ChunkChoice, FramePlan};
 use crate::renderer::Preset;
@@ -151,17 +151,9 @@ impl Grown {
         }
     }
 
-    /// Lists them in a frame, carried as their chunk is, but past the edge of its chart as well.
-    pub fn list(
-        &self,
-        frame: &Frame,
-        coord: ChunkCoord,
-        choice: &ChunkChoice,
-        light: ThingsLight,
-        list: &mut DrawList,
-        chart: u32,
-    ) {
-        light.list(&self.mesh, frame, coord, choice, list, chart);
+    /// The mesh.
+    fn mesh(&self) -> &LandMesh {
+        &self.mesh
     }
 
     /// Lists what throws their shadow, for a map whose matrix begins at a place of the chart, metres; returns its triangles.
@@ -189,8 +181,9 @@ pub struct ThingsLight {
 }
 
 impl ThingsLight {
-    /// Lists a mesh that is told from [`MARGIN_M`] before its chunk's corner.
-    pub fn list(
+    /// Lists a mesh that is told from [`MARGIN_M`] before its chunk's corner, carried as the chunk is, but past the edge of its
+    /// chart as well.
+    fn list(
         self,
         mesh: &LandMesh,
         frame: &Frame,
@@ -312,6 +305,22 @@ impl Scale {
 }
 
 impl GpuChunk {
+    /// Lists what grows on it.
+    pub fn list_growth(
+        &self,
+        frame: &Frame,
+        choice: &ChunkChoice,
+        light: ThingsLight,
+        list: &mut DrawList,
+        chart: u32,
+    ) {
+        let grown = self.grown.as_ref().map(Grown::mesh);
+        let low = self.low.as_ref().map(LowGrowth::mesh);
+        for mesh in [grown, low].into_iter().flatten() {
+            light.list(mesh, frame, self.land.coord, choice, list, chart);
+        }
+    }
+
     /// Shows its things in the sizes that they have; returns how many corners that took.
     fn grow(&mut self, scale: &Scale, pages: &mut Pages) -> usize {
         let Some(before) = &self.grown else { return 0 };

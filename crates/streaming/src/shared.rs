@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::TerrainCollider;
-use antipode_plants::{add_solids, placed, undergrowth};
+use antipode_plants::{add_solids, left_of, placed, undergrowth};
 use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, Thing, apply_edits};
 use glam::DVec3;
 
@@ -96,9 +96,18 @@ impl Shared {
         let samples = self.samples(coord, level, edits, again);
         let mut mesh = self.mesh(coord, &samples);
         if !mesh.is_empty() {
-            mesh.things = placed(&self.field, coord);
-            mesh.things
-                .retain(|thing| edits.keeps(thing) && self.stands(coord, thing, edits));
+            let there = |thing: Thing| {
+                if edits.keeps(&thing) {
+                    Some(thing)
+                } else {
+                    left_of(&thing)
+                }
+            };
+            let placed = placed(&self.field, coord).into_iter();
+            mesh.things = placed
+                .filter_map(there)
+                .filter(|thing| self.stands(coord, thing, edits))
+                .collect();
             mesh.tufts = undergrowth(&self.field, coord, &mesh);
         }
         let mesh = Arc::new(mesh);

@@ -143,9 +143,7 @@ fn girth(shape: &Shape, height: f32) -> f32 {
 
 #[test]
 fn trunks_are_as_stout_as_told() {
-    for (species, age) in
-        plants().filter(|(species, _)| !matches!(species, Species::Bush | Species::Boulder))
-    {
+    for (species, age) in plants().filter(|(species, _)| species.is_tree()) {
         let trunk = species.trunk(age).expect("a tree has a trunk");
         let height = (0.12 * species.height_m(age)).max(2.7 * trunk.radius_m);
         let ratio = girth(shape(species, age, Size::Near), height as f32) / trunk.radius_m as f32;

@@ -108,6 +108,7 @@ fn a_tree_is_felled_by_a_tool_falls_away_from_the_blow_and_gives_its_wood() {
             "it falls away from the blow"
         );
         assert_eq!(scene.probe().chunks.edited, edited, "no ground was dug");
+        assert_eq!(scene.probe().plants.unwrap().near.get("stump"), Some(&1));
         assert_eq!(
             scene.probe().plants.unwrap().ahead,
             None,
@@ -161,6 +162,11 @@ fn what_the_ground_was_dug_away_from_under_falls_and_undoing_leaves_it_felled() 
         }
     }
     assert!(felled(&scene).0 >= 1, "nothing fell");
+    assert_eq!(
+        scene.probe().plants.unwrap().near.get("stump"),
+        None,
+        "its ground is gone"
+    );
     steps(&mut scene, 400, &Actions::default());
     assert!(wood_m3(&scene) > 0.1);
     let undo = Actions {
