@@ -2,11 +2,12 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
+use std::time::Instant;
 
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_plants::{Age, Species, placed_near};
 use antipode_scene::{Actions, Generator, Kind, Mode, Scene, WorldSetup};
-use antipode_storage::WorldStore;
+use antipode_storage::{Batch, FelledRecord, Record, RecordKind, WorldStore};
 use glam::DVec3;
 
 use crate::common::{LIMIT, setup, steps};
@@ -268,4 +269,61 @@ fn what_was_felled_stays_so_in_the_save_and_nothing_else_is_kept_of_it() {
     assert_eq!(left, before - 1);
     assert_eq!(again.probe().chunks.edited, 0, "no ground was changed");
     assert!(wood_m3(&again) > 0.1);
+}
+
+/// A kept world with so many columns of chunks far off of which 64 trees each were felled; when it was begun, loaded and saved
+/// again, seconds.
+fn kept_with_felled(columns: i32) -> (u32, [f64; 2]) {
+    let dir = tempfile::tempdir().unwrap();
+    let here = dir.path().join("world");
+    let store = WorldStore::create(&here, &planted(Geometry::Euclidean).to_meta()).unwrap();
+    let record = |n: i32| {
+        let record = FelledRecord {
+            chart: 0,
+            x: 1000 + n % 40,
+            z: n / 40,
+            slots: [u64::MAX, 0],
+        };
+        let key = RecordKind::Felled.numbered(n as u32 + 1);
+        (key, Some(Record::Felled(record)))
+    };
+    let batch = Batch {
+        records: (0..columns).map(record).collect(),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+
+    let began = Instant::now();
+    let store = WorldStore::open(&here).unwrap();
+    let setup = WorldSetup::from_meta(&store.meta(), 2).unwrap();
+    let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(scene.wait_for_step(LIMIT) && scene.settle(LIMIT));
+    let loaded_s = began.elapsed().as_secs_f64();
+    let (root, _) = tree(&scene);
+    stand_before(&mut scene, root, 2.0);
+    let before = felled(&scene).0;
+    for _ in 0..600 {
+        steps(&mut scene, 1, &chop());
+        if felled(&scene) == (before + 1, 0) {
+            break;
+        }
+    }
+    let began = Instant::now();
+    scene.close().unwrap();
+    let saved_s = began.elapsed().as_secs_f64();
+
+    let store = WorldStore::open(&here).unwrap();
+    let setup = WorldSetup::from_meta(&store.meta(), 2).unwrap();
+    let mut again = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(again.wait_for_step(LIMIT));
+    (felled(&again).0, [loaded_s, saved_s])
+}
+
+#[test]
+fn a_world_with_a_hundred_thousand_felled_trees_is_kept_as_one_with_none() {
+    let (none, without_s) = kept_with_felled(0);
+    let (all, with_s) = kept_with_felled(1563);
+    println!("loaded and saved in {without_s:.3?} s without, {with_s:.3?} s with");
+    assert_eq!((none, all), (1, 64 * 1563 + 1));
 }
