@@ -23,6 +23,7 @@
 //   is_unlit(view, normal, ..)        whether a point turns away from the light that throws shadows, or lies where that does
 //                                     not reach
 //   caster_point(p)                   a point of the chart as a shadow map takes it, before `chart.home`
+//   shadow_place(place, view)         which of the two `shaded_at` asks; that may be given as both
 //   shaded_at(place, view, ..)        what shadow maps are asked about a fragment. To be called before it may be discarded.
 //                                     Places are told apart there and not on a map, which would save two products of three:
 //                                     near the eye a pixel is a hundredth of a texel, and what rounding leaves of the

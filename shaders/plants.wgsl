@@ -2,7 +2,7 @@
 // about what is dug. What is of leaves sways in the wind and gives way where it is close to the eye.
 // Follows terrain.wgsl and surfaces.wgsl.
 
-// The numbers of blades in the fourth byte of vertices, where they stand and at their tips; crates/render/src/things.rs.
+// The numbers of blades in the fourth byte of vertices, where they stand and at their tips; crates/render/src/baked.rs.
 const BLADE_FEET: u32 = 17u;
 const BLADE_TIPS: u32 = 18u;
 
@@ -21,14 +21,15 @@ struct PlantOut {
     @location(7) dark: vec3<f32>,
     @location(8) grain: vec3<f32>,
     @location(9) @interpolate(flat) marks: vec2<u32>, // what it is made of; whether a figure's shadow may fall on it
+    @location(10) rest: vec4<f32>,      // the `shadow_place` without the wind, of which maps of shadows do not know
 }
 
-// How far the wind bends what sways altogether, metres along the grain's axes: gusts that go over the land, and a flutter in them.
+// How far the wind bends what sways altogether, metres along the common axes: gusts that go over the land, and a flutter in them.
 // Whole waves in the 256 m after which the grain's places wrap.
 fn wind_at(world: vec3<f32>) -> vec3<f32> {
     let q = world.xz * (6.2831853 / 256.0);
     let gust = 0.5 + 0.5 * sin(dot(q, vec2<f32>(7.0, 4.0)) - scene.wind.x);
-    let flutter = sin(dot(q, vec2<f32>(61.0, -47.0)) + 40.0 * q.y - scene.wind.y);
+    let flutter = sin(dot(q, vec2<f32>(61.0, -47.0)) + 40.0 * (6.2831853 / 256.0) * world.y - scene.wind.y);
     let bent = scene.wind.z * (gust * gust + 0.2) * (0.7 + 0.3 * flutter);
     return vec3<f32>(0.8 * bent, -0.15 * bent * flutter, 0.6 * bent);
 }
@@ -42,12 +43,16 @@ fn made_of_byte(in: VertexIn) -> u32 {
     return u32(in.colour.a * 255.0 + 0.5) & NUMBER_BITS;
 }
 
-fn swayed(in: VertexIn) -> vec3<f32> {
-    let world = in.world.xyz + position_of(in.units);
-    return from_reference(in) + wind_at(world) * sway_of(made_of_byte(in));
+// What the wind moves a vertex by, in the chart.
+fn swayed_by(in: VertexIn) -> vec3<f32> {
+    let bent = wind_at(in.world.xyz + in_common_axes(position_of(in.units)));
+    // Back from the common axes: they are turned against the chart's.
+    let x = dot(in_common_axes(vec3<f32>(1.0, 0.0, 0.0)), bent);
+    let z = dot(in_common_axes(vec3<f32>(0.0, 0.0, 1.0)), bent);
+    return vec3<f32>(x, bent.y, z) * sway_of(made_of_byte(in));
 }
 
-fn plant_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> PlantOut {
+fn plant_at(in: VertexIn, rest: vec3<f32>, p: vec3<f32>, rest_view: vec4<f32>, view: vec4<f32>) -> PlantOut {
     let authored = normal_of(in);
     let number = u32(in.colour.a * 255.0 + 0.5);
     let left = f32(min(number >> SKY_SHIFT, OPEN_SKY)) / f32(OPEN_SKY);
@@ -61,6 +66,7 @@ fn plant_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> PlantOut {
     out.veil = haze_before(view) * (fog * mix(1.0, left, scene.covered));
     out.place = vec4<f32>(in_common_axes(p), 1.0 - fog);
     out.view = view;
+    out.rest = shadow_place(in_common_axes(rest), rest_view);
     out.marks = vec2<u32>(number & NUMBER_BITS, in.flags & 1u);
     if wants_model_normal(in.lights) {
         out.frame_normal = frame_vector(space, p, chart_normal);
@@ -69,7 +75,7 @@ fn plant_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> PlantOut {
     if BY_PIXEL {
         out.facing = normal;
         out.dark.x = sky;
-        out.grain = grain_point(in.world.xyz + in_common_axes(position_of(in.units)), p);
+        out.grain = grain_point(in.world.xyz + in_common_axes(position_of(in.units)), rest);
     } else {
         let light = land_light(view, normal, out.frame_normal, out.albedo, sky);
         out.facing = light.facing;
@@ -85,15 +91,17 @@ fn plant_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> PlantOut {
 
 @vertex
 fn vertex_plant(in: VertexIn) -> PlantOut {
-    let p = swayed(in);
-    return plant_at(in, p, port_to_view(space_of_chart(), p));
+    let rest = from_reference(in);
+    let p = rest + swayed_by(in);
+    let space = space_of_chart();
+    return plant_at(in, rest, p, port_to_view(space, rest), port_to_view(space, p));
 }
 
 @vertex
 fn vertex_plant_framed(in: VertexIn) -> PlantOut {
-    let p = swayed(in);
-    let q = in_common_axes(p);
-    return plant_at(in, p, in.frame_origin + in.frame_x * q.x + in.frame_y * q.y + in.frame_z * q.z);
+    let rest = from_reference(in);
+    let p = rest + swayed_by(in);
+    return plant_at(in, rest, p, framed_view(in, rest), framed_view(in, p));
 }
 
 // What maps of shadows and the next pixel are asked about a pixel of a plant: before it may be discarded.
@@ -107,7 +115,7 @@ fn plant_pixel(in: PlantOut) -> PlantPixel {
     if BY_PIXEL {
         steps = Steps(dpdx(in.grain), dpdy(in.grain), dpdx(in.view), dpdy(in.view));
     }
-    return PlantPixel(shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal), steps);
+    return PlantPixel(shaded_at(in.rest.xyz, in.rest, in.facing, in.frame_normal), steps);
 }
 
 // Whether leaves leave a pixel to what is behind them. Not in software: there the question alone costs a twelfth of a picture.

@@ -138,13 +138,16 @@ fn vertex(in: VertexIn) -> VertexOut {
     return land_at(in, p, port_to_view(space_of_chart(), p));
 }
 
+fn framed_view(in: VertexIn, p: vec3<f32>) -> vec4<f32> {
+    let q = in_common_axes(p);
+    return in.frame_origin + in.frame_x * q.x + in.frame_y * q.y + in.frame_z * q.z;
+}
+
 // The whole chunk by one first-order map, where that errs by less than anyone can see.
 @vertex
 fn vertex_framed(in: VertexIn) -> VertexOut {
     let p = from_reference(in);
-    let q = in_common_axes(p);
-    let view = in.frame_origin + in.frame_x * q.x + in.frame_y * q.y + in.frame_z * q.z;
-    return land_at(in, p, view);
+    return land_at(in, p, framed_view(in, p));
 }
 
 // How far over the edge of its chart land throws shadows: half an edge of a triangle, so that there is no gap, metres.

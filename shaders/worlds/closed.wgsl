@@ -146,6 +146,10 @@ fn caster_point(p: vec3<f32>) -> vec4<f32> {
     return port(space, p);
 }
 
+fn shadow_place(place: vec3<f32>, view: vec4<f32>) -> vec4<f32> {
+    return view;
+}
+
 fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> Shaded {
     if SHADOWS == 0u {
         return NOT_SHADED;

@@ -67,6 +67,10 @@ fn caster_point(p: vec3<f32>) -> vec4<f32> {
     return vec4<f32>(p, 1.0);
 }
 
+fn shadow_place(place: vec3<f32>, view: vec4<f32>) -> vec4<f32> {
+    return vec4<f32>(place, 1.0);
+}
+
 fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> Shaded {
     if SHADOWS == 0u {
         return NOT_SHADED;

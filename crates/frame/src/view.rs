@@ -28,8 +28,8 @@ pub struct View {
     pub mark: Option<ChartPoint>,
     /// Whether faint contour bands are drawn on the land.
     pub contour_bands: bool,
-    /// Whether leaves and grass sway in the wind.
-    pub wind: bool,
+    /// How far the waves of the wind have gone by, of gusts and of what flutters in them, radians; nothing where it is still.
+    pub wind: Option<[f32; 2]>,
     /// What the picture may leave out or simplify.
     pub quality: Quality,
     /// An isometry of the space that is applied to view coordinates, in metres and w without unit. The identity gives the
@@ -60,7 +60,7 @@ impl View {
             shows_marks: true,
             mark: None,
             contour_bands: false,
-            wind: true,
+            wind: None,
             quality: Quality::default(),
             isometry: DMat4::IDENTITY,
             cuts: [DVec4::ZERO; Self::CUTS],

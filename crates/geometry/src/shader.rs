@@ -11,7 +11,7 @@ pub const MAP_FUNCTIONS: [&str; 6] = [
 ];
 
 /// The functions that the text of every kind of daylight defines; what they are for, `shaders/lights.wgsl` says.
-pub const DAYLIGHT_FUNCTIONS: [&str; 19] = [
+pub const DAYLIGHT_FUNCTIONS: [&str; 20] = [
     "in_common_axes",
     "grain_point",
     "grain_up",
@@ -27,6 +27,7 @@ pub const DAYLIGHT_FUNCTIONS: [&str; 19] = [
     "from_ring",
     "is_unlit",
     "caster_point",
+    "shadow_place",
     "shaded_at",
     "shadow_away",
     "on_map",

@@ -96,7 +96,12 @@ impl Growth {
     }
 
     /// What grows at a place under the sky, on a kind of ground and in a biome, where groves are so dense.
-    pub(crate) fn in_open(kind: Kind, biome: &str, dense: f32, draw: &mut Draw) -> Option<Self> {
+    pub(crate) fn in_open(
+        kind: Kind,
+        biome: &str,
+        dense: impl Fn() -> f32,
+        draw: &mut Draw,
+    ) -> Option<Self> {
         let sward = SWARDS.iter().find(|it| it.biome == biome)?;
         let [chance, which] = [draw.share(), draw.share()];
         let (grass, flowers) = match kind {
@@ -108,6 +113,11 @@ impl Growth {
             Kind::Soil | Kind::Clay => (0.0, 0.0),
             _ => return None,
         };
+        let most = sward.other.map_or(0.0, |(_, [in_groves, _])| in_groves);
+        if chance >= most + flowers + grass {
+            return None;
+        }
+        let dense = dense();
         let flowers = if dense > MEADOW { 0.0 } else { flowers };
         let (other, share) = match sward.other {
             Some((other, [in_groves, out])) => {

@@ -5,7 +5,7 @@
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Field, Kind, Level, Tuft, Vertex};
-use glam::{DVec3, IVec2, Vec2, Vec3};
+use glam::{DVec2, DVec3, IVec2, Vec2, Vec3};
 
 use crate::growth::Growth;
 use crate::noise::{Draw, grove};
@@ -113,6 +113,10 @@ impl<'a> Patch<'a> {
         let (kind, sky) = (Kind::of_byte(byte & 31)?, (byte >> 5).min(6));
         let is_level = ground.normal().y >= LEVEL;
         let place = self.coord.origin() + root.as_dvec3();
+        let domain = self.field.strategy().domain(self.coord.chart);
+        if domain.outside_m(DVec2::new(place.x, place.z)) > 0.0 {
+            return None;
+        }
         let growth = if sky <= CAVE_SKY {
             Growth::in_cave(kind, is_level, draw)
         } else if is_level {
@@ -120,7 +124,7 @@ impl<'a> Patch<'a> {
                 .field
                 .strategy()
                 .noise_point(ChartPoint::new(self.coord.chart, place));
-            let dense = grove(self.field.seed().rotate_left(7), noise);
+            let dense = || grove(self.field.seed().rotate_left(7), noise);
             Growth::in_open(kind, self.biome(Vec2::new(root.x, root.z)), dense, draw)
         } else {
             None

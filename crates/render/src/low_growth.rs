@@ -2,13 +2,13 @@
 //!
 //! Farther from the eye it is coarser, scarcer and lower, so that it ends without an edge; the mesh is made anew as the eye moves.
 
-use antipode_frame::Quality;
+use antipode_frame::{Frame, Quality};
 use antipode_plants::{Growth, low_shape};
 use antipode_terrain::Tuft;
 use glam::Vec3;
 
 use crate::baked::Baked;
-use crate::chunk_store::GpuChunk;
+use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::land_mesh::LandMesh;
 use crate::pages::Pages;
 use crate::renderer::Preset;
@@ -19,8 +19,8 @@ const CARD: Reach = Reach {
     share: 1.0,
 };
 const SOFTWARE: Reach = Reach {
-    m: 22.0,
-    share: 0.6,
+    m: 20.0,
+    share: 0.5,
 };
 /// The share of the distance in the fast quality.
 const FAST_SHARE: f32 = 0.6;
@@ -31,12 +31,13 @@ const LOWER: f32 = 0.7;
 /// How much of it is left at the end of the reach.
 const LEFT: f32 = 0.3;
 /// It is made anew when the eye has moved so far, metres.
-const MOVED_M: f32 = 2.5;
+pub const MOVED_M: f32 = 2.5;
 
-/// How far from the eye small growth is drawn, metres, and the share of it that is.
+/// How far from the eye small growth is drawn, and the share of it that is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach {
-    m: f32,
+    /// Metres.
+    pub m: f32,
     share: f32,
 }
 
@@ -61,14 +62,24 @@ impl Reach {
 #[derive(Debug)]
 pub struct LowGrowth {
     mesh: LandMesh,
-    /// Where the eye was, metres from the chunk's corner, and how far it reached.
-    made_for: (Vec3, Reach),
+    /// Where the eye was, metres from the chunk's corner, and how far it reached; nothing of one that is not what grows there any
+    /// more, and is shown until the new one is made.
+    made_for: Option<(Vec3, Reach)>,
 }
 
 impl LowGrowth {
     /// The mesh.
     pub fn mesh(&self) -> &LandMesh {
         &self.mesh
+    }
+
+    /// The same, to be made anew.
+    #[must_use]
+    pub fn outdated(self) -> Self {
+        Self {
+            made_for: None,
+            ..self
+        }
     }
 
     /// Gives its room back.
@@ -99,17 +110,39 @@ fn baked(tufts: &[Tuft], eye: Vec3, reach: Reach) -> Baked {
     all
 }
 
+impl ChunkStore {
+    /// Leaves out what grows low on chunks that are out of reach.
+    pub(crate) fn wither(&mut self, frame: &Frame, reach: Reach) {
+        let (strategy, eye) = (&frame.view.strategy, frame.view.eye.point);
+        for (coord, chunk) in &mut self.chunks {
+            let Some(low) = chunk.low.take() else {
+                continue;
+            };
+            let carried = strategy.carry(eye, coord.chart);
+            let away_m = carried.map_or(f64::INFINITY, |eye| {
+                let pos = eye.point.pos;
+                pos.distance(pos.clamp(chunk.land.min, chunk.land.max))
+            });
+            if away_m > f64::from(reach.m + MOVED_M) {
+                low.give_back(&mut self.pages);
+            } else {
+                chunk.low = Some(low);
+            }
+        }
+    }
+}
+
 impl GpuChunk {
-    /// Shows what grows low on it within reach of an eye, which is told from the chunk's corner; returns how many corners that
-    /// took.
-    pub fn sprout(&mut self, eye: Option<Vec3>, reach: Reach, pages: &mut Pages) -> usize {
+    /// Shows what grows low on it within reach of an eye, which is told from the chunk's corner and may have moved so far since;
+    /// returns how many corners that took.
+    pub fn sprout(&mut self, eye: Vec3, reach: Reach, moved_m: f32, pages: &mut Pages) -> usize {
         let tufts = &self.source.tufts;
-        let Some(eye) = eye.filter(|_| !tufts.is_empty()) else {
+        if tufts.is_empty() {
             return 0;
-        };
+        }
         let is_same = |it: &LowGrowth| {
-            let (then, reached) = it.made_for;
-            then.distance(eye) < MOVED_M && reached == reach
+            it.made_for
+                .is_some_and(|(then, reached)| then.distance(eye) <= moved_m && reached == reach)
         };
         if self.low.as_ref().is_some_and(is_same) {
             return 0;
@@ -121,7 +154,7 @@ impl GpuChunk {
         let corners = baked.corners();
         self.low = Some(LowGrowth {
             mesh: baked.put(pages),
-            made_for: (eye, reach),
+            made_for: Some((eye, reach)),
         });
         corners
     }

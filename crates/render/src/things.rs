@@ -15,7 +15,7 @@ use crate::baked::{Baked, MARGIN_M};
 use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::draw_list::DrawList;
 use crate::land_mesh::LandMesh;
-use crate::low_growth::{LowGrowth, Reach};
+use crate::low_growth::{LowGrowth, MOVED_M, Reach};
 use crate::pages::Pages;
 use crate::plan::{ChunkChoice, FramePlan};
 use crate::renderer::Preset;
@@ -223,8 +223,12 @@ impl ChunkStore {
         let Some(chunk) = self.chunks.get_mut(&coord) else {
             return;
         };
-        let things = &chunk.source.things;
+        let (things, tufts) = (&chunk.source.things, &chunk.source.tufts);
         let before = old.and_then(|old| {
+            let is_same = old.source.tufts == *tufts;
+            // Until the new one is made there would be bare ground.
+            let low = old.low.take_if(|_| !tufts.is_empty());
+            chunk.low = low.map(|it| if is_same { it } else { it.outdated() });
             let is_same = old.source.things == *things;
             old.grown.take_if(|_| is_same)
         });
@@ -239,6 +243,10 @@ impl ChunkStore {
         let land = self.land();
         let mut left = if self.rush { usize::MAX } else { CORNERS };
         let reach = Reach::of(frame.view.quality, preset);
+        self.wither(frame, reach);
+        // Neither keeps the other from growing.
+        let mut left_low = left;
+        let moved_m = if self.rush { 0.0 } else { MOVED_M };
         for choice in &plan.chunks {
             let chunk = &land.land()[choice.place];
             let Some(grown) = self.chunks.get_mut(&chunk.coord) else {
@@ -253,9 +261,11 @@ impl ChunkStore {
                 })
                 .flatten();
             let eye = eye.map(|eye| (eye.point.pos - chunk.coord.origin()).as_vec3());
-            if choice.distance_m < SINGLY_M {
-                let made = grown.sprout(eye, reach, &mut self.pages);
-                left = left.saturating_sub(made);
+            if let Some(eye) =
+                eye.filter(|_| choice.distance_m < f64::from(reach.m) && left_low > 0)
+            {
+                let made = grown.sprout(eye, reach, moved_m, &mut self.pages);
+                left_low = left_low.saturating_sub(made);
             }
             if grown.grown.is_none() {
                 continue;

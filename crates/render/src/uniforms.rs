@@ -18,8 +18,7 @@ const CONTOUR_STRENGTH: f32 = 0.24;
 /// Grain repeats after this many metres, so that its coordinates stay small however far one walks.
 const GRAIN_PERIOD_M: f64 = 256.0;
 
-/// How fast gusts go by and how fast they flutter, radians a second, and how far a gust bends a blade's tip, metres.
-const WIND_PER_S: [f32; 2] = [0.9, 5.3];
+/// How far a gust bends a blade's tip, metres.
 const WIND_M: f32 = 0.12;
 
 /// `Scene` of common.wgsl.
@@ -133,15 +132,8 @@ impl SceneUniform {
 
 /// The wind of a moment: the turns of gusts and of what flutters, radians, and how far it bends, metres.
 fn wind(frame: &Frame) -> [f32; 4] {
-    let turn =
-        |rate_per_s: f32| (frame.content.time_s * rate_per_s).rem_euclid(std::f32::consts::TAU);
-    let [gust, flutter] = WIND_PER_S.map(turn);
-    [
-        gust,
-        flutter,
-        if frame.view.wind { WIND_M } else { 0.0 },
-        0.0,
-    ]
+    let turns = frame.view.wind;
+    turns.map_or([0.0; 4], |[gust, flutter]| [gust, flutter, WIND_M, 0.0])
 }
 
 /// Where a body of a closed world stands: a unit vector of the model in view coordinates.

@@ -219,7 +219,7 @@ impl Scene {
             fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
             covered: 1.0 - self.field().sky_left(eye.point),
             contour_bands: self.shown.viewing.contour_bands,
-            wind: self.shown.viewing.sways(),
+            wind: self.shown.viewing.sways().then(|| wind(moment.simulated_s)),
             quality: self.shown.quality,
             ..View::new(eye, Projection::new(fov_y_rad, aspect, NEAR_M), strategy)
         };
@@ -433,4 +433,11 @@ impl Seen {
         let found = self.bots.iter().find(|(other, _)| *other == id);
         found.map_or(otherwise, |(_, point)| *point)
     }
+}
+/// How fast gusts go by and how fast they flutter, radians a second.
+const WIND_PER_S: [f64; 2] = [0.9, 5.3];
+
+/// How far the waves of the wind have gone by, radians.
+fn wind(simulated_s: f64) -> [f32; 2] {
+    WIND_PER_S.map(|rate| (simulated_s * rate).rem_euclid(std::f64::consts::TAU) as f32)
 }

@@ -152,9 +152,10 @@ impl Scene {
         loop {
             let left = until.saturating_duration_since(Instant::now());
             let updates = self.sim.world.streamer.wait(Until::Idle, left);
+            let is_last = updates.is_empty();
             self.apply(updates);
             // What was applied may ask for more: a tree falls whose ground is gone.
-            if self.pending() == 0 || left.is_zero() {
+            if self.pending() == 0 || is_last {
                 break;
             }
         }

@@ -126,6 +126,9 @@ fn is_clear(units: u16) -> bool {
     f64::from(units) > FLOOR_CLEARANCE_M * f64::from(UNITS_PER_M)
 }
 
+/// How high reeds may stand, metres.
+const LOW_GROWTH_M: f64 = 2.6;
+
 impl ChunkLand {
     /// The land of a mesh.
     pub fn of(coord: ChunkCoord, mesh: &ChunkMesh) -> Self {
@@ -144,12 +147,17 @@ impl ChunkLand {
         } else {
             (corner(min), corner(max))
         };
+        let low_m = if mesh.tufts.is_empty() {
+            0.0
+        } else {
+            LOW_GROWTH_M
+        };
         Self {
             coord,
             level: mesh.level,
             min,
             max,
-            whole: with_things([min, max], origin, &mesh.things),
+            whole: with_things([min, max + DVec3::Y * low_m], origin, &mesh.things),
             triangles: mesh.triangles().len(),
             error_m: f64::from(mesh.error_m),
             ground: Ground::of(mesh),
