@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_plants::{Age, Species, placed_near};
-use antipode_scene::{Actions, Generator, Kind, Mode, Scene, WorldSetup};
+use antipode_scene::{Actions, Generator, Kind, Mode, Scene, Viewing, WorldSetup};
 use antipode_storage::{Batch, FelledRecord, Record, RecordKind, WorldStore};
 use glam::DVec3;
 
@@ -78,6 +78,17 @@ fn chop() -> Actions {
         primary: true,
         ..Actions::default()
     }
+}
+
+/// Chops until so many are felled and so many of them still fall.
+fn chop_until(scene: &mut Scene, wanted: (u32, usize)) {
+    for _ in 0..1000 {
+        steps(scene, 1, &chop());
+        if felled(scene) == wanted {
+            return;
+        }
+    }
+    panic!("{:?} and not {wanted:?}", felled(scene));
 }
 
 #[test]
@@ -223,13 +234,7 @@ fn a_tree_that_still_falls_when_the_world_is_left_stands_there_again() {
     let (root, species) = tree(&scene);
     stand_before(&mut scene, root, 2.0);
     let before = scene.probe().plants.unwrap().near[species.name()];
-    for _ in 0..600 {
-        steps(&mut scene, 1, &chop());
-        if felled(&scene) == (1, 1) {
-            break;
-        }
-    }
-    assert_eq!(felled(&scene), (1, 1));
+    chop_until(&mut scene, (1, 1));
     scene.close().unwrap();
 
     let store = WorldStore::open(&here).unwrap();
@@ -251,12 +256,7 @@ fn what_was_felled_stays_so_in_the_save_and_nothing_else_is_kept_of_it() {
     let (root, species) = tree(&scene);
     stand_before(&mut scene, root, 2.0);
     let before = scene.probe().plants.unwrap().near[species.name()];
-    for _ in 0..1000 {
-        steps(&mut scene, 1, &chop());
-        if felled(&scene) == (1, 0) {
-            break;
-        }
-    }
+    chop_until(&mut scene, (1, 0));
     scene.close().unwrap();
 
     let store = WorldStore::open(&here).unwrap();
@@ -303,12 +303,7 @@ fn kept_with_felled(columns: i32) -> (u32, [f64; 2]) {
     let (root, _) = tree(&scene);
     stand_before(&mut scene, root, 2.0);
     let before = felled(&scene).0;
-    for _ in 0..600 {
-        steps(&mut scene, 1, &chop());
-        if felled(&scene) == (before + 1, 0) {
-            break;
-        }
-    }
+    chop_until(&mut scene, (before + 1, 0));
     let began = Instant::now();
     scene.close().unwrap();
     let saved_s = began.elapsed().as_secs_f64();
@@ -326,4 +321,26 @@ fn a_world_with_a_hundred_thousand_felled_trees_is_kept_as_one_with_none() {
     let (all, with_s) = kept_with_felled(1563);
     println!("loaded and saved in {without_s:.3?} s without, {with_s:.3?} s with");
     assert_eq!((none, all), (1, 64 * 1563 + 1));
+}
+
+#[test]
+fn leaves_sway_as_time_goes_by_unless_a_setting_stills_them() {
+    let mut scene = open(planted(Geometry::Euclidean));
+    let wind = |scene: &mut Scene| scene.frame(1.2, 1.5, 360).view.wind;
+    let first = wind(&mut scene).unwrap();
+    steps(&mut scene, 30, &Actions::default());
+    let later = wind(&mut scene).unwrap();
+    assert!(
+        (later[0] - first[0] - 0.45).abs() < 1e-3,
+        "{first:?} {later:?}"
+    );
+    let before = scene.viewing();
+    for (wind_blows, reduced_motion) in [(false, false), (true, true)] {
+        scene.set_viewing(Viewing {
+            wind: wind_blows,
+            reduced_motion,
+            ..before
+        });
+        assert_eq!(wind(&mut scene), None);
+    }
 }
