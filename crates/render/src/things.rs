@@ -267,7 +267,7 @@ impl ChunkStore {
                 let made = grown.sprout(eye, reach, moved_m, &mut self.pages);
                 left_low = left_low.saturating_sub(made);
             }
-            if grown.grown.is_none() {
+            if grown.grown.is_none() || left == 0 {
                 continue;
             }
             let middle = chunk.coord.origin() + mean_root(&grown.source.things);
@@ -279,9 +279,6 @@ impl ChunkStore {
                 eye,
             };
             left = left.saturating_sub(grown.grow(&scale, &mut self.pages));
-            if left == 0 {
-                return;
-            }
         }
     }
 }
