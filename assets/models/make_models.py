@@ -35,6 +35,9 @@ ICONS = {
     "diamond_pickaxe": (things.diamond_pickaxe, (0.0, 0.13, 0.0), 0.78, 68.0, 18.0),
     "lamp": (things.lamp, (0.0, 0.232, 0.0), 0.53, 62.0, 16.0),
     "flag": (things.flag, (0.2, 1.22, 0.0), 1.06, 66.0, 12.0),
+    "log": (things.log, (0.0, 0.6, 0.0), 1.42, 52.0, 24.0),
+    "stone": (things.stone, (0.0, 0.22, 0.0), 0.72, 40.0, 24.0),
+    "seed": (things.seed, (0.0, 0.036, 0.0), 0.105, 40.0, 18.0),
     "door": (things.door, (0.0, 1.16, 0.0), 2.75, 38.0, 12.0),
 }
 ICON_PX = 128
@@ -85,7 +88,7 @@ def icon(name):
     make, middle, span, heading, height = ICONS[name]
     picture = Picture(ICON_PX, ICON_PX, 3)
     camera = picture.camera(middle, heading, height, span)
-    if "pickaxe" in name:
+    if "pickaxe" in name or name == "log":
         camera.roll(-38.0)
     picture.model(camera, make())
     return png(ICON_PX, ICON_PX, picture.pixels())

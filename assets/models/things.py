@@ -286,3 +286,51 @@ def iron_pickaxe():
 
 def diamond_pickaxe():
     return pickaxe("45d6d0", "b8fbf4", 6)
+
+
+def log():
+    """A piece of a trunk 1.2 m long that stands on its end."""
+    model = Model()
+    bark, pale, heart = "6b4a2f", "c79a63", "a8763f"
+    rows = []
+    for y, r in ((0.0, 0.150), (0.02, 0.163), (0.28, 0.156), (0.62, 0.160), (0.95, 0.153), (1.18, 0.160), (1.2, 0.148)):
+        points = ring((0.0, y, 0.0), (0.0, 0.0, r), (r, 0.0, 0.0), 14)
+        # Bark is not round: ribs go up it, and turn a little.
+        ribs = [1.0 + 0.045 * math.cos(5.0 * math.tau * k / 14 + 0.9 * y) for k in range(14)]
+        rows.append([(x * rib, h, z * rib) for (x, h, z), rib in zip(points, ribs)])
+    loft(rows, bark, bands=[pale] + [bark] * 4 + [pale], crease=38.0).into(model)
+    for y, up in ((1.2, 1.0), (0.0, -1.0)):
+        profile = [(y, 0.140), (y + 0.004 * up, 0.138), (y + 0.005 * up, 0.0)]
+        spun(profile if up > 0 else list(reversed(profile)), pale, sides=14).into(model)
+        profile = [(y + 0.004 * up, 0.07), (y + 0.008 * up, 0.066), (y + 0.009 * up, 0.0)]
+        spun(profile if up > 0 else list(reversed(profile)), heart, sides=10).into(model)
+    # The end of a branch.
+    tube([(0.12, 0.78, 0.03), (0.21, 0.84, 0.05)], [0.042, 0.030], bark, 7).into(model)
+    spun([(0.208, 0.024), (0.2125, 0.0)], pale, "x", (0.0, 0.845, 0.05), 7).into(model)
+    return model
+
+
+def stone():
+    """A stone half a metre across that lies on the ground."""
+    model = Model()
+    rows = []
+    for k, (y, r) in enumerate(((0.0, 0.17), (0.06, 0.245), (0.20, 0.275), (0.34, 0.24), (0.44, 0.15), (0.47, 0.05))):
+        points = ring((0.0, y, 0.0), (0.0, 0.0, 0.92 * r), (1.08 * r, 0.0, 0.0), 9, phase=0.3 * k)
+        bumps = [1.0 + 0.09 * math.sin(2.7 * i + 1.9 * k) for i in range(9)]
+        rows.append([(x * bump, h + 0.02 * (bump - 1.0) / 0.09 * min(k, 1), z * bump)
+                     for (x, h, z), bump in zip(points, bumps)])
+    bands = ["6f7377", "7d8286", "8b9094", "979c9f", "a3a7a9"]
+    loft(rows, "8b9094", bands=bands, crease=16.0).into(model)
+    return model
+
+
+def seed():
+    """A nut 7 cm high that lies with its tip up."""
+    model = Model()
+    nut, cap = "9a5b2a", "5d4427"
+    spun([(0.0, 0.012), (0.006, 0.020), (0.022, 0.0245), (0.038, 0.023), (0.050, 0.016), (0.058, 0.006), (0.064, 0.0)], nut,
+         sides=14, crease=70.0).into(model)
+    spun([(-0.001, 0.0), (0.0, 0.016), (0.008, 0.0255), (0.020, 0.0275), (0.024, 0.0245)], cap, sides=14,
+         bands=[cap, cap, "7a5c36", cap], crease=40.0).into(model)
+    tube([(0.0, 0.060, 0.0), (0.006, 0.074, 0.0), (0.016, 0.082, 0.0)], [0.004, 0.0035, 0.002], "6fae3f", 6).into(model)
+    return model

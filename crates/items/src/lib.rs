@@ -20,7 +20,9 @@ struct Row {
     held: Held,
     digs_per_s: Option<f32>,
     power: Option<u8>,
-    made: Option<Made>,
+    made: &'static [Made],
+    is_of: Option<(&'static str, f64)>,
+    rolls_m: Option<f64>,
     shines: bool,
     stands: Option<Stands>,
 }
@@ -78,6 +80,8 @@ pub struct Stands {
     pub level_up: f64,
     /// How it is turned to the right of where who puts it down looks, degrees; none where all look the same way.
     pub turned_deg: Option<f64>,
+    /// Whether bodies on foot bump into that capsule, as a prism.
+    pub is_solid: bool,
 }
 
 /// What fits in a hand is held before the eye no farther off than this, metres.
@@ -123,9 +127,19 @@ impl Item {
         self.row().at_start_gathering
     }
 
-    /// How it is made of ground; `None` for what is not.
-    pub fn made(self) -> Option<&'static Made> {
-        self.row().made.as_ref()
+    /// The ways in which it is made of ground; none for what is not.
+    pub fn made(self) -> &'static [Made] {
+        self.row().made
+    }
+
+    /// Of what kind of ground it is, by name, and how much, cubic metres, where who gathers takes it up as that.
+    pub fn is_of(self) -> Option<(&'static str, f64)> {
+        self.row().is_of
+    }
+
+    /// The radius on which it rolls about its height when it lies on its side, metres; `None` for what stays where it falls.
+    pub fn rolls_m(self) -> Option<f64> {
+        self.row().rolls_m
     }
 
     /// How hard ground it digs in gathering worlds; `None` for what does not dig.

@@ -13,7 +13,7 @@ mod species;
 mod undergrowth;
 
 pub use growth::Growth;
-pub use placement::{placed, placed_near};
+pub use placement::{placed, placed_near, tree_at};
 pub use shape::{Corner, Material, Shape, Size, low_shape, shape};
 pub use solid::add_solids;
 pub use species::{Age, Species, Trunk, left_of};

@@ -71,6 +71,14 @@ pub fn placed_near(
     found.into_iter().filter_map(known)
 }
 
+/// The tree at a share, 0 to 1, of all that grow in the land about a place; an oak where that bears none.
+pub fn tree_at(field: &Field, point: ChartPoint, share: f32) -> Species {
+    let habitat = Habitat::of(field.biome_at(point).name());
+    habitat
+        .and_then(|it| it.tree(share))
+        .unwrap_or(Species::Oak)
+}
+
 /// The plan of a chart.
 struct Plan<'a> {
     field: &'a Field,

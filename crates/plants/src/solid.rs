@@ -14,6 +14,9 @@ const BELOW_M: f32 = 0.5;
 /// How wide a boulder is at its top, as a share of its foot; a trunk.
 const TAPER: (f32, f32) = (0.55, 0.9);
 
+/// Of a thinner trunk nobody takes notice, metres.
+const THINNEST_M: f32 = 0.04;
+
 /// Adds what is solid of things to the corners and triangles of a mesh, in metres from the same corner as theirs; the triangles
 /// are counter-clockwise seen from outside.
 pub fn add_solids(things: &[Thing], corners: &mut Vec<[f32; 3]>, triangles: &mut Vec<[u32; 3]>) {
@@ -30,6 +33,9 @@ fn add_solid(
     let (species, age) = (Species::of_byte(thing.species)?, Age::of_byte(thing.age)?);
     let trunk = species.trunk(age)?;
     let radius_m = trunk.radius_m as f32 * thing.scale;
+    if radius_m < THINNEST_M {
+        return None;
+    }
     let height_m = trunk.height_m as f32 * thing.scale;
     let taper = if species == Species::Boulder {
         TAPER.0

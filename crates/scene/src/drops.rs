@@ -10,6 +10,7 @@ use crate::actors::{Actors, retain};
 use crate::frame::Figure;
 use crate::ground_changed::OnGround;
 use crate::inventory::{Inventory, Stack};
+use crate::logs;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::pick::over;
@@ -18,6 +19,7 @@ use crate::sound::SoundEvent;
 use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
 use crate::world::World;
 use antipode_items::{Item, Lies};
+use antipode_terrain::Stock;
 
 /// How a thing lies on level ground: its turn, and how high its origin is over the ground, metres.
 pub fn lying(item: Item) -> (DQuat, f64) {
@@ -47,6 +49,8 @@ pub struct Drop {
     pub(crate) rests: bool,
     /// How it is turned about the vertical, radians.
     yaw_rad: f64,
+    /// How far it has rolled about its length, radians.
+    rolled_rad: f64,
 }
 
 impl Drop {
@@ -60,7 +64,35 @@ impl Drop {
             rests: true,
             // Nothing is known of it; things side by side are not to lie alike.
             yaw_rad: TURN_RAD_PER_M * (point.pos.x + point.pos.z),
+            rolled_rad: 0.0,
         }
+    }
+
+    /// A stack in the air that lies along a level way.
+    pub(crate) fn thrown(stack: Stack, point: ChartPoint, velocity: DVec3, along: DVec3) -> Self {
+        Self {
+            velocity,
+            age_s: 0.0,
+            rests: false,
+            yaw_rad: along.x.atan2(along.z),
+            ..Self::lying(stack, point)
+        }
+    }
+
+    /// The level way along which what rolls lies, and about which it turns.
+    fn axis(&self) -> DVec3 {
+        DVec3::new(self.yaw_rad.sin(), 0.0, self.yaw_rad.cos())
+    }
+
+    /// Whether it rolls at least so fast, m/s.
+    pub(crate) fn rolls_at(&self, speed_m_s: f64) -> bool {
+        let rolls = !self.rests && self.stack.item.rolls_m().is_some();
+        rolls && self.velocity.length() > speed_m_s
+    }
+
+    /// How its ball moves.
+    fn tuning(&self) -> BallTuning {
+        self.stack.item.rolls_m().map_or(DROP, logs::tuning)
     }
 
     /// Whether it is nearer than so many metres of the chart to a point.
@@ -91,11 +123,11 @@ pub(crate) fn throw_away(
             return;
         }
     }
-    let mut drop = Drop::lying(stack, head.point.moved(DVec3::NEG_Y * 0.3));
-    drop.age_s = 0.0;
-    drop.velocity = head.front() * DROP_SPEED_M_S + DVec3::Y;
-    drop.rests = false;
-    actors.enter(drop);
+    let front = head.front();
+    let velocity = front * DROP_SPEED_M_S + DVec3::Y;
+    let along = front.cross(DVec3::Y);
+    let point = head.point.moved(DVec3::NEG_Y * 0.3);
+    actors.enter(Drop::thrown(stack, point, velocity, along));
 }
 
 /// A thing as it is shown: on its ball's lowest point, along the slope of the ground where it lies near enough to be
@@ -109,15 +141,29 @@ pub(crate) fn shown(world: &World, feet: ChartPoint, drop: &Drop) -> Figure {
     } else {
         DVec3::Y
     };
-    let point = drop.point.moved(up * (height_m - DROP.radius_m));
+    let turn = DQuat::from_rotation_arc(DVec3::Y, up)
+        * DQuat::from_axis_angle(drop.axis(), drop.rolled_rad)
+        * DQuat::from_rotation_y(drop.yaw_rad)
+        * turn;
+    // What rolls does so about its middle.
+    let middle_m = item.rolls_m().and(item.stands()).map(|it| it.middle_m);
+    let to_origin = match middle_m {
+        Some(middle_m) => turn * DVec3::NEG_Y * middle_m,
+        None => up * (height_m - DROP.radius_m),
+    };
     Figure {
-        turn: DQuat::from_rotation_arc(DVec3::Y, up) * DQuat::from_rotation_y(drop.yaw_rad) * turn,
-        ..Figure::standing(item.into(), point, 0.0)
+        turn,
+        ..Figure::standing(item.into(), drop.point.moved(to_origin), 0.0)
     }
 }
 
 /// Lets things fall, and the player pick up those that are near.
-pub(crate) fn step(world: &World, actors: &mut Actors, player: &mut Player, outbox: &mut Outbox) {
+pub(crate) fn step(
+    world: &mut World,
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+) {
     let middle = actors
         .feet()
         .moved(DVec3::Y * (0.5 * actors.tuning.height_m));
@@ -127,11 +173,29 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &mut Player, outb
             drop.fall(world);
         }
     }
-    if player.picks_up() {
-        retain(&mut actors.ecs, |drop: &mut Drop| {
-            let is_near = drop.is_near(&*world.strategy, middle, PICK_UP_M);
-            !(is_near && drop.is_picked_up(&mut player.inventory, outbox))
-        });
+    logs::strike(world, actors, player, outbox);
+    if !player.picks_up() {
+        return;
+    }
+    let gathers = world.streamer.stock().is_some();
+    let mut brought = Stock::default();
+    retain(&mut actors.ecs, |drop: &mut Drop| {
+        let is_near = drop.is_near(&*world.strategy, middle, PICK_UP_M);
+        if !is_near || drop.age_s < PICK_UP_AFTER_S {
+            return true;
+        }
+        let Stack { item, count } = drop.stack;
+        match logs::ground_of(item, count).filter(|_| gathers) {
+            Some((kind, m3)) => {
+                outbox.sounds.push(SoundEvent::PickedUp);
+                brought.add(kind, m3);
+                false
+            }
+            None => !drop.is_picked_up(&mut player.inventory, outbox),
+        }
+    });
+    if brought != Stock::default() {
+        logs::gain(world, player, &brought);
     }
 }
 
@@ -146,20 +210,32 @@ impl Drop {
             centre: self.point.pos,
             velocity: self.velocity,
         };
-        let tuning: &BallTuning = &DROP;
         let before = self.point;
-        let touch = world
-            .physics
-            .chart(self.point.chart)
-            .throw_ball(&mut ball, tuning, STEP_S);
+        let touch =
+            world
+                .physics
+                .chart(self.point.chart)
+                .throw_ball(&mut ball, &self.tuning(), STEP_S);
         self.point.pos = ball.centre;
         self.velocity = ball.velocity;
-        self.yaw_rad += TURN_RAD_PER_M * STEP_S * self.velocity.with_y(0.0).length();
-        self.rests = touch.is_some() && ball.velocity.length() < RESTS_M_S;
+        if let Some(radius_m) = self.stack.item.rolls_m() {
+            let axis = self.axis();
+            if let Some(touch) = touch {
+                (self.velocity, self.rests) =
+                    logs::rolled(self.velocity, axis, touch.normal, self.age_s);
+            }
+            // Rolling ahead, it turns about what is ahead turned to the right about the upright.
+            let ahead = axis.cross(DVec3::Y);
+            self.rolled_rad += self.velocity.dot(ahead) * STEP_S / radius_m;
+        } else {
+            self.yaw_rad += TURN_RAD_PER_M * STEP_S * self.velocity.with_y(0.0).length();
+            self.rests = touch.is_some() && ball.velocity.length() < RESTS_M_S;
+        }
         if self.rests {
             self.velocity = DVec3::ZERO;
         }
         let door = world.through_door(before, self.point, self.velocity);
+        let along = self.axis();
         let crossed = door.or_else(|| {
             let crossing = world.strategy.cross(self.point)?;
             Some((crossing, crossing.turn_vector(self.velocity)))
@@ -167,14 +243,13 @@ impl Drop {
         if let Some((crossing, velocity)) = crossed {
             self.point = crossing.point;
             self.velocity = velocity;
+            let along = crossing.turn_vector(along);
+            self.yaw_rad = along.x.atan2(along.z);
         }
     }
 
     /// Goes to the player as far as there is room; returns whether nothing of it is left.
     fn is_picked_up(&mut self, inventory: &mut Inventory, outbox: &mut Outbox) -> bool {
-        if self.age_s < PICK_UP_AFTER_S {
-            return false;
-        }
         let left = inventory.give(self.stack.item, self.stack.count);
         if left < self.stack.count {
             outbox.sounds.push(SoundEvent::PickedUp);

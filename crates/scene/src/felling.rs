@@ -1,29 +1,27 @@
-//! What grows is felled here: by the tool in hand, or because the ground under it was dug away. A tree falls about its root,
-//! strikes whom it meets, and leaves its wood to who gathers.
+//! What grows is felled here: by the tool in hand, or because the ground under it was dug away. What was felled is known, and
+//! what of it a save has.
 
 use std::collections::BTreeMap;
-use std::f64::consts::FRAC_PI_2;
 
 use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_items::Item;
 use antipode_plants::{Age, Species};
 use antipode_storage::{FelledRecord, Record, RecordKind};
 use antipode_streaming::{Chunk, Column, Streamer, column_of};
-use antipode_terrain::{Cover, Kind, Stock, Thing};
-use glam::{DQuat, DVec2, DVec3, IVec3};
-use hecs::Entity;
+use antipode_terrain::{Cover, FIRST_PLANTED, Thing};
+use glam::{DVec2, DVec3, IVec3};
 
 use crate::actions::Actions;
-use crate::actors::{ActorId, Actors, all_mut};
-use crate::bot::Bot;
+use crate::actors::Actors;
 use crate::crosshair::Crosshair;
-use crate::damage::{DamageKind, hurt_bot, hurt_player};
-use crate::frame::FallingThing;
+use crate::falling::Falling;
 use crate::ground::chunks_near;
+use crate::logs;
 use crate::outbox::Outbox;
 use crate::particles::Effect;
 use crate::persist::All;
 use crate::pick::over;
-use crate::player::{Health, Player, Position};
+use crate::player::Player;
 use crate::probe::PlantsProbe;
 use crate::situation::Situation;
 use crate::sound::SoundEvent;
@@ -32,8 +30,6 @@ use crate::tool;
 use crate::tuning::{REACH_M, STEP_S};
 use crate::world::World;
 
-/// Gravity in the falling of a tree, m/s2.
-const GRAVITY_M_S2: f64 = 9.81;
 /// How far from what is solid of a thing a tool may be to strike it, metres.
 const STRIKES_M: f64 = 0.2;
 /// What it takes to fell the thinnest thing, and more for each metre of its radius, as tools dig: seconds with a wooden pickaxe.
@@ -42,17 +38,6 @@ const TOUGHNESS: (f64, f64) = (0.6, 7.0);
 const BRANCHES: f64 = 1.4;
 /// What is near in a probe, metres.
 const NEAR_M: f64 = 30.0;
-/// How far a tree leans when it begins to fall, radians, and how fast it tilts then, radians a second.
-const FIRST_LEAN_RAD: f64 = 0.04;
-const FIRST_RATE: f64 = 0.25;
-/// It lies at the latest when it hangs down so far, radians.
-const LAST_LEAN_RAD: f64 = 0.9 * std::f64::consts::PI;
-/// Where along its height a tree meets the ground, as shares.
-const MEETS_AT: [f64; 3] = [0.45, 0.7, 0.95];
-/// Whom a trunk strikes as it comes down: so far to either side of it besides its radius, and so much at least over the ground, metres.
-const STRUCK_M: f64 = 0.6;
-/// What that takes of somebody's health, for each metre of the tree's height.
-const DAMAGE_PER_M: f64 = 1.6;
 
 /// What was felled in a world, by columns of chunks: the number of the record, and a bit for each slot.
 #[derive(Clone, Debug, Default)]
@@ -88,8 +73,8 @@ impl Felled {
     /// What a save has of it. What still falls stands there again: its wood has not been had yet.
     pub fn records(&self, actors: &Actors, all: &mut All) {
         let falling = actors.map(|_, it: &Falling| {
-            let Standing { coord, thing, .. } = it.standing;
-            (column_of(coord), 1_u128.unbounded_shl(thing.slot.into()))
+            let (coord, slot) = it.slot();
+            (column_of(coord), 1_u128.unbounded_shl(slot.into()))
         });
         let landed = self.columns.iter().filter_map(|(column, (id, slots))| {
             let falls = falling.iter().filter(|(of, _)| of == column);
@@ -143,13 +128,18 @@ impl Standing {
     }
 
     /// What of it is solid: radius and height, metres.
-    fn solid_m(&self) -> Option<(f64, f64)> {
+    pub fn solid_m(&self) -> Option<(f64, f64)> {
         let (trunk, scale) = (self.species.trunk(self.age)?, f64::from(self.thing.scale));
         Some((trunk.radius_m * scale, trunk.height_m * scale))
     }
 
+    /// How high it stands, metres.
+    pub fn height_m(&self) -> f64 {
+        self.species.height_m(self.age) * f64::from(self.thing.scale)
+    }
+
     /// The wood in it, cubic metres.
-    fn wood_m3(&self) -> f64 {
+    pub fn wood_m3(&self) -> f64 {
         let volume = |(radius_m, height_m): (f64, f64)| {
             std::f64::consts::PI * radius_m * radius_m * height_m * BRANCHES
         };
@@ -176,58 +166,23 @@ pub(crate) struct Chop {
     done: f64,
 }
 
-/// A tree on its way down.
-#[derive(Clone, Debug)]
-pub(crate) struct Falling {
-    standing: Standing,
-    /// The way it falls, a level unit vector of the chart.
-    way: DVec3,
-    lean_rad: f64,
-    rate: f64,
-}
-
-impl Falling {
-    fn turn(&self) -> DQuat {
-        DQuat::from_axis_angle(DVec3::Y.cross(self.way), self.lean_rad)
-    }
-
-    /// A place so far up its trunk.
-    fn at(&self, up_m: f64) -> ChartPoint {
-        self.standing.root().moved(self.turn() * DVec3::Y * up_m)
-    }
-
-    fn height_m(&self) -> f64 {
-        self.standing.species.height_m(self.standing.age) * f64::from(self.standing.thing.scale)
-    }
-
-    /// As a picture has it.
-    fn shown(&self) -> FallingThing {
-        FallingThing {
-            point: self.standing.root(),
-            thing: self.standing.thing,
-            turn: self.turn(),
-        }
-    }
-}
-
-/// What falls at the moment.
-pub(crate) fn shown(actors: &Actors) -> Vec<FallingThing> {
-    actors.map(|_, it: &Falling| it.shown())
-}
-
 /// What a script may ask of what grows.
 pub(crate) fn probe(now: Situation<'_>) -> Option<PlantsProbe> {
     let (world, feet) = (now.world, now.feet());
-    if !world.setup.generator.has_things() {
+    if !world.setup.generator.has_things() && world.planted.count() == 0 {
         return None;
     }
     let mut near: BTreeMap<&'static str, usize> = BTreeMap::new();
+    let mut planted_m: f64 = 0.0;
     for coord in chunks_near(&*world.strategy, feet, NEAR_M) {
         let things = world.ground.things(coord).iter();
         for it in things.filter_map(|thing| Standing::of(coord, *thing)) {
             let there = over(&*world.strategy, feet, it.root());
             if there.pos.distance(feet.pos) <= NEAR_M {
                 *near.entry(it.species.name()).or_default() += 1;
+                if it.thing.slot >= FIRST_PLANTED && it.species.is_tree() {
+                    planted_m = planted_m.max(it.height_m());
+                }
             }
         }
     }
@@ -237,6 +192,8 @@ pub(crate) fn probe(now: Situation<'_>) -> Option<PlantsProbe> {
         near,
         ahead: ahead.map(|it| it.species.name()),
         felled: world.felled.count(),
+        planted: world.planted.count(),
+        planted_m,
         falling: now.actors.count::<Falling>(),
     })
 }
@@ -279,7 +236,7 @@ fn at(world: &World, point: ChartPoint) -> Option<Standing> {
         let things = world.ground.things(coord).iter();
         things.filter_map(move |thing| Standing::of(coord, *thing))
     });
-    all.find(|it| it.is_at(point) && !world.felled.has(it.coord, it.thing.slot))
+    all.find(|it| it.is_at(point) && world.stands(it.coord, &it.thing))
 }
 
 /// A step of a tool's work on a thing.
@@ -291,7 +248,7 @@ pub(crate) fn chop(
     it: Standing,
 ) {
     let strength = player.inventory.held();
-    let strength = strength.and_then(antipode_items::Item::brush_strength_per_s);
+    let strength = strength.and_then(Item::brush_strength_per_s);
     let struck_at = player.tool.map_or(it.root(), |mark| mark.point);
     if outbox.sounds.stroke_is_due(true, STEP_S) {
         outbox.sounds.push(SoundEvent::Dug { cover: Cover::Soil });
@@ -331,7 +288,7 @@ pub(crate) fn put_edited(sim: &mut Simulation, chunks: Vec<Chunk>) {
     for chunk in chunks {
         for (coord, thing) in world.put(chunk) {
             let standing = Standing::of(coord, thing);
-            if let Some(it) = standing.filter(|_| !world.felled.has(coord, thing.slot)) {
+            if let Some(it) = standing.filter(|_| world.stands(coord, &thing)) {
                 let down = world.ground.normal(it.root()).as_dvec3().with_y(0.0);
                 fell(world, actors, player, outbox, it, down);
             }
@@ -347,109 +304,44 @@ fn fell(
     it: Standing,
     way: DVec3,
 ) {
-    let slot = 1_u128.unbounded_shl(it.thing.slot.into());
-    world.felled.add(column_of(it.coord), slot);
+    if it.thing.slot < FIRST_PLANTED {
+        world
+            .felled
+            .add(column_of(it.coord), 1_u128 << it.thing.slot);
+    } else {
+        world.planted.fell(it.coord, it.thing.slot);
+    }
     world.streamer.fell(it.coord, it.thing.slot);
     outbox.effects.push(Effect::Chopped { at: it.root() });
     if it.species.is_tree() {
-        actors.enter(Falling {
-            standing: it,
-            way: way.normalize_or(DVec3::X),
-            lean_rad: FIRST_LEAN_RAD,
-            rate: FIRST_RATE,
-        });
+        actors.enter(Falling::begin(it, way));
     } else if it.species == Species::Boulder {
-        let (radius_m, height_m) = it.solid_m().unwrap_or_default();
-        gain(
-            world,
-            player,
-            Kind::Rock,
-            radius_m * radius_m * height_m * 2.0,
-        );
+        break_boulder(world, actors, player, &it, way);
     }
 }
 
-/// Gives who gathers what a thing was made of, and shows it as what a stroke brings.
-fn gain(world: &mut World, player: &mut Player, kind: Kind, m3: f64) {
-    let mut brought = Stock::default();
-    brought.add(kind, m3);
-    if world.streamer.spend(&brought.negative()) {
-        player.presses += 1;
-        let now_s = world.simulated_s;
-        let nothing = antipode_terrain::Earth::default();
-        player
-            .earthworks
-            .enter(player.presses, &nothing, &brought, now_s);
-    }
-}
-
-/// Lets what falls go on: a rod about its end, which gravity turns by `3 g sin(lean) / (2 length)` a second squared.
-pub(crate) fn step(
+/// A boulder falls to stones, away from the blow.
+fn break_boulder(
     world: &mut World,
     actors: &mut Actors,
     player: &mut Player,
-    outbox: &mut Outbox,
+    it: &Standing,
+    way: DVec3,
 ) {
-    let mut landed: Vec<(ActorId, Falling)> = Vec::new();
-    for (id, it) in all_mut::<Falling>(&mut actors.ecs) {
-        it.rate += 1.5 * GRAVITY_M_S2 * it.lean_rad.sin() / it.height_m() * STEP_S;
-        it.lean_rad += it.rate * STEP_S;
-        let meets = |share: &f64| world.ground.is_solid(it.at(share * it.height_m()));
-        let lies = it.lean_rad > 0.5 * FRAC_PI_2 && MEETS_AT.iter().any(meets);
-        if lies || it.lean_rad > LAST_LEAN_RAD {
-            landed.push((id, it.clone()));
-        }
-    }
-    for (id, it) in landed {
-        actors.remove::<Falling>(id);
-        land(world, actors, player, outbox, &it);
-    }
+    let (radius_m, height_m) = it.solid_m().unwrap_or_default();
+    let count = logs::pieces_in(Item::Stone, radius_m * radius_m * height_m * 2.0);
+    let ahead = way.normalize_or(DVec3::X);
+    let aside = ahead.cross(DVec3::Y);
+    let piece = |share: f64| {
+        let out = (ahead + aside * (4.0 * share - 2.0)).normalize();
+        let point = it
+            .root()
+            .moved(out * 0.5 * radius_m + DVec3::Y * (0.5 * height_m + 0.2));
+        (point, out * 1.5 + DVec3::Y, out.cross(DVec3::Y))
+    };
+    let left = logs::leave(actors, Item::Stone, count, piece);
+    logs::gain_left(world, player, Item::Stone, left);
 }
 
-/// A tree comes down: it strikes whom it meets, and is broken into wood.
-fn land(
-    world: &mut World,
-    actors: &mut Actors,
-    player: &mut Player,
-    outbox: &mut Outbox,
-    it: &Falling,
-) {
-    let speed_m_s = it.rate * it.height_m();
-    for share in [0.2, 0.45, 0.7, 0.95] {
-        let at = it.at(share * it.height_m());
-        outbox.effects.push(Effect::Landed { at, speed_m_s });
-        outbox.effects.push(Effect::Chopped { at });
-    }
-    let cover = Cover::Soil;
-    outbox.sounds.push(SoundEvent::Landed { cover, speed_m_s });
-    let (radius_m, _) = it.standing.solid_m().unwrap_or_default();
-    let damage = DAMAGE_PER_M * it.height_m();
-    let strategy = &*world.strategy;
-    let is_under = |feet: ChartPoint| {
-        let root = it.standing.root();
-        let from = over(strategy, root, feet).pos - root.pos;
-        let along_m = from.dot(it.way);
-        let across_m = from.dot(it.way.cross(DVec3::Y)).abs();
-        let trunk = it.turn() * DVec3::Y;
-        let over_m = trunk.y / trunk.dot(it.way).max(0.1) * along_m - from.y;
-        (0.5..it.height_m()).contains(&along_m)
-            && across_m < radius_m + STRUCK_M
-            && (-1.0..2.5).contains(&over_m)
-    };
-    let hit: Vec<Entity> = {
-        let mut bots = actors.ecs.query::<(Entity, &Bot, &Position, &Health)>();
-        let living = bots.iter().filter(|(.., health)| health.0 > 0.0);
-        let under = living.filter(|(_, _, position, _)| is_under(position.0));
-        under.map(|(entity, ..)| entity).collect()
-    };
-    let hits_player = is_under(actors.feet()) && !actors.cars.is_driving();
-    for entity in hit {
-        let by = Some(actors.player);
-        hurt_bot(actors, entity, damage, by);
-    }
-    if hits_player {
-        let from = Some(-it.way);
-        hurt_player(actors, player, outbox, damage, DamageKind::Tree, from);
-    }
-    gain(world, player, Kind::Wood, it.standing.wood_m3());
-}
+#[cfg(test)]
+mod tests;

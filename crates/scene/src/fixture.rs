@@ -25,6 +25,10 @@ use crate::tuning::{FIXTURE_REACH_M, REACH_M, STEP_S};
 use crate::world::World;
 use crate::{door_place, flag, lamp};
 
+mod solid;
+
+pub(crate) use solid::solids;
+
 /// Those within this of the player are looked after, in metres: further off nobody changes the ground.
 const NEAR_M: f64 = 40.0;
 /// How far up what was built over looks for air, and in what steps, in metres.

@@ -26,7 +26,7 @@ use crate::scene::Scene;
 use crate::shown::figures_seen_by;
 use crate::tuning::{DOOR_FOG_M, NEAR_M, STEP_S};
 use crate::world::World;
-use crate::{door, felling, fixture, hand};
+use crate::{door, falling, fixture, hand, planting};
 
 /// Identifies a figure or a light, so that it can be found again after the next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,6 +111,7 @@ impl Scene {
         };
         let marker = self.marker().filter(Marker::is_shown);
         let marker = marker.or_else(|| fixture::marker(now));
+        let marker = marker.or_else(|| planting::marker(now));
         let still = self.shown.viewing.reduced_motion;
         let mut moment = self.moment_of(taker, camera, self.lens(), mode != CameraMode::First);
         let foreseen = fixture::foreseen(now).map(|it| (Who::Foreseen, it));
@@ -147,7 +148,7 @@ impl Scene {
             strategy: Arc::clone(lens.strategy()),
             lens: lens.clone(),
             figures: figures_seen_by(self, &camera.eye, sees_player),
-            falling: felling::shown(&self.sim.actors),
+            falling: falling::shown(&self.sim.actors),
             lit: lights(self, &camera.eye),
             hand: None,
             mark: None,

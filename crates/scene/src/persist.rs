@@ -41,6 +41,7 @@ pub(crate) fn records(
     }));
     single(Record::View(view_record(world, player)));
     world.felled.records(actors, &mut all);
+    world.planted.records(actors, &mut all);
     things(actors, player, &mut all);
     figures(actors, &mut all);
     all.extend(actors.map(|id, car: &Car| {

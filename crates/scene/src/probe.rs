@@ -116,6 +116,10 @@ pub struct PlantsProbe {
     pub ahead: Option<&'static str>,
     /// How many were felled in this world.
     pub felled: u32,
+    /// How many trees somebody planted, that stand.
+    pub planted: usize,
+    /// The height of the tallest of those within 30 metres, metres; 0 for none.
+    pub planted_m: f64,
     /// How many trees fall at the moment.
     pub falling: usize,
 }

@@ -24,6 +24,7 @@ use crate::notice::Notice;
 use crate::npc::mind::Mind;
 use crate::npc::tuning::ANGRY_S;
 use crate::persist::All;
+use crate::planting::{self, MOST_PLANTED};
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS};
@@ -183,6 +184,10 @@ fn thing(
         Record::Figure(it) => figure(world, actors, it),
         Record::Car(it) => car::restore(world, actors, it),
         Record::Felled(it) => felled(world, key.id, it),
+        Record::Planted(it) => {
+            let at = point(world, it.place.chart, it.place.pos);
+            planting::restore(world, key.id, at, it)
+        }
     }
 }
 
@@ -193,7 +198,8 @@ fn number_next(actors: &mut Actors, key: RecordKey) {
         | RecordKind::Course
         | RecordKind::View
         | RecordKind::Earth
-        | RecordKind::Felled => {}
+        | RecordKind::Felled
+        | RecordKind::Planted => {}
         RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => {
             actors.number_next_fixture(key.kind, key.id);
         }
@@ -317,6 +323,7 @@ fn most(kind: RecordKind) -> usize {
         RecordKind::Figure => MOST_BOTS,
         RecordKind::Car => MOST_CARS,
         RecordKind::Felled => MOST_FELLED,
+        RecordKind::Planted => MOST_PLANTED,
     }
 }
 

@@ -18,7 +18,10 @@ use crate::situation::{Situation, is_ground_ready};
 use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, REACH_M, STEP_S};
 use crate::world::World;
-use crate::{biome, body, circumnavigation, damage, door, drops, felling, fixture, gun, npc, tool};
+use crate::{
+    biome, body, circumnavigation, damage, door, drops, falling, felling, fixture, gun, npc,
+    planting, tool,
+};
 use antipode_frame::motion::Doing;
 
 /// All that a step changes: a world, its actors, the player and what is to be told of them.
@@ -56,7 +59,8 @@ impl Simulation {
             walk(world, actors, player, outbox, actions);
         }
         drive::step(world, actors, player, outbox, actions);
-        let bodies = actors.car_bodies(world);
+        let mut bodies = actors.car_bodies(world);
+        bodies.extend(fixture::solids(world, actors));
         world.physics.set_obstacles(bodies);
         circumnavigation::notice(world, actors.feet(), &mut player.circumnavigation, outbox);
         biome::notice(world, actors.feet(), &mut player.biome, outbox);
@@ -76,8 +80,10 @@ impl Simulation {
         }
         gun::use_in_hand(world, actors, player, outbox, actions);
         fixture::use_in_hand(world, actors, player, outbox, actions);
+        planting::use_in_hand(world, actors, player, outbox, actions);
         gun::step_bullets(world, actors, player, outbox);
-        felling::step(world, actors, player, outbox);
+        falling::step(world, actors, player, outbox);
+        planting::step(world);
         fixture::step(world, actors);
         drops::step(world, actors, player, outbox);
         player.primary_before = actions.primary;

@@ -5,12 +5,13 @@ use std::sync::Arc;
 use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Doorway, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, Reach, Streamer};
-use antipode_terrain::{Field, RIM_REACH_M, Samples, Thing};
+use antipode_terrain::{FIRST_PLANTED, Field, RIM_REACH_M, Samples, Thing};
 use glam::DVec3;
 
 use crate::day;
 use crate::felling::Felled;
 use crate::ground::{Ground, Spent, chunks_near, height_below};
+use crate::planting::Planted;
 use crate::restore::{LONGEST_PLAYED_S, finite_or};
 use crate::setup::WorldSetup;
 use crate::tuning::{BODIES_WITHIN_CHUNKS, DAY_S, DAY_START_S};
@@ -32,6 +33,8 @@ pub(crate) struct World {
     pub ground: Ground,
     /// What of all that grows was felled.
     pub felled: Felled,
+    /// What somebody planted.
+    pub planted: Planted,
     /// The pair of doors that stood when the step began.
     pub doors: Option<Doorway>,
     /// The chunk of the player's head when the step began: bodies move about it.
@@ -63,6 +66,7 @@ impl World {
             strategy,
             streamer,
             felled: Felled::default(),
+            planted: Planted::default(),
             holds_land: false,
             doors: None,
             physics: PhysicsWorld::new(),
@@ -158,6 +162,15 @@ impl World {
         let spent = self.ground.put(chunk, seen, &mut self.physics);
         self.discard(spent);
         lost
+    }
+
+    /// Whether a thing that a chunk shows has not been felled meanwhile.
+    pub fn stands(&self, coord: ChunkCoord, thing: &Thing) -> bool {
+        if thing.slot < FIRST_PLANTED {
+            !self.felled.has(coord, thing.slot)
+        } else {
+            self.planted.has(coord, thing)
+        }
     }
 
     /// Takes in what makes a chunk solid, or what it is without.

@@ -66,8 +66,8 @@ pub use record::{Record, RecordChanges, RecordKey, RecordKind, Records};
 pub use saves::SavesDir;
 pub use schema::{
     BotRecord, CarRecord, ChunkKey, CourseRecord, DropRecord, EarthRecord, FelledRecord,
-    FixtureRecord, FlagRecord, LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SCHEMA_VERSION,
-    SlotRecord, StoredGround, ViewRecord, WorldMeta, WorldState,
+    FixtureRecord, FlagRecord, LampRecord, PlaceRecord, PlantedRecord, PlayerKept, PlayerRecord,
+    SCHEMA_VERSION, SlotRecord, StoredGround, ViewRecord, WorldMeta, WorldState,
 };
 pub use scratch::{Scratch, sweep};
 pub use slug::{ROOMS_FOLDER, is_reserved_name, slug_of};

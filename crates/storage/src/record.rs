@@ -18,7 +18,7 @@ use std::fmt;
 use crate::codec::{self, Fault};
 use crate::record_shapes::{
     BotRecord, CarRecord, CourseRecord, DropRecord, EarthRecord, FelledRecord, FixtureRecord,
-    FlagRecord, LampRecord, PlayerKept, ViewRecord,
+    FlagRecord, LampRecord, PlantedRecord, PlayerKept, ViewRecord,
 };
 use crate::store::Raw;
 use crate::survey::PLAYERS_STATE;
@@ -114,6 +114,8 @@ kinds! {
     Car(CarRecord) = "car", version 1;
     /// What grew on a column of chunks and was felled.
     Felled(FelledRecord) = "felled", version 1;
+    /// A tree that somebody planted.
+    Planted(PlantedRecord) = "planted", version 1;
 }
 
 impl RecordKind {

@@ -202,6 +202,19 @@ pub struct FelledRecord {
     pub slots: [u64; 2],
 }
 
+/// A tree that somebody planted.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct PlantedRecord {
+    /// Its root.
+    pub place: PlaceRecord,
+    /// The number of its kind.
+    pub species: u8,
+    /// When it was planted, simulated seconds since the world was made.
+    pub since_s: f64,
+    /// Whether it was felled, and a stump is left.
+    pub felled: bool,
+}
+
 /// How the player looks at the world.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ViewRecord {

@@ -16,7 +16,8 @@ use crate::schema_history::{v1, v2, v3, v4, v5, v8, v9};
 
 pub use crate::record_shapes::{
     BotRecord, CarRecord, CourseRecord, DropRecord, EarthRecord, FelledRecord, FixtureRecord,
-    FlagRecord, LampRecord, PlaceRecord, PlayerKept, PlayerRecord, SlotRecord, ViewRecord,
+    FlagRecord, LampRecord, PlaceRecord, PlantedRecord, PlayerKept, PlayerRecord, SlotRecord,
+    ViewRecord,
 };
 pub use crate::state::WorldState;
 

@@ -118,7 +118,7 @@ impl WorldState {
                     driving = it.driving;
                     state.take_player(*it);
                 }
-                Record::Player(_) | Record::Earth(_) | Record::Felled(_) => {}
+                Record::Player(_) | Record::Earth(_) | Record::Felled(_) | Record::Planted(_) => {}
                 Record::Course(it) => {
                     state.time_of_day_s = it.time_of_day_s;
                     state.simulated_s = it.simulated_s;

@@ -16,6 +16,7 @@ use crate::outcome::{Edited, Undone};
 use crate::range::around;
 use crate::scheduler::Make;
 use crate::shared::{Shared, Step};
+use crate::strokes::ThingChange;
 use crate::worker::guarded;
 
 /// How often a stroke that a stock does not last for is halved: then it leaves a 64th of what it would have taken.
@@ -28,8 +29,8 @@ pub(crate) enum Job {
     Strokes(Vec<Stroke>, Option<u64>),
     /// Undoes a press, which was seen from these chunks.
     Undo(u64, BTreeSet<ChunkCoord>),
-    /// Fells the thing of a slot on a chunk.
-    Fell(ChunkCoord, u8),
+    /// Changes a thing on a chunk.
+    Thing(ChunkCoord, ThingChange),
 }
 
 /// What the game hands over.
@@ -195,10 +196,10 @@ fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Appl
                 ..enter(shared, batch, changed, reached)
             }
         }
-        Job::Fell(coord, slot) => {
+        Job::Thing(coord, change) => {
             let mut applied = enter(shared, batch, Vec::new(), BTreeSet::new());
             applied.remeshed.insert(*coord);
-            applied.entered = shared.edit_store.fell(*coord, *slot);
+            applied.entered = shared.edit_store.change(*coord, change);
             applied
         }
         Job::Undo(press, reach) => {

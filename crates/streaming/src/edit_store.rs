@@ -10,11 +10,13 @@ use std::error::Error;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use antipode_geometry::{ChartId, ChunkCoord};
-use antipode_terrain::{ChunkEdits, Thing};
+use antipode_plants::left_of;
+use antipode_terrain::{ChunkEdits, FIRST_PLANTED, Thing};
 use lru::LruCache;
 
 use crate::edit_backend::{EditBackend, ReadFault, Stored, key_of};
 use crate::range::around;
+use crate::strokes::ThingChange;
 
 /// Saved chunks of a stored world that stay in memory, those used last: 8 MB of them.
 const MOST_SAVED: usize = 64;
@@ -31,6 +33,8 @@ pub(crate) struct Snapshot {
     pub(crate) near: Vec<(ChunkCoord, Arc<ChunkEdits>)>,
     /// What was felled in the chunk's column, a bit for each slot.
     pub(crate) felled: u128,
+    /// What somebody planted on the chunk.
+    pub(crate) planted: Vec<Thing>,
 }
 
 impl Snapshot {
@@ -116,9 +120,33 @@ struct State {
     unsaved: EditMap,
     /// What was felled of each column of chunks, a bit for each slot. Whoever fells it keeps it.
     felled: HashMap<Column, u128>,
+    /// What somebody planted on each chunk. Whoever planted it keeps it.
+    planted: HashMap<ChunkCoord, Vec<Thing>>,
     revision: u64,
     /// How often saved chunks were let go of: what was read from the store before may be older than what is there now.
     evictions: u64,
+}
+
+impl State {
+    /// Has a thing stand in its slot.
+    fn plant(&mut self, coord: ChunkCoord, thing: Thing) {
+        let planted = self.planted.entry(coord).or_default();
+        planted.retain(|it| it.slot != thing.slot);
+        planted.push(thing);
+    }
+
+    /// Leaves of what was planted in a slot what is left of such a thing.
+    fn fell_planted(&mut self, coord: ChunkCoord, slot: u8) {
+        let planted = self.planted.entry(coord).or_default();
+        let left = |it: Thing| {
+            if it.slot == slot {
+                left_of(&it)
+            } else {
+                Some(it)
+            }
+        };
+        *planted = planted.drain(..).filter_map(left).collect();
+    }
 }
 
 /// A batch that has entered the edit store.
@@ -140,6 +168,7 @@ impl EditStore {
                 told: false,
                 unsaved: EditMap::new(),
                 felled: HashMap::new(),
+                planted: HashMap::new(),
                 revision: 0,
                 evictions: 0,
             }),
@@ -168,6 +197,7 @@ impl EditStore {
                 .get(&column_of(coord))
                 .copied()
                 .unwrap_or_default(),
+            planted: state.planted.get(&coord).cloned().unwrap_or_default(),
         }
     }
 
@@ -215,11 +245,18 @@ impl EditStore {
         Entered { revision, land }
     }
 
-    /// Enters that a thing was felled, as a batch.
-    pub(crate) fn fell(&self, coord: ChunkCoord, slot: u8) -> Entered {
+    /// Enters a change of a thing, as a batch.
+    pub(crate) fn change(&self, coord: ChunkCoord, change: &ThingChange) -> Entered {
         let mut state = self.lock();
         state.revision += 1;
-        *state.felled.entry(column_of(coord)).or_default() |= 1_u128.unbounded_shl(slot.into());
+        match *change {
+            ThingChange::Felled(slot) if slot < FIRST_PLANTED => {
+                let slots = state.felled.entry(column_of(coord)).or_default();
+                *slots |= 1_u128 << slot;
+            }
+            ThingChange::Felled(slot) => state.fell_planted(coord, slot),
+            ThingChange::Planted(thing) => state.plant(coord, thing),
+        }
         Entered {
             revision: state.revision,
             land: EditMap::new(),
@@ -229,6 +266,11 @@ impl EditStore {
     /// Takes over what was felled of a column in earlier visits, before anything is made.
     pub(crate) fn remember_felled(&self, column: Column, slots: u128) {
         *self.lock().felled.entry(column).or_default() |= slots;
+    }
+
+    /// Takes over what was planted on a chunk in earlier visits, before anything is made.
+    pub(crate) fn remember_planted(&self, coord: ChunkCoord, thing: Thing) {
+        self.lock().plant(coord, thing);
     }
 
     /// Everything that is not saved yet.

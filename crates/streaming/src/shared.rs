@@ -6,7 +6,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use antipode_geometry::{ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::TerrainCollider;
 use antipode_plants::{add_solids, left_of, placed, undergrowth};
-use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, Thing, apply_edits};
+use antipode_terrain::{
+    ChunkMesh, FIRST_PLANTED, Field, Level, Mesher, Samples, Thing, apply_edits,
+};
 use glam::DVec3;
 
 use crate::api::Chunk;
@@ -15,7 +17,7 @@ use crate::edit_store::{EditStore, Snapshot};
 use crate::history::History;
 use crate::scheduler::Make;
 
-/// A thing goes with the sample of ground next to so far below its root, metres.
+/// A thing goes with the ground so far below its root, metres.
 const BELOW_ROOT_M: f64 = 0.6;
 
 /// A point in a worker's course, told to the test that watches it.
@@ -106,6 +108,7 @@ impl Shared {
             let placed = placed(&self.field, coord).into_iter();
             mesh.things = placed
                 .filter_map(there)
+                .chain(edits.planted.iter().copied())
                 .filter(|thing| self.stands(coord, thing, edits))
                 .collect();
             mesh.tufts = undergrowth(&self.field, coord, &mesh);
@@ -126,18 +129,25 @@ impl Shared {
 
     /// Whether nobody has dug away the ground right below a thing.
     fn stands(&self, coord: ChunkCoord, thing: &Thing, edits: &Snapshot) -> bool {
-        if edits.near.is_empty() {
+        // What grew by itself has untouched ground below it; somebody may have planted on what was built.
+        let grew = thing.slot < FIRST_PLANTED;
+        if grew && edits.near.is_empty() {
             return true;
         }
         let below = coord.origin() + thing.root.as_dvec3() - DVec3::Y * BELOW_ROOT_M;
-        let sample = ChartPoint::new(coord.chart, below.round());
-        let of = ChunkCoord::containing(sample);
-        let Some(edits) = edits.of(of) else {
-            return true;
-        };
-        let [i, j, k] = (sample.pos - of.origin()).to_array().map(|c| c as usize);
-        let delta = edits.delta(i, j, k);
-        delta <= 0.0 || self.field.sample(sample) + delta < 0.0
+        let (low, share) = (below.floor(), below - below.floor());
+        let (mut value, mut is_dug) = (0.0, false);
+        for n in 0..8 {
+            let by = DVec3::new(f64::from(n & 1), f64::from(n >> 1 & 1), f64::from(n >> 2));
+            let sample = ChartPoint::new(coord.chart, low + by);
+            let of = ChunkCoord::containing(sample);
+            let [i, j, k] = (sample.pos - of.origin()).to_array().map(|c| c as usize);
+            let delta = edits.of(of).map_or(0.0, |edits| edits.delta(i, j, k));
+            is_dug |= delta > 0.0;
+            let weight = (by * share + (1.0 - by) * (1.0 - share)).element_product();
+            value += weight * f64::from(self.field.sample(sample) + delta);
+        }
+        (grew && !is_dug) || value < 0.0
     }
 
     fn mesh(&self, coord: ChunkCoord, samples: &Samples) -> ChunkMesh {

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use antipode_geometry::{Atlas, ChunkCoord, Strategy};
 use antipode_storage::{RecordChanges, WorldMeta, WorldStore};
-use antipode_terrain::{Field, Stock, Stroke};
+use antipode_terrain::{Field, Stock, Stroke, Thing};
 
 use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
@@ -20,7 +20,7 @@ use crate::outcome::{Edited, Loaded, Outcome};
 use crate::saver::{Parts, Unsaved};
 use crate::scheduler::{ChunkScheduler, Verdict};
 use crate::shared::{Shared, Watch};
-use crate::strokes::{Mark, Strokes, Work};
+use crate::strokes::{Mark, Strokes, ThingChange, Work};
 use crate::updates::{coords, game_cost, is_solid, softened};
 use crate::worker_pool::WorkerPool;
 use presses::Pressed;
@@ -168,13 +168,25 @@ impl Streamer {
     /// Fells the thing of a slot ([`antipode_terrain::Thing::slot`]) on a chunk: it stands there no more. Whoever calls this
     /// keeps it for the next visit; see [`Streamer::remember_felled`].
     pub fn fell(&mut self, coord: ChunkCoord, slot: u8) {
-        self.strokes.fell(coord, slot);
+        self.strokes.change(coord, ThingChange::Felled(slot));
+        self.feed();
+    }
+
+    /// Has a thing stand on a chunk, in place of what stood in its slot, which is one of those for what somebody planted.
+    /// Whoever calls this keeps it for the next visit; see [`Streamer::remember_planted`].
+    pub fn plant(&mut self, coord: ChunkCoord, thing: Thing) {
+        self.strokes.change(coord, ThingChange::Planted(thing));
         self.feed();
     }
 
     /// Takes over what was felled in earlier visits of a column of chunks, a bit for each slot; before the first wish.
     pub fn remember_felled(&self, column: Column, slots: u128) {
         self.worker_pool.remember_felled(column, slots);
+    }
+
+    /// Takes over what was planted on a chunk in earlier visits; before the first wish.
+    pub fn remember_planted(&self, coord: ChunkCoord, thing: Thing) {
+        self.worker_pool.remember_planted(coord, thing);
     }
 
     /// Saves the given parts and every stroke made so far, and none that comes later, in one commit on the saver's
@@ -321,9 +333,9 @@ impl Streamer {
                 coords.extend(bordering);
                 Job::Strokes(strokes, press)
             }
-            Work::Fell(coord, slot) => {
+            Work::Thing(coord, change) => {
                 coords.insert(coord);
-                Job::Fell(coord, slot)
+                Job::Thing(coord, change)
             }
             Work::Undo => match self.last_press() {
                 Ok(last) => {
@@ -351,7 +363,7 @@ impl Streamer {
                 self.strokes.put_back(match batch.job {
                     Job::Strokes(strokes, press) => Work::Strokes(strokes, press),
                     Job::Undo(..) => Work::Undo,
-                    Job::Fell(coord, slot) => Work::Fell(coord, slot),
+                    Job::Thing(coord, change) => Work::Thing(coord, change),
                 });
                 self.scheduler.batch_not_sent();
             }

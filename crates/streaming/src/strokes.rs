@@ -1,7 +1,7 @@
 //! Brush strokes that wait for the batch under way to be shown.
 
 use antipode_geometry::ChunkCoord;
-use antipode_terrain::Stroke;
+use antipode_terrain::{Stroke, Thing};
 
 /// Strokes in one batch; the rest go into the next, so that a batch stays quick however long the
 /// one before it took.
@@ -14,8 +14,17 @@ enum Waiting {
     Stroke(Stroke, Option<u64>),
     /// The last press is to be undone.
     Undo,
-    /// The thing of a slot on a chunk is felled.
-    Fell(ChunkCoord, u8),
+    /// What stands on a chunk changes.
+    Thing(ChunkCoord, ThingChange),
+}
+
+/// A change of one thing on a chunk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ThingChange {
+    /// The thing of a slot is felled.
+    Felled(u8),
+    /// Somebody planted it, or it has grown, in its slot.
+    Planted(Thing),
 }
 
 /// What a batch does.
@@ -25,8 +34,8 @@ pub(crate) enum Work {
     Strokes(Vec<Stroke>, Option<u64>),
     /// The last press is undone.
     Undo,
-    /// The thing of a slot on a chunk is felled.
-    Fell(ChunkCoord, u8),
+    /// What stands on a chunk changes.
+    Thing(ChunkCoord, ThingChange),
 }
 
 /// Strokes not yet handed to a worker, oldest first.
@@ -68,9 +77,9 @@ impl Strokes {
         self.marked = self.waiting.len();
     }
 
-    /// Has a thing felled after every stroke so far, before any other.
-    pub(crate) fn fell(&mut self, coord: ChunkCoord, slot: u8) {
-        self.waiting.push(Waiting::Fell(coord, slot));
+    /// Has a thing changed after every stroke so far, before any other.
+    pub(crate) fn change(&mut self, coord: ChunkCoord, change: ThingChange) {
+        self.waiting.push(Waiting::Thing(coord, change));
         self.marked = self.waiting.len();
     }
 
@@ -90,7 +99,7 @@ impl Strokes {
         let before = until.map_or(u64::MAX, |mark| mark.0.saturating_sub(self.taken));
         let most = before.min(MOST_PER_BATCH as u64) as usize;
         let (press, count) = match self.waiting.iter().take(most).next()? {
-            Waiting::Undo | Waiting::Fell(..) => (None, 1),
+            Waiting::Undo | Waiting::Thing(..) => (None, 1),
             Waiting::Stroke(_, press) => {
                 let first = self.waiting.iter().take(most);
                 let same = |it: &&Waiting| matches!(it, Waiting::Stroke(_, of) if of == press);
@@ -104,7 +113,7 @@ impl Strokes {
             match it {
                 Waiting::Stroke(stroke, _) => strokes.push(stroke),
                 Waiting::Undo => return Some(Work::Undo),
-                Waiting::Fell(coord, slot) => return Some(Work::Fell(coord, slot)),
+                Waiting::Thing(coord, change) => return Some(Work::Thing(coord, change)),
             }
         }
         Some(Work::Strokes(strokes, press))
@@ -114,7 +123,7 @@ impl Strokes {
     pub(crate) fn put_back(&mut self, work: Work) {
         let before: Vec<_> = match work {
             Work::Undo => vec![Waiting::Undo],
-            Work::Fell(coord, slot) => vec![Waiting::Fell(coord, slot)],
+            Work::Thing(coord, change) => vec![Waiting::Thing(coord, change)],
             Work::Strokes(strokes, press) => {
                 let strokes = strokes.into_iter();
                 strokes.map(|it| Waiting::Stroke(it, press)).collect()

@@ -7,6 +7,8 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use antipode_geometry::ChunkCoord;
+use antipode_terrain::Thing;
 use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, bounded};
 
 use crate::batch_job::EditBatch;
@@ -151,6 +153,11 @@ impl WorkerPool {
     /// See [`crate::Streamer::remember_felled`].
     pub(crate) fn remember_felled(&self, column: Column, slots: u128) {
         self.shared.edit_store.remember_felled(column, slots);
+    }
+
+    /// See [`crate::Streamer::remember_planted`].
+    pub(crate) fn remember_planted(&self, coord: ChunkCoord, thing: Thing) {
+        self.shared.edit_store.remember_planted(coord, thing);
     }
 
     /// Hands over a batch, or gives it back if there is no room.

@@ -26,7 +26,11 @@ pub(crate) struct Item {
     #[serde(default)]
     power: Option<u8>,
     #[serde(default)]
-    made: Option<Made>,
+    made: Vec<Made>,
+    #[serde(default)]
+    is_of: Option<(String, f64)>,
+    #[serde(default)]
+    rolls_m: Option<f64>,
     #[serde(default)]
     shines: bool,
     #[serde(default)]
@@ -60,6 +64,8 @@ struct Stands {
     marker_m: f64,
     level_up: f64,
     turned_deg: Option<f64>,
+    #[serde(default)]
+    is_solid: bool,
 }
 
 #[derive(Debug, Deserialize)]
@@ -131,7 +137,13 @@ impl Row for Item {
             has_power,
             "is what only what digs has, and all of that",
         )?;
-        self.made.as_ref().map_or(Ok(()), Made::check)?;
+        self.made.iter().try_for_each(Made::check)?;
+        let is_some = self.is_of.as_ref().is_none_or(|(_, m3)| *m3 > 0.0);
+        need("is_of", is_some, "is to be more than 0 of a kind of ground")?;
+        let is_round = self
+            .rolls_m
+            .is_none_or(|radius_m| (0.02..=1.0).contains(&radius_m));
+        need("rolls_m", is_round, "is to be 0.02 to 1 m")?;
         self.stands.as_ref().map_or(Ok(()), Stands::check)
     }
 }
@@ -154,10 +166,13 @@ impl Source for Item {
     }
 
     fn expression(&self, _: &dyn Fn(&Fault) -> String) -> String {
-        let made = self.made.as_ref().map(Made::expression);
+        let made: Vec<_> = self.made.iter().map(Made::expression).collect();
+        let is_of = self.is_of.as_ref();
+        let is_of = is_of.map(|(kind, m3)| format!("Some(({kind:?}, {m3:?}))"));
         format!(
             "Row {{ id: {:?}, model: {}, icon: {}, most_in_slot: {}, at_start: {}, at_start_gathering: {}, lies: Lies::{:?}, \
-             held: {:?}, digs_per_s: {:?}, power: {:?}, made: {}, shines: {}, stands: {:?} }}",
+             held: {:?}, digs_per_s: {:?}, power: {:?}, made: &[{}], is_of: {}, rolls_m: {:?}, shines: {}, \
+             stands: {:?} }}",
             self.id,
             embedded("models", &self.model),
             embedded("models", &self.icon),
@@ -168,7 +183,9 @@ impl Source for Item {
             self.held,
             self.digs_per_s,
             self.power,
-            made.map_or_else(|| "None".to_owned(), |made| format!("Some({made})")),
+            made.join(", "),
+            is_of.unwrap_or_else(|| "None".to_owned()),
+            self.rolls_m,
             self.shines,
             self.stands,
         )
@@ -198,7 +215,7 @@ mod tests {
    at_start: 3,
    lies: OnItsSide(height_m: 0.25),
    held: (place_m: (0, 0, 1), turn_rad: (0, 0, 0), grip_m: (0, 0, 0)),
-   digs_per_s: 2, power: 1, made: (count: 3, of: {"rock": 1.5}),
+   digs_per_s: 2, power: 1, made: [(count: 3, of: {"rock": 1.5})], rolls_m: 0.2, is_of: ("rock", 0.7),
    stands: (
      most: 9,
      heights_m: (0, 1),
@@ -259,6 +276,8 @@ mod tests {
                 ("power: 1, ", "", "11: power of \"b-c\""),
                 ("count: 3", "count: 0", "19: made.count of \"b-c\""),
                 ("1.5}", "0}", "19: made.of of \"b-c\""),
+                ("0.7", "0", "19: is_of of \"b-c\""),
+                ("rolls_m: 0.2", "rolls_m: 2", "19: rolls_m of \"b-c\""),
                 ("most: 9", "most: 0", "21: stands.most of \"b-c\""),
                 (
                     "radius_m: 0.3",

@@ -65,6 +65,6 @@ pub use samples::{SAMPLES, Samples};
 pub use shape::Shape;
 pub use stock::Stock;
 pub use stroke::{FALLOFF_PER_M2, Gate, Ground, Part, Stroke};
-pub use thing::{Footing, Thing};
+pub use thing::{FIRST_PLANTED, Footing, Thing};
 pub use tuft::Tuft;
 pub use undo::SampleChange;

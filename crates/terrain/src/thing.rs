@@ -14,12 +14,16 @@ const SLOPE_M: f64 = 0.6;
 /// How far below a thing no cave may be, metres: neither the mouth of one nor a hall under a thin roof.
 const FIRM_M: [f64; 3] = [0.02, 0.8, 2.0];
 
+/// What grew by itself has slots below this; what somebody planted those from here on.
+pub const FIRST_PLANTED: u8 = 128;
+
 /// A thing on a chunk: a plant or a stone, told by numbers that only who draws it understands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thing {
     /// The lowest place of it that shows, metres from the chunk's corner.
     pub root: Vec3,
-    /// Its number among all that may stand on the chunk's column, below 128.
+    /// Its number among all that may stand on the chunk's column, below [`FIRST_PLANTED`]; of what somebody planted among
+    /// that on the chunk, from there on.
     pub slot: u8,
     /// The number of its kind.
     pub species: u8,

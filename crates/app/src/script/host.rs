@@ -138,7 +138,7 @@ fn give_ground(scene: &mut Scene, kind: Kind, m3: f64) -> Result<(), Failure> {
 fn make(scene: &mut Scene, item: Item) -> Result<(), Failure> {
     let gathers = scene.stock().is_some();
     possible(gathers, "nothing is made in a creative world")?;
-    let is_made = Recipe::of(item).is_some_and(|recipe| scene.make(&recipe));
+    let is_made = Recipe::of(item).iter().any(|recipe| scene.make(recipe));
     possible(
         is_made,
         "there is not enough ground of the kinds that it takes",

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_plants::{Age, Species, placed_near};
-use antipode_scene::{Actions, Generator, Kind, Mode, Scene, Viewing, WorldSetup};
+use antipode_scene::{Actions, Generator, Item, Kind, Mode, Scene, Viewing, WorldSetup};
 use antipode_storage::{Batch, FelledRecord, Record, RecordKind, WorldStore};
 use glam::DVec3;
 
@@ -73,6 +73,21 @@ fn wood_m3(scene: &Scene) -> f64 {
     stock.get(Kind::Wood.name()).copied().unwrap_or_default()
 }
 
+/// Goes to each thing that lies near, as who gathers does.
+fn gather(scene: &mut Scene) {
+    // Some roll on for a while.
+    for _ in 0..40 {
+        let Some(drop) = scene.probe().drops.into_iter().next() else {
+            return;
+        };
+        let [x, y, z] = drop.pos;
+        scene.teleport(ChartPoint::new(ChartId::FIRST, DVec3::new(x, y + 0.3, z)));
+        assert!(scene.settle(LIMIT));
+        steps(scene, 70, &Actions::default());
+    }
+    panic!("{:?} are left", scene.probe().drops);
+}
+
 fn chop() -> Actions {
     Actions {
         primary: true,
@@ -113,19 +128,41 @@ fn a_tree_is_felled_by_a_tool_falls_away_from_the_blow_and_gives_its_wood() {
         assert_eq!(wood_m3(&scene), 0.0, "it is still in the air");
         steps(&mut scene, 400, &Actions::default());
         assert_eq!(felled(&scene), (1, 0), "{geometry:?}");
-        assert!(wood_m3(&scene) > 0.1, "{geometry:?}: {}", wood_m3(&scene));
+        let drops = scene.probe().drops;
+        let logs: u32 = drops
+            .iter()
+            .filter(|it| it.stack.item == Item::Log)
+            .map(|it| it.stack.count)
+            .sum();
+        assert!(
+            logs > 0 && drops.iter().any(|it| it.stack.item == Item::Seed),
+            "{drops:?}"
+        );
         assert_eq!(
             scene.probe().player.health,
             20.0,
             "it falls away from the blow"
         );
         assert_eq!(scene.probe().chunks.edited, edited, "no ground was dug");
+        let had_m3 = wood_m3(&scene);
         assert_eq!(scene.probe().plants.unwrap().near.get("stump"), Some(&1));
         assert_eq!(
             scene.probe().plants.unwrap().ahead,
             None,
             "nothing stands there"
         );
+        gather(&mut scene);
+        let gained_m3 = wood_m3(&scene);
+        assert!(
+            (gained_m3 - 0.1 * f64::from(logs)).abs() < 1e-9,
+            "{geometry:?}: {had_m3}, then {gained_m3} m3 of {logs} logs"
+        );
+        assert_eq!(
+            scene.inventory().count(Item::Log),
+            0,
+            "it is wood to who gathers"
+        );
+        assert!(scene.inventory().count(Item::Seed) > 0);
     }
 }
 
@@ -180,7 +217,13 @@ fn what_the_ground_was_dug_away_from_under_falls_and_undoing_leaves_it_felled() 
         "its ground is gone"
     );
     steps(&mut scene, 400, &Actions::default());
-    assert!(wood_m3(&scene) > 0.1);
+    assert!(
+        scene
+            .probe()
+            .drops
+            .iter()
+            .any(|it| it.stack.item == Item::Log)
+    );
     let undo = Actions {
         undo: true,
         ..Actions::default()
@@ -268,7 +311,13 @@ fn what_was_felled_stays_so_in_the_save_and_nothing_else_is_kept_of_it() {
     let left = plants.near.get(species.name()).copied().unwrap_or_default();
     assert_eq!(left, before - 1);
     assert_eq!(again.probe().chunks.edited, 0, "no ground was changed");
-    assert!(wood_m3(&again) > 0.1);
+    assert!(
+        again
+            .probe()
+            .drops
+            .iter()
+            .any(|it| it.stack.item == Item::Log)
+    );
 }
 
 /// A kept world with so many columns of chunks far off of which 64 trees each were felled; when it was begun, loaded and saved

@@ -55,7 +55,7 @@ fn one_begins_with_little_and_in_a_creative_world_with_everything() {
     assert_eq!(carried(&creative), Item::ALL.len());
     assert_eq!(creative.probe().mode, "creative");
     assert!(creative.stock().is_none() && !creative.give_ground(Kind::Coal, 99.0));
-    let recipe = Recipe::of(Item::Lamp).unwrap();
+    let recipe = Recipe::of(Item::Lamp).remove(0);
     assert!(!creative.can_make(&recipe) && !creative.make(&recipe));
 
     let scene = scene(Geometry::Euclidean);
@@ -165,7 +165,7 @@ fn one(item: Item) -> Stack {
 #[test]
 fn things_are_made_of_ground_and_a_full_backpack_drops_them() {
     let mut scene = scene(Geometry::Euclidean);
-    let recipe = Recipe::of(Item::PickaxeIron).unwrap();
+    let recipe = Recipe::of(Item::PickaxeIron).remove(0);
     assert!(!scene.make(&recipe) && scene.inventory().count(Item::PickaxeIron) == 0);
     for (kind, m3) in &recipe.parts {
         assert!(scene.give_ground(*kind, 2.5 * m3));
@@ -243,7 +243,7 @@ fn what_was_gathered_and_the_mode_are_kept_with_the_last_stroke_before_leaving()
     });
     assert!((dug - flat.unwrap()).abs() < 0.05 * dug, "{dug}");
     // What is made is spent in the save, too.
-    let recipe = Recipe::of(Item::Lamp).unwrap();
+    let recipe = Recipe::of(Item::Lamp).remove(0);
     for (kind, m3) in &recipe.parts {
         assert!(again.give_ground(*kind, *m3));
     }

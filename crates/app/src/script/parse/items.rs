@@ -24,7 +24,7 @@ pub(super) fn give(what: &str, count: &str) -> Result<Order, String> {
 
 /// `make ITEM`.
 pub(super) fn make(item: &str) -> Result<Order, String> {
-    let known = Item::from_id(item).filter(|item| Recipe::of(*item).is_some());
+    let known = Item::from_id(item).filter(|item| !Recipe::of(*item).is_empty());
     let order = known.map(Order::Make);
     order.ok_or_else(|| {
         let all = Recipe::all();

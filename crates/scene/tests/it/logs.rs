@@ -1,0 +1,160 @@
+//! Logs and stones: they roll downhill and no farther, strike who stands in the way, are wood to who gathers and posts to who
+//! puts them up.
+
+use antipode_geometry::{ChartPoint, Geometry};
+use antipode_scene::{Actions, Item, Kind, Mode, Scene, Stack, WorldSetup};
+use glam::DVec3;
+
+use crate::common::{LIMIT, scene, setup, steps};
+
+const LOG: Stack = Stack {
+    item: Item::Log,
+    count: 1,
+};
+
+/// A place near the middle from which the ground falls most, but nowhere steeply, and the way down there.
+fn slope(scene: &Scene) -> (ChartPoint, DVec3) {
+    let feet = scene.feet();
+    let height_m = |at: DVec3| scene.field().surface_height(feet.chart, at.x, at.z);
+    let ways = (0..8).map(|n| DVec3::new(f64::from(n).cos(), 0.0, f64::from(n).sin()));
+    let ways: Vec<_> = ways.collect();
+    let mut best = (0.0, feet.pos, DVec3::X);
+    for n in 0..900 {
+        let at = feet.pos + DVec3::new(f64::from(n % 30) - 14.5, 0.0, f64::from(n / 30) - 14.5);
+        for way in &ways {
+            let heights = [0.0, 2.0, 4.0, 6.0, 8.0].map(|m| height_m(at + *way * m));
+            let falls: Vec<_> = heights.windows(2).map(|it| it[0] - it[1]).collect();
+            let least = falls.iter().copied().fold(f64::INFINITY, f64::min);
+            let most = falls.iter().copied().fold(0.0, f64::max);
+            if most < 1.4 && least > best.0 {
+                best = (least, at, *way);
+            }
+        }
+    }
+    let (_, at, way) = best;
+    let place = ChartPoint::new(feet.chart, at.with_y(height_m(at) + 0.05));
+    (place, way)
+}
+
+/// Throws what it is, slowly, so that it comes down across the slope.
+fn let_roll(scene: &mut Scene, way: DVec3) {
+    scene.aim(way.z.atan2(way.x), -0.4);
+    steps(scene, 1, &Actions::default());
+    scene.throw_away(LOG);
+}
+
+#[test]
+fn a_log_rolls_down_a_slope_and_comes_to_rest_and_other_things_do_not_roll() {
+    for geometry in Geometry::ALL {
+        let fallen_m = |stack: Stack| {
+            let mut scene = scene(geometry);
+            let (top, way) = slope(&scene);
+            scene.teleport(top);
+            assert!(scene.settle(LIMIT));
+            scene.aim(way.z.atan2(way.x), -0.4);
+            steps(&mut scene, 1, &Actions::default());
+            scene.throw_away(stack);
+            steps(&mut scene, 90, &Actions::default());
+            let lay = DVec3::from(scene.probe().drops[0].pos);
+            steps(&mut scene, 2000, &Actions::default());
+            let drops = scene.probe().drops;
+            // What lies within reach has been picked up.
+            let lies = drops.first().map_or(lay, |it| DVec3::from(it.pos));
+            steps(&mut scene, 60, &Actions::default());
+            let still = scene.probe().drops.first().map(|it| DVec3::from(it.pos));
+            assert!(
+                still.is_none_or(|at| at == lies),
+                "{geometry:?}: it rolls on"
+            );
+            (lies - scene.feet().pos).with_y(0.0).length()
+        };
+        let log_m = fallen_m(LOG);
+        let gun_m = fallen_m(Stack {
+            item: Item::Gun,
+            count: 1,
+        });
+        assert!(
+            log_m > gun_m + 1.0,
+            "{geometry:?}: {log_m} m, and {gun_m} m"
+        );
+    }
+}
+
+#[test]
+fn a_log_that_rolls_fast_strikes_who_stands_below() {
+    let mut scene = scene(Geometry::Euclidean);
+    let (top, way) = slope(&scene);
+    scene.teleport(top);
+    assert!(scene.settle(LIMIT));
+    let below = top.pos + way.normalize() * 3.2;
+    let y = scene.field().surface_height(top.chart, below.x, below.z);
+    let below = ChartPoint::new(top.chart, below.with_y(y + 0.05));
+    let id = scene.spawn_bot(below, 0.0, false);
+    let health = |scene: &Scene| {
+        let bots = scene.bots();
+        bots.iter().find(|it| it.bot.id == id).map(|it| it.health)
+    };
+    let before = health(&scene);
+    let_roll(&mut scene, way);
+    steps(&mut scene, 120, &Actions::default());
+    let after = health(&scene);
+    assert!(after < before, "{before:?}, then {after:?}");
+    let left = before.zip(after).map(|(before, after)| before - after);
+    assert!(
+        left.is_some_and(|left| left < 8.0),
+        "one blow, not many: {left:?}"
+    );
+}
+
+#[test]
+fn a_log_is_wood_to_who_gathers_and_itself_elsewhere() {
+    for mode in [Mode::Gathering, Mode::Creative] {
+        let mut scene = Scene::open(
+            WorldSetup {
+                mode,
+                ..setup(Geometry::Euclidean)
+            },
+            None,
+        )
+        .unwrap();
+        assert!(scene.wait_for_step(LIMIT));
+        let logs = scene.inventory().count(Item::Log);
+        scene.aim(0.0, -1.5);
+        steps(&mut scene, 1, &Actions::default());
+        scene.throw_away(Stack {
+            item: Item::Log,
+            count: 3,
+        });
+        steps(&mut scene, 200, &Actions::default());
+        assert!(scene.probe().drops.is_empty(), "{mode:?}");
+        let wood_m3 = scene.stock().map(|stock| stock.of(Kind::Wood));
+        let more = scene.inventory().count(Item::Log) - logs;
+        match mode {
+            Mode::Gathering => assert!(more == 0 && (wood_m3.unwrap() - 0.3).abs() < 1e-9),
+            Mode::Creative => assert!(more == 3 && wood_m3.is_none()),
+        }
+    }
+}
+
+#[test]
+fn nobody_walks_through_a_log_that_was_put_up_until_it_is_taken_up_again() {
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        let feet = scene.feet();
+        let fence = |n: i32| feet.pos + DVec3::new(2.0, 0.0, 0.3 * f64::from(n));
+        for n in -30..=30 {
+            let at = fence(n);
+            let y = scene.field().surface_height(feet.chart, at.x, at.z);
+            let at = ChartPoint::new(feet.chart, at.with_y(y));
+            assert!(scene.put_up(Item::Log, at, 0.0, ""));
+        }
+        scene.aim(0.0, 0.0);
+        let ahead = Actions {
+            forward: 1.0,
+            ..Actions::default()
+        };
+        steps(&mut scene, 120, &ahead);
+        let way_m = scene.feet().pos.x - feet.pos.x;
+        assert!((0.5..2.0).contains(&way_m), "{geometry:?}: {way_m} m");
+    }
+}
