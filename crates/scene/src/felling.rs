@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_geometry::{ChartPoint, ChunkCoord, Projection};
 use antipode_items::Item;
 use antipode_plants::{Age, Species};
 use antipode_storage::{FelledRecord, Record, RecordKind};
@@ -27,7 +27,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::step::Simulation;
 use crate::tool;
-use crate::tuning::{REACH_M, STEP_S};
+use crate::tuning::{ASPECT, NEAR_M, REACH_M, STEP_S};
 use crate::world::World;
 
 /// How far from what is solid of a thing a tool may be to strike it, metres.
@@ -37,7 +37,7 @@ const TOUGHNESS: (f64, f64) = (0.6, 7.0);
 /// How much more wood a tree has than its trunk, for its branches.
 const BRANCHES: f64 = 1.4;
 /// What is near in a probe, metres.
-const NEAR_M: f64 = 30.0;
+const PROBED_M: f64 = 30.0;
 
 /// What was felled in a world, by columns of chunks: the number of the record, and a bit for each slot.
 #[derive(Clone, Debug, Default)]
@@ -167,18 +167,18 @@ pub(crate) struct Chop {
 }
 
 /// What a script may ask of what grows.
-pub(crate) fn probe(now: Situation<'_>) -> Option<PlantsProbe> {
+pub(crate) fn probe(now: Situation<'_>, fov_y_rad: f64) -> Option<PlantsProbe> {
     let (world, feet) = (now.world, now.feet());
     if !world.setup.generator.has_things() && world.planted.count() == 0 {
         return None;
     }
     let mut near: BTreeMap<&'static str, usize> = BTreeMap::new();
     let mut planted_m: f64 = 0.0;
-    for coord in chunks_near(&*world.strategy, feet, NEAR_M) {
+    for coord in chunks_near(&*world.strategy, feet, PROBED_M) {
         let things = world.ground.things(coord).iter();
         for it in things.filter_map(|thing| Standing::of(coord, *thing)) {
             let there = over(&*world.strategy, feet, it.root());
-            if there.pos.distance(feet.pos) <= NEAR_M {
+            if there.pos.distance(feet.pos) <= PROBED_M {
                 *near.entry(it.species.name()).or_default() += 1;
                 if it.thing.slot >= FIRST_PLANTED && it.species.is_tree() {
                     planted_m = planted_m.max(it.height_m());
@@ -190,12 +190,32 @@ pub(crate) fn probe(now: Situation<'_>) -> Option<PlantsProbe> {
     let ahead = ahead.hit.then(|| at(world, ahead.point)).flatten();
     Some(PlantsProbe {
         near,
+        in_view: in_view(now, fov_y_rad),
         ahead: ahead.map(|it| it.species.name()),
         felled: world.felled.count(),
         planted: world.planted.count(),
         planted_m,
         falling: now.actors.count::<Falling>(),
     })
+}
+
+/// How many things stand where a picture shows their middle.
+fn in_view(now: Situation<'_>, fov_y_rad: f64) -> usize {
+    let params = now.aiming();
+    let eye = now.head_through(&params);
+    let projection = Projection::new(fov_y_rad, ASPECT, NEAR_M);
+    let is_seen = |it: &Standing| {
+        let middle = it.root().moved(DVec3::Y * 0.5 * it.height_m());
+        let view = params.strategy.view_point(&eye, middle);
+        let clip = params.strategy.clip_from_view(&eye, &projection, view);
+        Projection::screen(clip).is_some_and(|at| at.abs().max_element() <= 1.0)
+    };
+    let shown = now.world.ground.land().meshes();
+    let all = shown.flat_map(|(coord, mesh)| {
+        let things = mesh.things.iter();
+        things.filter_map(move |thing| Standing::of(coord, *thing))
+    });
+    all.filter(is_seen).count()
 }
 
 /// What a tool that digs strikes of what grows, if it was at it in the last step.

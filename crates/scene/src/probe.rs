@@ -112,6 +112,8 @@ pub struct PlayerProbe {
 pub struct PlantsProbe {
     /// How many of each kind stand within 30 metres of the player in the chart, by name.
     pub near: BTreeMap<&'static str, usize>,
+    /// How many stand where a picture of 16 by 9 shows their middle, whatever may hide them, as far as land is there.
+    pub in_view: usize,
     /// The kind whose trunk is under the crosshair within reach; null for none.
     pub ahead: Option<&'static str>,
     /// How many were felled in this world.

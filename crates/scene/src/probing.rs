@@ -107,7 +107,7 @@ pub(crate) fn probe(now: Situation<'_>, shown: &Presentation) -> Probe {
         drops: actors.map(|_, it| drop_probe(now, it)),
         particles,
         marks,
-        plants: felling::probe(now),
+        plants: felling::probe(now, shown.viewing.fov_y_rad),
         chunks: ChunkProbe {
             resident: world.ground.count(),
             pending: world.streamer.pending(),

@@ -124,3 +124,5 @@ pub const PICK_UP_M: f64 = 1.4;
 pub const PICK_UP_AFTER_S: f64 = 1.0;
 /// Things lying about at once.
 pub const MOST_DROPS: usize = 256;
+/// The shape of a picture where none is known, width by height.
+pub const ASPECT: f64 = 16.0 / 9.0;

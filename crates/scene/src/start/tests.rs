@@ -14,9 +14,8 @@ use antipode_terrain::Generator;
 mod numbers;
 
 use super::places::MOST_VIEWS;
-use super::things::ASPECT;
 use super::*;
-use crate::tuning::NEAR_M;
+use crate::tuning::{ASPECT, NEAR_M};
 
 /// Seeds asked of each space and radius.
 const SEEDS: u64 = 50;

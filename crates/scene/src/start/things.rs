@@ -9,7 +9,7 @@ use super::obstacles::Obstacles;
 use super::{STEEPEST_M, Search, Spot};
 use crate::npc::way_to;
 use crate::player;
-use crate::tuning::NEAR_M;
+use crate::tuning::{ASPECT, NEAR_M};
 
 /// Of the survey's places along a ray, where a figure and where a car can be made out.
 const FIGURE_AT: std::ops::Range<usize> = 1..5;
@@ -18,7 +18,6 @@ const CAR_AT: std::ops::Range<usize> = 2..7;
 /// hand covers what lies to the right of and below a place.
 const WITHIN: DVec2 = DVec2::new(0.8, 0.7);
 const HAND: DVec2 = DVec2::new(0.1, -0.05);
-pub(super) const ASPECT: f64 = 16.0 / 9.0;
 /// Bearings between car and figure, at least, in rays.
 const APART_RAYS: i32 = 2;
 /// Half of the rectangle that a car stands on, in metres, how far its ground may rise, and what is to be seen of it over

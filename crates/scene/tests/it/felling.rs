@@ -1,6 +1,6 @@
 //! What grows: it stands in the way, is felled by tools and by digging, strikes who is under it, and stays felled.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -59,7 +59,7 @@ fn stand_before(scene: &mut Scene, root: ChartPoint, away_m: f64) {
     scene.teleport(ChartPoint::new(chart, feet.pos.with_y(height_m + 0.05)));
     assert!(scene.settle(LIMIT));
     let rise = root.pos.y + 1.2 - (height_m + 1.62);
-    scene.aim(std::f64::consts::PI, (rise / away_m).atan());
+    scene.aim(PI, (rise / away_m).atan());
     steps(scene, 2, &Actions::default());
 }
 
@@ -164,6 +164,25 @@ fn a_tree_is_felled_by_a_tool_falls_away_from_the_blow_and_gives_its_wood() {
         );
         assert!(scene.inventory().count(Item::Seed) > 0);
     }
+}
+
+/// Whoever turns right round has seen each once; upwards there is none.
+#[test]
+fn a_probe_tells_how_much_of_what_grows_is_in_view() {
+    let mut scene = open(planted(Geometry::Euclidean));
+    assert!(scene.settle(LIMIT));
+    let mut seen = |yaw: f64, pitch: f64| {
+        scene.aim(yaw, pitch);
+        steps(&mut scene, 1, &Actions::default());
+        scene.probe().plants.unwrap().in_view
+    };
+    assert_eq!(seen(0.3, 1.5), 0);
+    // A picture of 69 degrees by 101: four of them overlap.
+    let around: usize = [0.0, FRAC_PI_2, PI, 3.0 * FRAC_PI_2]
+        .map(|yaw| seen(yaw, 0.0))
+        .iter()
+        .sum();
+    assert!(around > 150, "{around} of a view distance of two chunks");
 }
 
 #[test]
