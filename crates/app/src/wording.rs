@@ -226,7 +226,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::UsedUp(None) => texts.say("hint-nothing-to-build"),
         Hint::UsedUp(Some(kind)) => of_ground(texts, "hint-used-up", kind),
         Hint::NoCoalYet => texts.say("hint-no-coal-yet"),
-        Hint::Made(item) => made(texts, item),
+        Hint::Made(item, count) => made(texts, item, count),
         Hint::Undone => texts.say("hint-undone"),
         Hint::NotUndone(why) => not_undone(texts, why),
         Hint::Said { greets, line } => said(texts, greets, line),
@@ -244,8 +244,14 @@ fn bent(texts: &Texts, profiles: &Profiles) -> String {
     texts.say_with("hint-bent", &values)
 }
 
-fn made(texts: &Texts, item: Item) -> String {
+fn made(texts: &Texts, item: Item, count: u32) -> String {
     let item = texts.say(&format!("item-{}", item.id()));
+    let item = if count == 1 {
+        item
+    } else {
+        let values = [("item", item.into()), ("count", count.into())];
+        texts.say_with("backpack-item", &values)
+    };
     texts.say_with("hint-made", &[("item", item.into())])
 }
 

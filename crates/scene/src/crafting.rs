@@ -96,7 +96,7 @@ impl Scene {
             left -= count;
         }
         sim.outbox.sounds.push(SoundEvent::PickedUp);
-        sim.outbox.hints.push(Hint::Made(item));
+        sim.outbox.hints.push(Hint::Made(item, recipe.made.count));
         true
     }
 }

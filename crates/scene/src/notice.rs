@@ -158,9 +158,9 @@ pub enum Hint {
     /// Nothing is left of what would be built; nothing at all where no kind is named.
     #[error("You have no {} left to build with.", .0.map_or("ground", Kind::name))]
     UsedUp(Option<Kind>),
-    /// Something was made of ground.
-    #[error("You have made this: {}.", .0.id())]
-    Made(Item),
+    /// So many of something were made of ground.
+    #[error("You have made this: {} x {}.", .0.id(), .1)]
+    Made(Item, u32),
     /// Much was dug in the depth, and no coal.
     #[error(
         "You have dug deep and found no coal. Its beds lie under about half of the land: dig some thirty metres on, or look at the walls of a cave."

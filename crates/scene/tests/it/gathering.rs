@@ -172,7 +172,7 @@ fn things_are_made_of_ground_and_a_full_backpack_drops_them() {
     }
     assert!(scene.can_make(&recipe) && scene.make(&recipe));
     assert_eq!(scene.inventory().count(Item::PickaxeIron), 1);
-    assert_eq!(scene.take_hints(), [Hint::Made(Item::PickaxeIron)]);
+    assert_eq!(scene.take_hints(), [Hint::Made(Item::PickaxeIron, 1)]);
     for slot in 0..SLOTS {
         scene.inventory_mut().put(slot, one(Item::Gun));
     }
