@@ -148,6 +148,16 @@ impl Standing {
         Some((trunk.radius_m * scale, trunk.height_m * scale))
     }
 
+    /// How far its crown reaches about its root, and how high, metres.
+    pub fn crown_m(&self) -> (f64, f64) {
+        let scale = f64::from(self.thing.scale);
+        let (radius_m, height_m) = (
+            self.species.radius_m(self.age),
+            self.species.height_m(self.age),
+        );
+        (radius_m * scale, height_m * scale)
+    }
+
     /// The wood in it, cubic metres.
     fn wood_m3(&self) -> f64 {
         let volume = |(radius_m, height_m): (f64, f64)| {
@@ -222,14 +232,8 @@ pub(crate) fn probe(now: Situation<'_>) -> Option<PlantsProbe> {
         return None;
     }
     let mut near: BTreeMap<&'static str, usize> = BTreeMap::new();
-    for coord in chunks_near(&*world.strategy, feet, NEAR_M) {
-        let things = world.ground.things(coord).iter();
-        for it in things.filter_map(|thing| Standing::of(coord, *thing)) {
-            let there = over(&*world.strategy, feet, it.root());
-            if there.pos.distance(feet.pos) <= NEAR_M {
-                *near.entry(it.species.name()).or_default() += 1;
-            }
-        }
+    for (it, _) in standing_near(world, feet, NEAR_M) {
+        *near.entry(it.species.name()).or_default() += 1;
     }
     let ahead = Crosshair::aimed(now).ground(REACH_M);
     let ahead = ahead.hit.then(|| at(world, ahead.point)).flatten();
@@ -251,20 +255,28 @@ pub(crate) fn struck(now: Situation<'_>, actions: &Actions) -> Option<Standing> 
     at(now.world, mark.point)
 }
 
-/// The roots of what is solid within so many metres of a place.
-pub(crate) fn trunks_near(world: &World, place: ChartPoint, within_m: f64) -> Vec<ChartPoint> {
+/// What stands within so many metres of a place, and its root as the place's chart has it.
+pub(crate) fn standing_near(
+    world: &World,
+    place: ChartPoint,
+    within_m: f64,
+) -> Vec<(Standing, ChartPoint)> {
     let near = chunks_near(&*world.strategy, place, within_m).into_iter();
     let things = near.flat_map(|coord| {
         let things = world.ground.things(coord).iter();
         things.filter_map(move |thing| Standing::of(coord, *thing))
     });
-    let solid = things
-        .filter(|it| it.solid_m().is_some())
-        .map(|it| it.root());
-    let is_near = |root: &ChartPoint| {
-        over(&*world.strategy, place, *root).pos.distance(place.pos) <= within_m
-    };
-    solid.filter(is_near).collect()
+    let there = things.map(|it| (it, over(&*world.strategy, place, it.root())));
+    there
+        .filter(|(_, root)| root.pos.distance(place.pos) <= within_m)
+        .collect()
+}
+
+/// The roots of what is solid within so many metres of a place.
+pub(crate) fn trunks_near(world: &World, place: ChartPoint, within_m: f64) -> Vec<ChartPoint> {
+    let near = standing_near(world, place, within_m).into_iter();
+    let solid = near.filter(|(it, _)| it.solid_m().is_some());
+    solid.map(|(it, _)| it.root()).collect()
 }
 
 /// What solid thing stands at a point.

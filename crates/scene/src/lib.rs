@@ -61,6 +61,7 @@ mod photo;
 pub mod pick;
 pub mod player;
 mod presentation;
+mod pressing;
 pub mod probe;
 mod probing;
 pub mod projectile;
