@@ -4,6 +4,9 @@
 // Figures whose shade on the ground is drawn: the nearest ones.
 const SHADES: u32 = 8u;
 
+// What bends leaves and grass at once: the nearest ones.
+const PRESSERS: u32 = 8u;
+
 // Lamps and beams that can be lit at once.
 const LAMPS: u32 = 64u;
 const BEAMS: u32 = 16u;
@@ -46,6 +49,16 @@ struct Shadows {
     by_moon: f32,       // 1 where a closed world's moon throws them
 }
 
+// What presses down and aside what grows about it: a car, or feet.
+struct Presser {
+    place: vec3<f32>,   // the middle of where it touches the ground, from the reference, m
+    reach_m: f32,       // how far from its line it presses
+    along: vec3<f32>,   // from the middle to the end of its line, m
+    height_m: f32,      // what is higher over its ground is left alone
+    up: vec3<f32>,      // away from the ground, a unit vector
+    strength: f32,      // the share of the way to the ground that it presses
+}
+
 // The chart of what is drawn.
 struct Chart {
     view: mat4x4<f32>,      // from its ported points, xyz in metres and w without unit, to view coordinates
@@ -53,6 +66,7 @@ struct Chart {
     fraction: vec3<f32>,    // the reference from the whole metres that its chunks are measured from
     domain_low: vec2<f32>,  // a rectangle past which other charts draw the land: least x and z from the reference,
     domain_high: vec2<f32>, // and greatest
+    pressers: array<Presser, PRESSERS>,
 }
 
 struct Scene {

@@ -1,5 +1,5 @@
 // What grows and stands on the land, in vertices of the land's layout: lit as land is, without its grain, its layers and the ring
-// about what is dug. What is of leaves sways in the wind and gives way where it is close to the eye.
+// about what is dug. What is of leaves sways in the wind, is bent by what goes through it, and gives way where it is close to the eye.
 // Follows terrain.wgsl and surfaces.wgsl.
 
 // The numbers of blades in the fourth byte of vertices, where they stand and at their tips; crates/render/src/baked.rs.
@@ -41,6 +41,36 @@ fn sway_of(made_of: u32) -> f32 {
 
 fn made_of_byte(in: VertexIn) -> u32 {
     return u32(in.colour.a * 255.0 + 0.5) & NUMBER_BITS;
+}
+
+// As far as this from the middle of what presses leaves go aside less, so that none jumps from side to side, metres.
+const MIDDLE_M: f32 = 0.3;
+// What is pressed keeps so much of its height, and goes aside by so much of it.
+const KEPT_LOW: f32 = 0.18;
+const ASIDE: f32 = 0.55;
+
+// What cars and feet that are near a chunk move a vertex by, in the chart: by its height over their ground, so that what stands on
+// the ground does so still.
+fn pressed_by(in: VertexIn, rest: vec3<f32>) -> vec3<f32> {
+    var moved = vec3<f32>(0.0);
+    var left = select(0.0, 1.0, sway_of(made_of_byte(in)) > 0.0);
+    for (var i = 0u; ((in.flags >> 1u) >> i) != 0u; i++) {
+        let it = chart.pressers[i];
+        let off = rest - it.place;
+        let share = clamp(dot(off, it.along) / max(dot(it.along, it.along), 1e-4), -1.0, 1.0);
+        let side = off - share * it.along;
+        let over_m = dot(side, it.up);
+        let aside = side - over_m * it.up;
+        let away_m = length(aside);
+        let near = 1.0 - smoothstep(0.5 * it.reach_m, it.reach_m, away_m);
+        let low = 1.0 - smoothstep(0.6 * it.height_m, it.height_m, over_m);
+        // What is pressed already is pressed less by the next, and nothing is pressed into the ground.
+        let pressed = it.strength * near * low * left;
+        left -= pressed;
+        let way = aside * (ASIDE / max(away_m, MIDDLE_M)) - it.up * (1.0 - KEPT_LOW);
+        moved += way * (pressed * max(over_m, 0.0));
+    }
+    return moved;
 }
 
 // What the wind moves a vertex by, in the chart.
@@ -92,7 +122,7 @@ fn plant_at(in: VertexIn, rest: vec3<f32>, p: vec3<f32>, rest_view: vec4<f32>, v
 @vertex
 fn vertex_plant(in: VertexIn) -> PlantOut {
     let rest = from_reference(in);
-    let p = rest + swayed_by(in);
+    let p = rest + swayed_by(in) + pressed_by(in, rest);
     let space = space_of_chart();
     return plant_at(in, rest, p, port_to_view(space, rest), port_to_view(space, p));
 }
@@ -100,7 +130,7 @@ fn vertex_plant(in: VertexIn) -> PlantOut {
 @vertex
 fn vertex_plant_framed(in: VertexIn) -> PlantOut {
     let rest = from_reference(in);
-    let p = rest + swayed_by(in);
+    let p = rest + swayed_by(in) + pressed_by(in, rest);
     return plant_at(in, rest, p, framed_view(in, rest), framed_view(in, p));
 }
 

@@ -7,7 +7,7 @@ struct VertexIn {
     @location(2) colour: vec4<f32>,     // sRGB, and the byte of the kind of ground
     @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
     @location(4) flags: u32,            // lowest bit: whether a figure's shadow may fall on the chunk; above it a
-                                        // bit for each shade that may
+                                        // bit for each shade that may; of what grows for each that may bend it
     @location(5) world: vec4<f32>,      // xyz: where grain has the chunk's corner, wrapped to 256 m; w: of a mesh that comes in a
                                         // blend, the share of the pixels that show it; minus that of one that goes
     @location(6) frame_origin: vec4<f32>, // view coordinates of the reference, where the chunk is ported as a whole,

@@ -13,6 +13,7 @@ mod model;
 pub mod motion;
 mod opening;
 mod posture;
+mod presser;
 mod quality;
 mod view;
 
@@ -28,6 +29,7 @@ pub use land::{ChunkChange, Land, LandCursor, LandNews};
 pub use model::{ModelId, ModelShape};
 pub use opening::{Opening, sheet_behind};
 pub use posture::{Clip, Posture};
+pub use presser::Presser;
 pub use quality::{ParseQualityError, Quality};
 pub use view::{Hand, View};
 
@@ -42,6 +44,8 @@ pub struct Content {
     pub figures: Vec<Figure>,
     /// Things that fall.
     pub falling: Vec<FallingThing>,
+    /// What bends leaves and grass; a picture shows what the eight nearest to the eye do.
+    pub pressers: Vec<Presser>,
     /// Lamps and beams.
     pub lights: Lights,
     /// Where a tool digs or builds, or where a lamp in hand would hang.

@@ -11,12 +11,15 @@ use wgpu::{
     BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, RenderPass, ShaderStages,
 };
 
+use crate::pressers::{PRESSERS, PresserUniform, Pressers};
 use crate::uniforms::SceneUniform;
 
 /// Uniforms begin at multiples of this many bytes, on every adapter.
-const STRIDE: usize = 256;
+const ALIGNED: usize = 256;
 /// Where the charts begin in the buffer: behind the scene.
-const CHARTS_AT: usize = size_of::<SceneUniform>().next_multiple_of(STRIDE);
+const CHARTS_AT: usize = size_of::<SceneUniform>().next_multiple_of(ALIGNED);
+/// From one chart to the next.
+const STRIDE: usize = size_of::<ChartUniform>().next_multiple_of(ALIGNED);
 /// The group by which shaders read the scene and the chart of what is drawn.
 const GROUP: u32 = 1;
 /// Sides of rectangles are no farther off than this, metres: past it there is nothing.
@@ -39,10 +42,12 @@ pub struct ChartUniform {
     pub domain_low: [f32; 2],
     /// See above.
     pub domain_high: [f32; 2],
+    /// What bends what grows there.
+    pub pressers: [PresserUniform; PRESSERS],
 }
 
 impl ChartUniform {
-    fn new(frame: &Frame, chart: ChartId) -> Self {
+    fn new(frame: &Frame, chart: ChartId, pressers: &Pressers) -> Self {
         let columns = |matrix: DMat4| matrix.as_mat4().to_cols_array_2d();
         let reference = frame.view.strategy.reference(&frame.view.eye, chart);
         let fraction = reference - whole_reference(frame, chart);
@@ -61,6 +66,7 @@ impl ChartUniform {
             padding: 0.0,
             domain_low: low.into(),
             domain_high: high.into(),
+            pressers: pressers.uniforms(frame, chart),
         }
     }
 }
@@ -103,7 +109,14 @@ impl Charts {
     }
 
     /// Sends the scene, and what the shaders are to know of the charts that were numbered.
-    pub fn send(&mut self, device: &Device, queue: &Queue, frame: &Frame, scene: &SceneUniform) {
+    pub fn send(
+        &mut self,
+        device: &Device,
+        queue: &Queue,
+        frame: &Frame,
+        scene: &SceneUniform,
+        pressers: &Pressers,
+    ) {
         let bytes = CHARTS_AT + self.numbered.len() * STRIDE;
         if bytes > self.uniforms.size() as usize {
             let room = self.numbered.len().next_power_of_two();
@@ -113,7 +126,7 @@ impl Charts {
         let (head, charts) = self.bytes.split_at_mut(CHARTS_AT);
         head[..size_of::<SceneUniform>()].copy_from_slice(bytemuck::bytes_of(scene));
         for (place, chart) in charts.chunks_exact_mut(STRIDE).zip(&self.numbered) {
-            let uniform = ChartUniform::new(frame, *chart);
+            let uniform = ChartUniform::new(frame, *chart, pressers);
             place[..size_of::<ChartUniform>()].copy_from_slice(bytemuck::bytes_of(&uniform));
         }
         queue.write_buffer(&self.uniforms, 0, &self.bytes);

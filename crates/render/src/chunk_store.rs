@@ -20,6 +20,7 @@ use crate::low_growth::LowGrowth;
 use crate::pages::Pages;
 use crate::parts::{Block, parts, sections};
 use crate::plan::{ChunkLand, FramePlan, LandIndex, Tolerance};
+use crate::pressers::Pressers;
 use crate::refinements::{Refinement, Refinements};
 use crate::seams;
 use crate::shades::Shades;
@@ -134,6 +135,8 @@ pub struct Shading<'a> {
     pub shadows: &'a Shadows,
     /// The soft shades below figures.
     pub shades: &'a Shades,
+    /// What bends what grows.
+    pub pressers: &'a Pressers,
 }
 
 impl ChunkStore {
@@ -405,7 +408,11 @@ impl ChunkStore {
         list: &mut DrawList,
         charts: &mut Charts,
     ) {
-        let Shading { shadows, shades } = shading;
+        let Shading {
+            shadows,
+            shades,
+            pressers,
+        } = shading;
         list.clear();
         self.list_fallen(frame, list, charts);
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
@@ -423,6 +430,7 @@ impl ChunkStore {
                 .shaded(shades.on(&chunk.land), reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
             let light = ThingsLight::of(shadows, reach, lights);
+            let light = light.bent_by(pressers.on(frame, &chunk.land));
             chunk.list_growth(frame, choice, light, list, chart);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);

@@ -42,6 +42,7 @@ mod parts;
 mod pipeline_cache;
 mod pipelines;
 mod plan;
+mod pressers;
 mod refinements;
 mod renderer;
 mod rig;

@@ -172,12 +172,13 @@ impl Grown {
     }
 }
 
-/// What falls on the things of a chunk.
+/// What falls on the things of a chunk, and what bends them.
 #[derive(Clone, Copy, Debug)]
 pub struct ThingsLight {
     reach: ShadowReach,
     by_figures: bool,
     lights: [u32; 3],
+    pressers: u32,
 }
 
 impl ThingsLight {
@@ -195,7 +196,7 @@ impl ThingsLight {
         let corner = coord.origin() - f64::from(MARGIN_M);
         let corner = ChartPoint::new(coord.chart, corner);
         let instance = ChunkInstance::at(frame, corner, &choice.port)
-            .shaded(0, self.by_figures)
+            .bent(self.pressers, self.by_figures)
             .lit(self.lights, Level::FULL);
         let number = TerrainPipelines::number_of_plants(choice, self.reach, self.lights);
         let pieces = mesh.pieces(0).map(|piece| (number, piece));
@@ -213,7 +214,14 @@ impl ThingsLight {
             reach: shadows.told_apart(looked_for),
             by_figures: reach == ShadowReach::All,
             lights,
+            pressers: 0,
         }
+    }
+
+    /// The same of things that these bend, a bit for each.
+    #[must_use]
+    pub fn bent_by(self, pressers: u32) -> Self {
+        Self { pressers, ..self }
     }
 }
 

@@ -155,7 +155,8 @@ const PAST_RIM_FLAG: u32 = 1;
 pub struct ChunkInstance {
     /// The chunk's corner from the whole metres next to the reference.
     pub offset: [f32; 3],
-    /// In the lowest bit whether a figure's shadow may fall on the chunk, and above a bit for each shade that may.
+    /// In the lowest bit whether a figure's shadow may fall on the chunk, and above a bit for each shade that may; of what grows,
+    /// for each that may bend it.
     pub flags: u32,
     /// Where grain has the chunk's corner, wrapped to [-128, 128) metres.
     pub world: [f32; 3],
@@ -226,6 +227,12 @@ impl ChunkInstance {
             flags: u32::from(by_figures) | shades << 1,
             ..self
         }
+    }
+
+    /// The same of what grows: with what may bend it by bits, and a figure's shadow or none. It has no shades.
+    #[must_use]
+    pub fn bent(self, pressers: u32, by_figures: bool) -> Self {
+        self.shaded(pressers, by_figures)
     }
 
     /// The same, with lights that may fall on it, whose triangles are those of a level.

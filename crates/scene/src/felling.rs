@@ -133,6 +133,12 @@ impl Standing {
         Some((trunk.radius_m * scale, trunk.height_m * scale))
     }
 
+    /// How far its crown reaches about its root, and how high, metres.
+    pub fn crown_m(&self) -> (f64, f64) {
+        let scale = f64::from(self.thing.scale);
+        (self.species.radius_m(self.age) * scale, self.height_m())
+    }
+
     /// How high it stands, metres.
     pub fn height_m(&self) -> f64 {
         self.species.height_m(self.age) * f64::from(self.thing.scale)
@@ -174,16 +180,10 @@ pub(crate) fn probe(now: Situation<'_>, fov_y_rad: f64) -> Option<PlantsProbe> {
     }
     let mut near: BTreeMap<&'static str, usize> = BTreeMap::new();
     let mut planted_m: f64 = 0.0;
-    for coord in chunks_near(&*world.strategy, feet, PROBED_M) {
-        let things = world.ground.things(coord).iter();
-        for it in things.filter_map(|thing| Standing::of(coord, *thing)) {
-            let there = over(&*world.strategy, feet, it.root());
-            if there.pos.distance(feet.pos) <= PROBED_M {
-                *near.entry(it.species.name()).or_default() += 1;
-                if it.thing.slot >= FIRST_PLANTED && it.species.is_tree() {
-                    planted_m = planted_m.max(it.height_m());
-                }
-            }
+    for (it, _) in standing_near(world, feet, PROBED_M) {
+        *near.entry(it.species.name()).or_default() += 1;
+        if it.thing.slot >= FIRST_PLANTED && it.species.is_tree() {
+            planted_m = planted_m.max(it.height_m());
         }
     }
     let ahead = Crosshair::aimed(now).ground(REACH_M);
@@ -228,20 +228,28 @@ pub(crate) fn struck(now: Situation<'_>, actions: &Actions) -> Option<Standing> 
     at(now.world, mark.point)
 }
 
-/// The roots of what is solid within so many metres of a place.
-pub(crate) fn trunks_near(world: &World, place: ChartPoint, within_m: f64) -> Vec<ChartPoint> {
+/// What stands within so many metres of a place, and its root as the place's chart has it.
+pub(crate) fn standing_near(
+    world: &World,
+    place: ChartPoint,
+    within_m: f64,
+) -> Vec<(Standing, ChartPoint)> {
     let near = chunks_near(&*world.strategy, place, within_m).into_iter();
     let things = near.flat_map(|coord| {
         let things = world.ground.things(coord).iter();
         things.filter_map(move |thing| Standing::of(coord, *thing))
     });
-    let solid = things
-        .filter(|it| it.solid_m().is_some())
-        .map(|it| it.root());
-    let is_near = |root: &ChartPoint| {
-        over(&*world.strategy, place, *root).pos.distance(place.pos) <= within_m
-    };
-    solid.filter(is_near).collect()
+    let there = things.map(|it| (it, over(&*world.strategy, place, it.root())));
+    there
+        .filter(|(_, root)| root.pos.distance(place.pos) <= within_m)
+        .collect()
+}
+
+/// The roots of what is solid within so many metres of a place.
+pub(crate) fn trunks_near(world: &World, place: ChartPoint, within_m: f64) -> Vec<ChartPoint> {
+    let near = standing_near(world, place, within_m).into_iter();
+    let solid = near.filter(|(it, _)| it.solid_m().is_some());
+    solid.map(|(it, _)| it.root()).collect()
 }
 
 /// What solid thing stands at a point.

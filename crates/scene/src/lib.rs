@@ -64,6 +64,7 @@ pub mod pick;
 mod planting;
 pub mod player;
 mod presentation;
+mod pressing;
 pub mod probe;
 mod probing;
 pub mod projectile;

@@ -26,7 +26,7 @@ use crate::scene::Scene;
 use crate::shown::figures_seen_by;
 use crate::tuning::{DOOR_FOG_M, NEAR_M, STEP_S};
 use crate::world::World;
-use crate::{door, falling, fixture, hand, planting};
+use crate::{door, falling, fixture, hand, planting, pressing};
 
 /// Identifies a figure or a light, so that it can be found again after the next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -195,6 +195,7 @@ impl Scene {
         let own_car = moment.figures.iter().find(|(who, _)| Some(*who) == bonnet);
         let own_car = own_car.map(|(_, car)| *car);
         let dust = self.dust(&moment.figures, &eye, moment.simulated_s);
+        let pressers = pressing::seen(&self.sim.world, moment.taker, &eye, &moment.figures);
         let content = Content {
             sky: day::sky(moment.time_of_day_s, &*strategy, &eye),
             land: Arc::clone(self.sim.world.ground.land()),
@@ -204,6 +205,7 @@ impl Scene {
                 .map(|(_, it)| self.under_sky(it))
                 .collect(),
             falling: moment.falling,
+            pressers,
             lights: Lights {
                 lamps: moment.lit.lamps.into_iter().map(|(_, it)| it).collect(),
                 beams: moment.lit.beams.into_iter().map(|(_, it)| it).collect(),

@@ -25,6 +25,7 @@ use crate::outlines::Outlines;
 use crate::pages::Pages;
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::{FramePlan, LandIndex, Planner};
+use crate::pressers::Pressers;
 use crate::shades::Shades;
 use crate::shadow::Shadows;
 use crate::targets::Targets;
@@ -180,17 +181,18 @@ impl ViewState {
         plan: &mut FramePlan,
         drawn: (u32, u32),
     ) {
-        let shades = Shades::of(frame);
+        let (shades, pressers) = (Shades::of(frame), Pressers::of(frame));
         let shading = Shading {
             shadows: land.shadows,
             shades: &shades,
+            pressers: &pressers,
         };
         let (list, charts) = (&mut self.list, &mut self.charts);
         land.chunks
             .list(frame, land.index.land(), plan, shading, list, charts);
         self.land.send(queue, &mut self.list);
         let scene = SceneUniform::new(frame, drawn, &shades, &land.shadows.uniform(frame));
-        self.charts.send(device, queue, frame, &scene);
+        self.charts.send(device, queue, frame, &scene, &pressers);
     }
 
     /// Draws the light of a frame that was taken.

@@ -13,6 +13,7 @@ use naga::{Binding, Module, TypeInner};
 
 use super::*;
 use crate::charts::ChartUniform;
+use crate::pressers::PresserUniform;
 use crate::shaders::tests::parse;
 use crate::shaders::{FIGURE, MARKER, OUTLINES, TERRAIN};
 use crate::shadow::{CasterUniform, MapUniform};
@@ -99,6 +100,7 @@ fn a_chart_is_laid_out_as_the_shaders_read_it() {
         ("fraction", offset_of!(ChartUniform, fraction)),
         ("domain_low", offset_of!(ChartUniform, domain_low)),
         ("domain_high", offset_of!(ChartUniform, domain_high)),
+        ("pressers", offset_of!(ChartUniform, pressers)),
     ];
     assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
     assert_eq!(span, size_of::<ChartUniform>());
@@ -122,13 +124,17 @@ fn the_space_is_laid_out_as_the_shaders_read_it() {
 }
 
 #[test]
-fn lights_and_shadows_are_laid_out_as_the_shaders_read_them() {
+fn lights_shadows_and_pressers_are_laid_out_as_the_shaders_read_them() {
     let module = parse(TERRAIN, &FLAT);
     let cases = [
         ("Lamp", laid_out!(LampUniform: place, colour, fades_per_m2)),
         (
             "Beam",
             laid_out!(BeamUniform: place, axis, colour, fades_per_m2, full_cosine, dark_cosine, behind),
+        ),
+        (
+            "Presser",
+            laid_out!(PresserUniform: place, reach_m, along, height_m, up, strength),
         ),
         (
             "ShadowMap",

@@ -6,6 +6,7 @@
     reason = "tests fail by panicking"
 )]
 
+mod bushes;
 mod common;
 mod culling;
 mod dark_lines;

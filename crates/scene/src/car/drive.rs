@@ -4,6 +4,7 @@ use antipode_geometry::{ChartPoint, Crossing, pace};
 use antipode_physics::{VehicleDoors, VehicleInput, VehicleMotion, VehiclePhysics};
 use glam::DVec3;
 
+use super::bushes;
 use super::damage::run_over;
 use super::tuning::{CRASH_FROM_M_S, CRASH_SHARE, NEEDED_AHEAD_S, NEEDED_AROUND_M, SEAT_M};
 use super::{Car, Cars};
@@ -56,6 +57,7 @@ pub(crate) fn step(
             driving.chase.carry(&*world.strategy, &crossing);
         }
     }
+    bushes::go_through(world, actors, outbox);
     run_over(world, actors, player, outbox);
     seat_driver(actors, player, outbox, actions);
 }

@@ -1,5 +1,6 @@
 //! Cars: their components, where they appear, and what other rules may know of them.
 
+mod bushes;
 pub(crate) mod camera;
 pub(crate) mod damage;
 pub(crate) mod doors;

@@ -86,6 +86,12 @@ pub const CRASH_SHARE: f64 = 0.65;
 /// Share of a car's speed that hits a driver who gets out, as the end of a fall at that speed would: without the double force no car
 /// on level ground is fast enough to hurt.
 pub const JUMPED_OFF_SHARE: f64 = 0.8;
+/// Bushes halve a car's speed in so much of the way through them, in metres.
+pub const BUSHES_HALVE_M: f64 = 12.0;
+/// Slower than this, in m/s, a car goes through them unnoticed.
+pub const RUSTLES_FROM_M_S: f64 = 1.0;
+/// A bush that a car is in rustles and loses leaves again after so many seconds.
+pub const RUSTLES_EVERY_S: f64 = 0.15;
 /// The horn scatters who is within this, in metres of the space.
 pub const HORN_REACH_M: f64 = 30.0;
 /// Where the head lights and the tail lights are, in the car's axes, in metres; the others are their mirror images.

@@ -43,6 +43,8 @@ pub(crate) enum Effect {
     },
     /// Wood was struck.
     Chopped { at: ChartPoint },
+    /// Something went through leaves, in metres per second of the chart.
+    Rustled { at: ChartPoint, velocity: DVec3 },
     /// Feet came down from a fall of that speed.
     Landed { at: ChartPoint, speed_m_s: f64 },
     /// A foot of somebody who goes that fast came down, in metres per second of the chart.

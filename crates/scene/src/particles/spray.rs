@@ -61,6 +61,15 @@ const WOOD: Surface = Surface {
     sky: 1.0,
 };
 
+/// Leaves of bushes, how many of one fly at a time, and the share of the speed of what goes through that they take along.
+const LEAVES: Surface = Surface {
+    kind: Kind::Grass,
+    colour: [0.15, 0.26, 0.055],
+    sky: 1.0,
+};
+const LEAVES_FLY: f64 = 9.0;
+const LEAVES_TAKEN: f64 = 0.45;
+
 /// How a kind of ground breaks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Breaks {
@@ -112,6 +121,7 @@ impl Particles {
             Effect::Built { at, radius_m } => self.dig(world, at, radius_m, 0.0),
             Effect::Struck { at, up, speed_m_s } => self.strike(world, at, up, speed_m_s),
             Effect::Chopped { at } => self.burst(at, DVec3::Y, &WOOD, 0.8, 1.2),
+            Effect::Rustled { at, velocity } => self.strew(at, velocity),
             Effect::Landed { at, speed_m_s } => self.puff(world, at, speed_m_s, DVec3::ZERO),
             Effect::Stepped { at, velocity } => {
                 let speed_m_s = STEP_SHARE * velocity.length();
@@ -127,6 +137,25 @@ impl Particles {
             if body.0.impact_m_s >= LANDS_FROM_M_S {
                 self.puff(now.world, position.0, body.0.impact_m_s, DVec3::ZERO);
             }
+        }
+    }
+
+    /// Leaves fly along with what goes through them.
+    fn strew(&mut self, at: ChartPoint, velocity: DVec3) {
+        for _ in 0..self.some(LEAVES_FLY) {
+            let radius_m = self.dice.between([0.05, 0.10]);
+            let way = self.way(DVec3::Y, 1.3);
+            let start = Particle::of(Sort::Chip, at, DVec3::Y, &LEAVES);
+            let it = Particle {
+                velocity: velocity * LEAVES_TAKEN * self.dice.unit()
+                    + way * self.dice.between([1.5, 4.5]),
+                life_s: self.dice.between([2.0, 4.0]),
+                colour: shaded(LEAVES.colour, self.dice.between([0.7, 1.5]) as f32),
+                radius_m: [radius_m; 2],
+                shape: self.dice.unit(),
+                ..start.raised(0.5 * self.dice.unit())
+            };
+            self.add(it);
         }
     }
 

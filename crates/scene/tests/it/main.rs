@@ -9,6 +9,7 @@
 mod biomes;
 mod bodies;
 mod car;
+mod car_bushes;
 mod car_equator;
 mod car_fallen;
 mod car_view;
