@@ -143,7 +143,7 @@ impl Standing {
     }
 
     /// What of it is solid: radius and height, metres.
-    fn solid_m(&self) -> Option<(f64, f64)> {
+    pub fn solid_m(&self) -> Option<(f64, f64)> {
         let (trunk, scale) = (self.species.trunk(self.age)?, f64::from(self.thing.scale));
         Some((trunk.radius_m * scale, trunk.height_m * scale))
     }
@@ -251,20 +251,18 @@ pub(crate) fn struck(now: Situation<'_>, actions: &Actions) -> Option<Standing> 
     at(now.world, mark.point)
 }
 
-/// The roots of what is solid within so many metres of a place.
-pub(crate) fn trunks_near(world: &World, place: ChartPoint, within_m: f64) -> Vec<ChartPoint> {
+/// What is solid and has its root within so many metres of a place.
+pub(crate) fn solids_near(world: &World, place: ChartPoint, within_m: f64) -> Vec<Standing> {
     let near = chunks_near(&*world.strategy, place, within_m).into_iter();
     let things = near.flat_map(|coord| {
         let things = world.ground.things(coord).iter();
         things.filter_map(move |thing| Standing::of(coord, *thing))
     });
-    let solid = things
-        .filter(|it| it.solid_m().is_some())
-        .map(|it| it.root());
-    let is_near = |root: &ChartPoint| {
-        over(&*world.strategy, place, *root).pos.distance(place.pos) <= within_m
+    let is_near = |it: &Standing| {
+        let root = over(&*world.strategy, place, it.root());
+        it.solid_m().is_some() && root.pos.distance(place.pos) <= within_m
     };
-    solid.filter(is_near).collect()
+    things.filter(is_near).collect()
 }
 
 /// What solid thing stands at a point.

@@ -33,6 +33,7 @@ mod hit_shapes;
 mod hours;
 mod npc;
 mod npc_peace;
+mod npc_things;
 mod purity;
 mod restoring;
 mod round;
