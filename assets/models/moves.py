@@ -267,6 +267,18 @@ def rest(t):
     return pose, 0.0
 
 
+def perch(t):
+    """On a stone or a stump 0.42 m high, a hand on each thigh; the place is between what is sat on and the feet."""
+    a = TAU * t
+    pose = standing((-0.25, 0.575 + 0.004 * math.cos(2.0 * a), 0.0), hips=turn_z(8.0), spine=turn_z(-10.0),
+                    chest=turn_z(-11.0 + 0.8 * math.cos(2.0 * a)))
+    pose["head"] = chain(turn_y(18.0 * math.sin(a)), turn_z(5.0 + 3.0 * math.sin(2.0 * a)))
+    for side, sign in SIDES:
+        arm(pose, side, 26.0, 4.0, 44.0, 0.0, -12.0)
+        leg(pose, side, (0.20, ANKLE_M, sign * (HALF_HIPS_M + 0.03)), 0.0, 0.0, 8.0)
+    return pose, 0.0
+
+
 def _between(keys, t):
     """Poses at times, joined by easing; `keys` are (time, pose, feet or None)."""
     for (t0, p0), (t1, p1) in zip(keys, keys[1:]):
@@ -373,6 +385,7 @@ def clips():
         "die": (*_once(_die_keys()), extras(0.0, False)),
         "sit": (*_loop(sit, 5.0, 10), extras(0.0, True)),
         "rest": (*_loop(rest, 7.0, 14), extras(0.0, True)),
+        "perch": (*_loop(perch, 8.0, 16), extras(0.0, True)),
     }
 
 

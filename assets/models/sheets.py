@@ -83,7 +83,7 @@ def draw_sheets(folder):
     sheets = {
         "astronauts": figures, "car": car, "held": lambda: held(ICONS), "walk_run": lambda: moves(("walk", "run"), 86.0),
         "jump_fall": lambda: moves(("jump", "fall"), 66.0), "idle_hold": lambda: moves(("idle", "hold"), 52.0),
-        "hit_die": lambda: moves(("hit", "die"), 74.0), "sit_rest": lambda: moves(("sit", "rest"), 60.0),
+        "hit_die": lambda: moves(("hit", "die"), 74.0), "sit_rest": lambda: moves(("sit", "rest", "perch"), 60.0),
     }
     for name, make in sheets.items():
         data = small_png(*SIZE, make().pixels(background), 160)

@@ -66,6 +66,8 @@ pub struct Doing {
     pub holds: bool,
     /// Whether it crouches to rest, where it stands on something.
     pub sits: bool,
+    /// Whether what it sits on is a stone behind it.
+    pub perches: bool,
     /// How far it looks up, radians.
     pub pitch_rad: f64,
 }
@@ -145,7 +147,7 @@ impl Motion {
         for (clip, moment) in Clip::ALL.into_iter().zip(&mut self.posture.moments) {
             *moment = match clip {
                 Clip::Walk | Clip::Run | Clip::Land => *moment,
-                Clip::Idle | Clip::Fall | Clip::Hold | Clip::Sit | Clip::Rest => {
+                Clip::Idle | Clip::Fall | Clip::Hold | Clip::Sit | Clip::Rest | Clip::Perch => {
                     (*moment + dt_s) % LONG_AGO_S
                 }
                 Clip::Jump | Clip::Die | Clip::Hit => (*moment + dt_s).min(LONG_AGO_S),
@@ -206,7 +208,12 @@ impl Motion {
         }
         let speed_m_s = doing.way.length();
         if doing.sits && speed_m_s < STANDS_M_S {
-            return (Posture::of(Clip::Rest, 0.0), SITS_FADE_S);
+            let clip = if doing.perches {
+                Clip::Perch
+            } else {
+                Clip::Rest
+            };
+            return (Posture::of(clip, 0.0), SITS_FADE_S);
         }
         let run = run_share(speed_m_s) as f32;
         let walk = smooth((speed_m_s - STANDS_M_S) / (WALKS_M_S - STANDS_M_S)) as f32;

@@ -21,6 +21,8 @@ pub enum Clip {
     Sit,
     /// Sits on the ground, its arms on its knees.
     Rest,
+    /// Sits on a stone or a stump, its feet on the ground before it.
+    Perch,
     /// Is hit. Lies over the others from the belt up.
     Hit,
     /// Carries something in the right hand. Lies over the others, most of all over the right arm.
@@ -29,7 +31,7 @@ pub enum Clip {
 
 impl Clip {
     /// Every clip, by its number in a [`Posture`].
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Idle,
         Self::Walk,
         Self::Run,
@@ -39,12 +41,13 @@ impl Clip {
         Self::Die,
         Self::Sit,
         Self::Rest,
+        Self::Perch,
         Self::Hit,
         Self::Hold,
     ];
 
     /// Those that move the whole body; the rest lie over them.
-    pub const WHOLE: [Self; 9] = [
+    pub const WHOLE: [Self; 10] = [
         Self::Idle,
         Self::Walk,
         Self::Run,
@@ -54,6 +57,7 @@ impl Clip {
         Self::Die,
         Self::Sit,
         Self::Rest,
+        Self::Perch,
     ];
 
     /// The name that the clip has in a model's file.
@@ -67,6 +71,7 @@ impl Clip {
             Self::Die => "die",
             Self::Sit => "sit",
             Self::Rest => "rest",
+            Self::Perch => "perch",
             Self::Hit => "hit",
             Self::Hold => "hold",
         }

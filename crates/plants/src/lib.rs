@@ -7,6 +7,7 @@ mod growth;
 mod habitat;
 mod noise;
 mod placement;
+mod seat;
 mod shape;
 mod solid;
 mod species;
@@ -14,6 +15,7 @@ mod undergrowth;
 
 pub use growth::Growth;
 pub use placement::{placed, placed_near, tree_at};
+pub use seat::top_m;
 pub use shape::{Corner, Material, Shape, Size, low_shape, shape};
 pub use solid::add_solids;
 pub use species::{Age, Species, Trunk, left_of};

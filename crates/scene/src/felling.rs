@@ -245,11 +245,11 @@ pub(crate) fn standing_near(
         .collect()
 }
 
-/// The roots of what is solid within so many metres of a place.
-pub(crate) fn trunks_near(world: &World, place: ChartPoint, within_m: f64) -> Vec<ChartPoint> {
+/// What is solid and has its root within so many metres of a place.
+pub(crate) fn solids_near(world: &World, place: ChartPoint, within_m: f64) -> Vec<Standing> {
     let near = standing_near(world, place, within_m).into_iter();
     let solid = near.filter(|(it, _)| it.solid_m().is_some());
-    solid.map(|(it, _)| it.root()).collect()
+    solid.map(|(it, _)| it).collect()
 }
 
 /// What solid thing stands at a point.

@@ -164,9 +164,11 @@ fn figures(actors: &Actors, all: &mut All) {
         .query::<(&Bot, &Position, &Look, &Health, &Mind)>();
     let living = figures.iter().filter(|(.., health, _)| health.0 > 0.0);
     all.extend(living.map(|(bot, position, look, health, mind)| {
+        // Who sits is within what is solid of the stone.
+        let stands = mind.seat.map_or(position.0, |seat| seat.left(position.0));
         let record = Record::Figure(BotRecord {
-            chart: position.0.chart.number(),
-            pos: position.0.pos.to_array(),
+            chart: stands.chart.number(),
+            pos: stands.pos.to_array(),
             yaw: look.yaw,
             health: health.0,
             hostile: bot.hostile,

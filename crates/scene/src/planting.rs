@@ -235,7 +235,7 @@ fn bed(now: Situation<'_>) -> Option<(ChartPoint, bool)> {
     let has_air = AIR_M
         .iter()
         .all(|up_m| !world.ground.is_solid(point.moved(DVec3::Y * *up_m)));
-    let is_alone = felling::trunks_near(world, point, APART_M).is_empty();
+    let is_alone = felling::solids_near(world, point, APART_M).is_empty();
     spot.hit
         .then_some((point, is_level && is_soft && has_air && is_alone))
 }

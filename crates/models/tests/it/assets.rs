@@ -127,7 +127,7 @@ fn both_outfits_have_the_same_skeleton_and_clips() {
     assert_eq!(
         names,
         [
-            "idle", "walk", "run", "jump", "fall", "hold", "hit", "die", "sit", "rest"
+            "idle", "walk", "run", "jump", "fall", "hold", "hit", "die", "sit", "rest", "perch"
         ]
     );
     assert_ne!(white.meshes, teal.meshes);
@@ -148,7 +148,7 @@ fn loops_close_exactly() {
             clip.name
         );
     }
-    assert_eq!(model.clips.iter().filter(|c| c.loops).count(), 7);
+    assert_eq!(model.clips.iter().filter(|c| c.loops).count(), 8);
 }
 
 /// Every stretch of time in which a vertex of a boot is within 6 mm of the ground, it may drift over the

@@ -142,7 +142,8 @@ fn figure(numbers: &mut Numbers, scene: &Frame) -> Figure {
     } else {
         any(numbers, &ModelId::ALL)
     };
-    let clip = Clip::ALL[(numbers.next() * 11.0) as usize % 11];
+    let clips = Clip::ALL.len();
+    let clip = Clip::ALL[(numbers.next() * clips as f64) as usize % clips];
     let mut posture = Posture::of(clip, numbers.between(0.0, 2.0) as f32).with(
         Clip::Hold,
         numbers.next() as f32,

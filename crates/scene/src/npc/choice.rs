@@ -5,12 +5,12 @@ use glam::DVec3;
 
 use super::bearing::{ahead, any_heading, toward, way};
 use super::figure::Npc;
-use super::mind::{Goal, Known, State};
+use super::mind::{Goal, Known, Sits, State};
 use super::senses::{Around, Event, Quarry};
 use super::tuning::{
     ANGRY_S, ASIDE_M, CHASE_PACE, DUSK_S, FIGHT_PACE, FLEE_PACE, FLEES_AT_HEALTH, FLEES_BY_M,
     FLEES_S, GIVES_UP_S, HEARS_SHOTS_M, KEEPS_M, KEEPS_SIGHT_M, KEEPS_SLACK_M, LAMP_M, NOTICES_M,
-    SCARED_S, SEES_FRIENDS_M, SITS_M, STROLL_PACE, WALKS_M, WATCHES_M, WATCHES_S,
+    SCARED_S, SEES_FRIENDS_M, SITS_M, STROLL_PACE, UNDER_FIRE_S, WALKS_M, WATCHES_M, WATCHES_S,
 };
 use crate::day::local_time_s;
 use crate::fixture::Fixture;
@@ -44,6 +44,7 @@ impl Npc<'_> {
             match *event {
                 Event::Shot(at) if around.felt_m(self.position.0, at) < HEARS_SHOTS_M => {
                     self.hear_shot(at);
+                    self.mind_shot(around);
                 }
                 Event::Hit {
                     victim,
@@ -84,6 +85,9 @@ impl Npc<'_> {
             return;
         }
         let Some(quarry) = &around.quarry else { return };
+        if own {
+            self.mind.under_fire_s = UNDER_FIRE_S;
+        }
         let angers = own
             || around.apart_m(self.position.0, at) < SEES_FRIENDS_M
                 && around.sees_place(self.position.0, at.moved(DVec3::Y));
@@ -170,6 +174,9 @@ impl Npc<'_> {
 
     fn fight(&mut self, around: &Around<'_>, known: Known, quarry: &Quarry) {
         self.mind.face = Some(known.feet.moved(DVec3::Y * around.tuning.eye_height_m()));
+        if self.covers(around, known) {
+            return;
+        }
         if known.ago_s > 0.3 {
             self.search(around, known);
             return;
@@ -184,7 +191,7 @@ impl Npc<'_> {
                 point: quarry.feet,
                 within_m: near_m + KEEPS_SLACK_M,
                 pace: CHASE_PACE,
-                lamp: None,
+                sits: None,
             });
             return;
         }
@@ -217,7 +224,7 @@ impl Npc<'_> {
                 point: known.feet,
                 within_m: 1.5,
                 pace: CHASE_PACE,
-                lamp: None,
+                sits: None,
             });
             return;
         }
@@ -233,6 +240,12 @@ impl Npc<'_> {
         let dusk = self.is_dusk(around);
         let over = self.mind.since_s > self.mind.lasts_s;
         match self.mind.state {
+            State::Sit if self.mind.seat.is_some() => {
+                let seat = self.mind.seat.filter(|seat| self.keeps_seat(around, seat));
+                if seat.is_none() {
+                    self.mind.rest();
+                }
+            }
             State::Sit => {
                 let stands = self
                     .mind
@@ -245,8 +258,8 @@ impl Npc<'_> {
             }
             State::Aside if self.mind.since_s < ASIDE_S && self.mind.goal.is_some() => {}
             State::Wander if self.mind.goal.is_some() => {
-                let lamp = self.mind.goal.and_then(|goal| goal.lamp);
-                if lamp.is_some() && !dusk {
+                let sits = self.mind.goal.and_then(|goal| goal.sits);
+                if matches!(sits, Some(Sits::Lamp(_))) && !dusk {
                     self.mind.rest();
                 }
             }
@@ -271,7 +284,8 @@ impl Npc<'_> {
         let there = way(around.strategy(), quarry.feet, self.position.0);
         let away_m = around.apart_m(self.position.0, quarry.feet);
         let comes_m_s = quarry.velocity.dot(there.heading);
-        if away_m < ASIDE_M && comes_m_s > COMES_M_S && self.mind.state != State::Aside {
+        let is_in_the_way = self.mind.state != State::Aside && self.mind.seat.is_none();
+        if away_m < ASIDE_M && comes_m_s > COMES_M_S && is_in_the_way {
             let back = way(around.strategy(), self.position.0, quarry.feet).heading;
             let side = DVec3::new(-back.z, 0.0, back.x) * self.mind.side;
             let heading = (side - back * 0.3).normalize_or(side);
@@ -298,14 +312,20 @@ impl Npc<'_> {
         false
     }
 
-    /// Chooses where to go next: at dusk to a lamp, else to a view, to somebody, or for a stroll.
+    /// Chooses where to go next: at dusk to a lamp, by day perhaps to a stone, else to a view, to somebody, or for a stroll.
     fn set_out(&mut self, around: &Around<'_>, dusk: bool) {
+        if let Some(stone) = self.stone(around) {
+            self.mind.enter(State::Wander);
+            self.mind.face = None;
+            self.mind.go(stone);
+            return;
+        }
         let seat = if dusk { self.seat(around) } else { None };
         let roll = self.mind.dice.unit();
         let beyond = self.beyond_a_door(around);
         let goal = match seat {
             Some((lamp, seat)) => Goal {
-                lamp: Some(lamp),
+                sits: Some(Sits::Lamp(lamp)),
                 ..strolling(seat)
             },
             None if beyond.is_some() => strolling(beyond.unwrap_or(self.position.0)),
@@ -389,7 +409,7 @@ pub(super) fn at_pace(point: ChartPoint, pace: f64) -> Goal {
         point,
         within_m: THERE_M,
         pace,
-        lamp: None,
+        sits: None,
     }
 }
 

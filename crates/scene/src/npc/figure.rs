@@ -8,10 +8,10 @@ use hecs::{Entity, Query};
 
 use super::bearing::{ahead, way};
 use super::doors::Detour;
-use super::mind::{Mind, State};
-use super::navigation::{ASKS_M, PLANS_M, WalkableGround};
+use super::mind::{Mind, Sits, State};
+use super::navigation::{ASKS_M, BLOCKED_M, LOOKS_M, WalkableGround};
 use super::senses::{Around, Event};
-use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
+use super::tuning::{FIGHT_PACE, HEALS_AFTER_S, HEALS_PER_S, STROLL_PACE, TURNS_RAD_S};
 use crate::bot::{Bot, BotView};
 use crate::damage::fall_damage;
 use crate::door;
@@ -37,6 +37,10 @@ const STUCK_AFTER_S: f64 = 1.2;
 const BLOCKED_AHEAD_M: f64 = 0.9;
 /// How long a place that was no way is not tried again, in seconds.
 const BLOCKED_S: f64 = 8.0;
+/// Where exactly to be is gone to straight from so far, in metres.
+const SPOT_FROM_M: f64 = 2.0;
+/// How far from what is solid the middle of a body passes it, in metres.
+const BESIDE_M: f64 = 0.45;
 /// So often in a row stuck, one gives a goal up.
 const STUCK_TIMES: u32 = 3;
 /// Nearer than this others are kept away from, in metres.
@@ -85,7 +89,7 @@ impl Npc<'_> {
         let there = way(around.strategy(), self.position.0, goal.point);
         let detour = around.detour(self.position.0, goal.point);
         if detour.is_none() && there.level_m < goal.within_m {
-            self.arrive(around, goal.lamp);
+            self.arrive(around, goal.sits);
             return;
         }
         let stale_s = if self.mind.steps.is_empty() {
@@ -111,9 +115,7 @@ impl Npc<'_> {
         if !world.is_firm_around(self.position.0, ASKS_M) {
             return;
         }
-        let blocked = self.mind.blocked.iter().map(|(spot, _)| *spot);
-        let trunks = felling::trunks_near(world, self.position.0, PLANS_M);
-        let blocked: Vec<_> = blocked.chain(trunks).collect();
+        let blocked = self.no_way(around);
         let land = WalkableGround {
             strategy: around.strategy(),
             ground: &world.ground,
@@ -140,12 +142,26 @@ impl Npc<'_> {
         }
     }
 
-    fn arrive(&mut self, around: &Around<'_>, lamp: Option<ChartPoint>) {
+    /// Places about that are no way, and how far about them there is none: what stands there, with the width of a body.
+    pub(super) fn no_way(&self, around: &Around<'_>) -> Vec<(ChartPoint, f64)> {
+        let spots = self.mind.blocked.iter().map(|(spot, _)| (*spot, BLOCKED_M));
+        let solids = felling::solids_near(around.world, self.position.0, LOOKS_M);
+        let solids = solids.iter().map(|it| {
+            let (radius_m, _) = it.solid_m().unwrap_or_default();
+            (it.root(), BLOCKED_M.max(radius_m + BESIDE_M))
+        });
+        spots.chain(solids).collect()
+    }
+
+    fn arrive(&mut self, around: &Around<'_>, sits: Option<Sits>) {
         self.mind.halt();
-        match (self.mind.state, lamp) {
-            (State::Wander, Some(lamp)) => {
+        match (self.mind.state, sits) {
+            (State::Wander, Some(Sits::Lamp(lamp))) => {
                 self.mind.enter(State::Sit);
                 self.mind.face = Some(lamp);
+            }
+            (State::Wander, Some(Sits::Stone(seat))) => {
+                self.take_seat(seat, around.tuning.eye_height_m());
             }
             (State::Wander, None) => {
                 self.mind.rest();
@@ -189,6 +205,7 @@ impl Npc<'_> {
             break;
         }
         if input.wish == DVec3::ZERO {
+            input.wish = self.to_spot(around);
             self.mind.anchor = None;
         } else {
             self.watch_progress(around);
@@ -200,6 +217,25 @@ impl Npc<'_> {
             input.wish *= pace / around.tuning.sprint_factor;
         }
         input
+    }
+
+    /// Straight on to exactly where it wants to be, slower and slower.
+    fn to_spot(&self, around: &Around<'_>) -> DVec3 {
+        let Some(spot) = self.mind.spot else {
+            return DVec3::ZERO;
+        };
+        let off = over(around.strategy(), self.position.0, spot).pos - self.position.0.pos;
+        let off = off.with_y(0.0);
+        let pace = if self.mind.state == State::Sit {
+            STROLL_PACE
+        } else {
+            FIGHT_PACE
+        };
+        if off.length() < SPOT_FROM_M {
+            off.clamp_length_max(pace)
+        } else {
+            DVec3::ZERO
+        }
     }
 
     /// All other figures that live.
@@ -277,10 +313,15 @@ impl Npc<'_> {
         let strategy = around.strategy();
         let doing = Doing {
             holds: self.appearance.held.is_some(),
-            sits: self.mind.state == State::Sit,
+            sits: self.mind.state == State::Sit
+                && self.mind.seat.is_none_or(|seat| seat.is_taken()),
+            perches: self.mind.seat.is_some(),
             ..player::doing(self.look, self.body)
         };
         self.appearance.motion.pass(&doing, STEP_S);
+        if self.sits(around) {
+            return;
+        }
         let before = self.position.0;
         self.settle(around, input);
         self.bear_fall(around);

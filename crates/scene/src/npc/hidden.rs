@@ -7,7 +7,7 @@ use antipode_geometry::{Eye, Strategy};
 
 use super::bearing::way;
 use super::figure::Npc;
-use super::mind::{Mind, State};
+use super::mind::Mind;
 use super::senses::Around;
 use super::tuning::{MARKED_S, SHOOTS_M};
 use crate::player::{Health, Position};
@@ -26,7 +26,7 @@ pub(crate) struct OtherPicture {
 impl Npc<'_> {
     /// Looks whether the picture hides one who could shoot.
     pub(super) fn hide(&mut self, around: &Around<'_>) {
-        let fights = matches!(self.mind.state, State::Fight | State::Chase);
+        let fights = self.mind.state.shoots();
         let sees = self
             .mind
             .known

@@ -3,7 +3,9 @@
 use antipode_geometry::ChartPoint;
 use glam::DVec3;
 
+use super::cover::Cover;
 use super::dice::Dice;
+use super::seats::Seat;
 use super::tuning::{FIRST_SHOT_S, LISTENS_S, RESTS_S, WATCHES_AGAIN_S, WATCHES_S};
 use crate::frame::Figure;
 use crate::tuning::{FLASH_S, KICK_S, STEP_S};
@@ -20,12 +22,14 @@ pub enum State {
     Watch,
     /// Steps aside.
     Aside,
-    /// Sits by a lamp.
+    /// Sits by a lamp or on a stone.
     Sit,
     /// Comes after the player.
     Chase,
     /// Fights at its distance.
     Fight,
+    /// Hides from the player behind what stands on the land, and looks out to shoot.
+    Cover,
     /// Looks for the player where it was last known to be.
     Search,
     /// Runs away.
@@ -45,6 +49,7 @@ impl State {
             Self::Sit => "sit",
             Self::Chase => "chase",
             Self::Fight => "fight",
+            Self::Cover => "cover",
             Self::Search => "search",
             Self::Flee => "flee",
             Self::Dead => "dead",
@@ -53,7 +58,12 @@ impl State {
 
     /// Whether it has to do with a player who is fought.
     pub(crate) fn is_combat(self) -> bool {
-        matches!(self, Self::Chase | Self::Fight | Self::Search)
+        matches!(self, Self::Search) || self.shoots()
+    }
+
+    /// Whether it shoots at the player whom it sees.
+    pub(crate) fn shoots(self) -> bool {
+        matches!(self, Self::Chase | Self::Fight | Self::Cover)
     }
 }
 
@@ -74,8 +84,17 @@ pub(crate) struct Goal {
     pub within_m: f64,
     /// Share of the walking speed.
     pub pace: f64,
-    /// A lamp that is sat by there.
-    pub lamp: Option<ChartPoint>,
+    /// What is sat by or on there.
+    pub sits: Option<Sits>,
+}
+
+/// What somebody sits by or on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Sits {
+    /// A lamp whose light is there.
+    Lamp(ChartPoint),
+    /// A stone or a stump.
+    Stone(Seat),
 }
 
 /// What is remembered between two thoughts.
@@ -120,6 +139,15 @@ pub(crate) struct Mind {
     pub told: u32,
     /// Which way it goes round the player, 1 or -1.
     pub side: f64,
+    /// Where exactly to be, once the steps have led near it.
+    pub spot: Option<ChartPoint>,
+    /// The stone that it sits on, or is about to or gets up from; until it sits on one again, in seconds.
+    pub seat: Option<Seat>,
+    pub sits_again_s: f64,
+    /// What it hides behind; how long yet it wants to, and until it looks for something again, in seconds.
+    pub cover: Option<Cover>,
+    pub under_fire_s: f64,
+    pub covers_again_s: f64,
 }
 
 impl Mind {
@@ -150,6 +178,12 @@ impl Mind {
             has_landed: false,
             told: 0,
             side,
+            spot: None,
+            seat: None,
+            sits_again_s: 0.0,
+            cover: None,
+            under_fire_s: 0.0,
+            covers_again_s: 0.0,
         }
     }
 
@@ -171,6 +205,7 @@ impl Mind {
     /// Goes nowhere.
     pub fn halt(&mut self) {
         self.goal = None;
+        self.spot = None;
         self.steps.clear();
         self.anchor = None;
         self.stuck_s = 0.0;
@@ -227,7 +262,14 @@ impl Mind {
         self.fires_in_s -= STEP_S;
         self.hidden_s = self.hidden_s.map(|since_s| since_s + STEP_S);
         self.fired_s += STEP_S;
-        self.bored_s = (self.bored_s - STEP_S).max(0.0);
+        for left_s in [
+            &mut self.bored_s,
+            &mut self.sits_again_s,
+            &mut self.under_fire_s,
+            &mut self.covers_again_s,
+        ] {
+            *left_s = (*left_s - STEP_S).max(0.0);
+        }
         if let Some(known) = &mut self.known {
             known.ago_s += STEP_S;
         }

@@ -3,6 +3,7 @@
 
 mod bearing;
 mod choice;
+mod cover;
 mod dice;
 mod dodge;
 mod doors;
@@ -11,6 +12,7 @@ mod hidden;
 pub(crate) mod mind;
 mod navigation;
 mod population;
+mod seats;
 mod senses;
 mod shooting;
 mod speech;
@@ -188,6 +190,9 @@ impl Npc<'_> {
     /// Lies dead for a step. Returns the bullets that a figure leaves in the step in which it dies; fighters leave more.
     fn lie(&mut self, around: &Around<'_>) -> Option<Drop> {
         let dies = self.mind.state != State::Dead;
+        if let Some(seat) = self.mind.seat.take() {
+            self.position.0 = seat.left(self.position.0);
+        }
         self.mind.enter(State::Dead);
         self.bot.dead_s += STEP_S;
         let doing = Doing {

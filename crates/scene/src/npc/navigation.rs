@@ -15,9 +15,11 @@ use crate::pick::over;
 
 /// Distance between columns, in metres.
 const COLUMN_M: f64 = 1.0;
+/// How far about a place that turned out to be no way there is none, in metres.
+pub(crate) const BLOCKED_M: f64 = 0.8 * COLUMN_M;
 /// How far a way is planned ahead, and how far from the start columns are looked at, in metres.
-pub(crate) const PLANS_M: f64 = 9.0;
-const LOOKS_M: f64 = 12.0;
+const PLANS_M: f64 = 9.0;
+pub(crate) const LOOKS_M: f64 = 12.0;
 /// Ground within this distance is asked about by a plan, to each side and up and down, in metres.
 pub(crate) const ASKS_M: f64 = 14.0;
 /// From how far above the feet, and down to how far below, the floor of a next column is looked for, and in what steps,
@@ -56,8 +58,8 @@ pub(crate) struct Route {
 pub(crate) struct WalkableGround<'a> {
     pub strategy: &'a dyn Strategy,
     pub ground: &'a Ground,
-    /// Places that have turned out to be no way.
-    pub blocked: &'a [ChartPoint],
+    /// Places that are no way, and how far about them there is none, in metres.
+    pub blocked: &'a [(ChartPoint, f64)],
 }
 
 /// A column and its floor, relative to the start: indices along two axes, and the height in centimetres.
@@ -88,6 +90,12 @@ impl WalkableGround<'_> {
         Search::new(self, from, target.pos).run()
     }
 
+    /// The floor at about the height of a place, with room to stand on it.
+    pub fn stand(&self, place: ChartPoint) -> Option<ChartPoint> {
+        let floor = self.floor(place.chart, place.pos)?;
+        Some(self.placed(place.chart, floor))
+    }
+
     /// Whether one can walk straight there, and where the feet are then.
     fn straight(&self, from: ChartPoint, to: DVec3) -> Option<DVec3> {
         let level = (to - from.pos).with_y(0.0);
@@ -108,9 +116,9 @@ impl WalkableGround<'_> {
     }
 
     fn is_blocked(&self, from: ChartPoint, at: DVec3) -> bool {
-        self.blocked.iter().any(|spot| {
+        self.blocked.iter().any(|(spot, about_m)| {
             let spot = over(self.strategy, from, *spot).pos;
-            (spot - at).with_y(0.0).length() < 0.8 * COLUMN_M
+            (spot - at).with_y(0.0).length() < *about_m
         })
     }
 
@@ -394,7 +402,7 @@ mod tests {
     fn a_place_that_was_no_way_is_gone_round() {
         let space = strategy(Geometry::Euclidean, 0.0);
         let ground = land(|_, _| 6.5);
-        let blocked = [ChartPoint::a(DVec3::new(14.5, 6.5, 14.5))];
+        let blocked = [(ChartPoint::a(DVec3::new(14.5, 6.5, 14.5)), BLOCKED_M)];
         let land = WalkableGround {
             strategy: &*space,
             ground: &ground,
@@ -403,7 +411,7 @@ mod tests {
         let route = land
             .route(ChartPoint::a(FROM), ChartPoint::a(TO))
             .expect("there is room beside it");
-        let clear = |step: &ChartPoint| (step.pos - blocked[0].pos).length() > 0.7;
+        let clear = |step: &ChartPoint| (step.pos - blocked[0].0.pos).length() > 0.7;
         assert!(route.reaches && route.steps.iter().all(clear), "{route:?}");
     }
 }

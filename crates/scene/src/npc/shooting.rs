@@ -9,7 +9,6 @@ use super::bearing::way;
 use super::doors::felt_m;
 use super::figure::Npc;
 use super::hidden::IN_SIGHT_S;
-use super::mind::State;
 use super::senses::{Around, Quarry};
 use super::tuning::{ASTRAY_RAD, MUZZLE_M_S, SHOOTS_M, SHOTS_EVERY_S};
 use crate::actors::Actors;
@@ -50,8 +49,7 @@ pub(crate) struct Shot {
 impl Npc<'_> {
     /// Shoots when it is time and the way is clear.
     pub fn shoot(&mut self, around: &Around<'_>) -> Option<Shot> {
-        let fights = matches!(self.mind.state, State::Fight | State::Chase);
-        let ready = fights && self.mind.fires_in_s <= 0.0;
+        let ready = self.mind.state.shoots() && self.mind.fires_in_s <= 0.0;
         let in_sight = self
             .mind
             .known

@@ -72,6 +72,28 @@ pub const LAMP_M: f64 = 30.0;
 pub const SITS_M: f64 = 1.4;
 /// Times of day between which one sits by a lamp, in seconds.
 pub const DUSK_S: (f64, f64) = (285.0, 420.0);
+/// A stone to sit on is looked for within this distance, in metres.
+pub const SEATS_M: f64 = 12.0;
+/// How often one who sets out by a stone that is fit goes to sit on it.
+pub const SITS_SHARE: f64 = 0.4;
+/// How long one sits on it at least and at most, in seconds.
+pub const SITS_FOR_S: [f64; 2] = [20.0, 60.0];
+/// And does not again for so long, in seconds.
+pub const SITS_AGAIN_S: f64 = 90.0;
+/// Times of day between which one sits down on stones, in seconds.
+pub const DAYLIGHT_S: (f64, f64) = (0.0, 300.0);
+/// Cover is looked for within this distance, in metres.
+pub const COVER_M: f64 = 11.0;
+/// Who was hit or aimed at by a shot wants cover for so long, in seconds.
+pub const UNDER_FIRE_S: f64 = 3.0;
+/// How long one stays in cover at least and at most, in seconds.
+pub const COVERS_FOR_S: [f64; 2] = [5.0, 9.0];
+/// And takes none again for so long, in seconds.
+pub const COVERS_AGAIN_S: f64 = 8.0;
+/// In cover one hides for so long, in seconds.
+pub const HIDES_S: f64 = 2.0;
+/// And looks out for so long by turns, in seconds.
+pub const LOOKS_OUT_S: f64 = 1.8;
 /// How fast one turns, in radians per second.
 pub const TURNS_RAD_S: f64 = 5.0;
 /// A car is run from when it would be here within so long, in seconds.

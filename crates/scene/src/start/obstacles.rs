@@ -14,6 +14,13 @@ const CLOSE_M: f64 = 8.0;
 /// What has its crown over this height is seen past, but for its trunk, metres.
 const UNDER_M: f64 = 2.4;
 
+/// How far from the middle of who walks what is solid has to be, metres.
+const PASSES_M: f64 = 0.4;
+
+/// How far a car that drives off goes straight on, and how far from its middle what is solid has to be then, metres.
+const DRIVES_M: f64 = 7.0;
+const HALF_CAR_M: f64 = 1.1;
+
 /// A thing as it stands in the way.
 #[derive(Debug)]
 struct Obstacle {
@@ -66,7 +73,7 @@ impl Obstacles {
         at.is_none_or(|at| all.all(|it| it.at.distance(at) > it.trunk_m + room_m))
     }
 
-    /// Whether that holds of a place and nothing stands in the way to it.
+    /// Whether that holds of a place, and nothing stands in the way of who looks there or comes from there.
     pub(super) fn shows(&self, place: ChartPoint, room_m: f64) -> bool {
         let Some(at) = self.plan(place) else {
             return true;
@@ -75,9 +82,30 @@ impl Obstacles {
         let is_past = |it: &Obstacle| {
             let along = it.at.dot(at) / away_m.max(1e-6);
             let across_m = (it.at.perp_dot(at) / away_m.max(1e-6)).abs();
-            (0.0..away_m).contains(&along) && across_m < it.blind_m
+            let passes_m = if it.trunk_m > 0.0 {
+                it.trunk_m + PASSES_M
+            } else {
+                0.0
+            };
+            (0.0..away_m).contains(&along) && across_m < it.blind_m.max(passes_m)
         };
         self.leave(place, room_m) && !self.all.iter().any(is_past)
+    }
+
+    /// Whether a car that stands somewhere can drive off straight, ahead or back.
+    pub(super) fn let_drive(&self, place: ChartPoint, heading: f64) -> bool {
+        let Some(at) = self.plan(place) else {
+            return true;
+        };
+        let is_free = |way: DVec2| {
+            let mut solid = self.all.iter().filter(|it| it.trunk_m > 0.0);
+            solid.all(|it| {
+                let along_m = (it.at - at).dot(way).clamp(0.0, DRIVES_M);
+                it.at.distance(at + way * along_m) > it.trunk_m + HALF_CAR_M
+            })
+        };
+        let ahead = DVec2::from_angle(heading);
+        is_free(ahead) || is_free(-ahead)
     }
 
     /// The share of the rays of a view on which nothing close by is in the way.

@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 
 use antipode_geometry::{ChartId, Geometry, Projection, strategy};
 use antipode_physics::CharacterTuning;
+use antipode_plants::placed_near;
 use antipode_terrain::Generator;
 
 mod numbers;
@@ -286,4 +287,51 @@ fn a_search_that_finds_no_room_for_a_car_and_somebody_gives_up_soon() {
         let start = search.best().expect("there is a place to stand on");
         assert!(start.car.is_none() && start.figure.is_none(), "{geometry}");
     }
+}
+
+/// How far from a straight way what is solid near its first end is at least, metres.
+fn room_m(world: &World, from: ChartPoint, way: DVec3) -> f64 {
+    let length_m = way.length();
+    let ahead = way / length_m.max(1e-9);
+    let found = placed_near(&world.field, from, length_m + 6.0);
+    let rooms = found.filter_map(|(root, species, age)| {
+        let at = (root.pos - from.pos).with_y(0.0);
+        let nearest = ahead * at.dot(ahead).clamp(0.0, length_m);
+        Some(at.distance(nearest) - species.trunk(age)?.radius_m)
+    });
+    rooms.fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn nothing_stands_in_the_way_of_who_begins_of_somebody_who_comes_and_of_the_car() {
+    let (mut seen, mut drives) = (0, 0);
+    for (geometry, radius_m) in [
+        (Geometry::Euclidean, f64::INFINITY),
+        (Geometry::Hyperbolic, 20.0),
+        (Geometry::Spherical, 100.0),
+    ] {
+        for seed in 0..20 {
+            let world = World::made_by(Generator::Planted, geometry, radius_m, seed);
+            let start = world.start();
+            let said = format!("{geometry}, seed {seed}");
+            assert!(room_m(&world, start.feet, DVec3::ZERO) > 0.7, "{said}");
+            let (Some((car, heading)), Some((figure, _))) = (start.car, start.figure) else {
+                continue;
+            };
+            let to = |there: ChartPoint| (there.pos - start.feet.pos).with_y(0.0);
+            if [car, figure].iter().any(|it| it.chart != start.feet.chart) {
+                continue;
+            }
+            let comes_m = room_m(&world, start.feet, to(figure));
+            assert!(comes_m > 0.35, "{said}: he passes a trunk by {comes_m} m");
+            let stands_m = room_m(&world, car, DVec3::ZERO);
+            assert!(stands_m > 2.9, "{said}: the car is {stands_m} m from one");
+            let off = DVec3::new(heading.cos(), 0.0, heading.sin()) * 7.0;
+            let off_m = [off, -off].map(|off| room_m(&world, car, off));
+            seen += 1;
+            drives += usize::from(off_m[0].max(off_m[1]) > 1.0);
+        }
+    }
+    println!("{drives} of {seen} cars drive off straight");
+    assert!(seen > 50 && drives == seen, "{drives} of {seen}");
 }

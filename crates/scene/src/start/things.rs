@@ -68,6 +68,7 @@ impl Search<'_> {
         let fits = |spot: &&Spot| {
             CAR_AT.contains(&spot.ring)
                 && obstacles.leave(spot.ground, CAR_ROOM_M)
+                && obstacles.let_drive(spot.ground, heading)
                 && figure.is_none_or(|ray| (ray - spot.ray).abs() >= APART_RAYS)
                 && self.is_seen(eye, spot.ground, CAR_SEEN_M)
                 && self.spread_m(spot.ground, CAR_M, heading) < CAR_RISE_M

@@ -35,6 +35,7 @@ mod hours;
 mod logs;
 mod npc;
 mod npc_peace;
+mod npc_things;
 mod planting;
 mod purity;
 mod restoring;
