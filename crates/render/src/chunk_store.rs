@@ -404,15 +404,14 @@ impl ChunkStore {
         frame: &Frame,
         land: &[ChunkLand],
         plan: &mut FramePlan,
-        shading: Shading<'_>,
-        list: &mut DrawList,
-        charts: &mut Charts,
-    ) {
-        let Shading {
+        Shading {
             shadows,
             shades,
             pressers,
-        } = shading;
+        }: Shading<'_>,
+        list: &mut DrawList,
+        charts: &mut Charts,
+    ) {
         list.clear();
         self.list_fallen(frame, list, charts);
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
@@ -429,8 +428,8 @@ impl ChunkStore {
             let instance = ChunkInstance::of(frame, coord, &choice.port)
                 .shaded(shades.on(&chunk.land), reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
-            let light = ThingsLight::of(shadows, reach, lights);
-            let light = light.bent_by(pressers.on(frame, &chunk.land));
+            let bent = pressers.on(frame, &chunk.land);
+            let light = ThingsLight::of(shadows, reach, lights).bent_by(bent);
             chunk.list_growth(frame, choice, light, list, chart);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);

@@ -184,14 +184,7 @@ impl Scene {
         world_id: u64,
     ) -> Frame {
         let (eye, strategy) = (moment.camera.eye, moment.strategy);
-        let bonnet = match moment.taker {
-            Taker::Player {
-                mode: CameraMode::First,
-                drives: Some(id),
-                ..
-            } => Some(Who::Car(id)),
-            Taker::Player { .. } | Taker::Photographer => None,
-        };
+        let bonnet = bonnet_of(moment.taker);
         let own_car = moment.figures.iter().find(|(who, _)| Some(*who) == bonnet);
         let own_car = own_car.map(|(_, car)| *car);
         let dust = self.dust(&moment.figures, &eye, moment.simulated_s);
@@ -443,4 +436,16 @@ const WIND_PER_S: [f64; 2] = [0.9, 5.3];
 /// How far the waves of the wind have gone by, radians.
 fn wind(simulated_s: f64) -> [f32; 2] {
     WIND_PER_S.map(|rate| (simulated_s * rate).rem_euclid(std::f64::consts::TAU) as f32)
+}
+
+/// The car over whose bonnet a picture looks.
+fn bonnet_of(taker: Taker) -> Option<Who> {
+    match taker {
+        Taker::Player {
+            mode: CameraMode::First,
+            drives: Some(id),
+            ..
+        } => Some(Who::Car(id)),
+        Taker::Player { .. } | Taker::Photographer => None,
+    }
 }
