@@ -314,6 +314,9 @@ impl Npc<'_> {
 
     /// Chooses where to go next: at dusk to a lamp, by day perhaps to a stone, else to a view, to somebody, or for a stroll.
     fn set_out(&mut self, around: &Around<'_>, dusk: bool) {
+        if !self.knows_things(around) {
+            return;
+        }
         if let Some(stone) = self.stone(around) {
             self.mind.enter(State::Wander);
             self.mind.face = None;

@@ -8,7 +8,7 @@ use super::bearing::way;
 use super::choice::at_pace;
 use super::figure::Npc;
 use super::mind::{Known, State};
-use super::navigation::{ASKS_M, WalkableGround};
+use super::navigation::WalkableGround;
 use super::senses::Around;
 use super::tuning::{
     CHASE_PACE, COVER_M, COVERS_AGAIN_S, COVERS_FOR_S, HIDES_S, LOOKS_OUT_S, UNDER_FIRE_S,
@@ -122,7 +122,7 @@ impl Npc<'_> {
     /// The nearest thing that hides from the foe, and that there is a way behind.
     fn cover(&mut self, around: &Around<'_>, known: Known) -> Option<Cover> {
         let world = around.world;
-        if !world.setup.generator.has_things() || !world.is_firm_around(self.position.0, ASKS_M) {
+        if !world.setup.generator.has_things() || !self.knows_things(around) {
             return None;
         }
         self.mind.covers_again_s = AGAIN_S;

@@ -112,6 +112,13 @@ impl Npc<'_> {
         })
     }
 
+    /// Whether all land is there on which something may stand that is asked for: else it is waited for, so that choices do
+    /// not depend on how fast it comes.
+    pub(super) fn knows_things(&self, around: &Around<'_>) -> bool {
+        let world = around.world;
+        !world.setup.generator.has_things() || world.is_firm_around(self.position.0, ASKS_M)
+    }
+
     fn is_day(&self, around: &Around<'_>) -> bool {
         let time_s = around.world.time_of_day_s;
         let local_s = local_time_s(time_s, around.strategy(), self.position.0);
@@ -183,6 +190,9 @@ impl Npc<'_> {
             !seat.is_taken() && self.mind.since_s < BEGINS_S && self.is_free(around, seat.stone);
         let stays = seat.is_taken() && self.mind.since_s < self.mind.lasts_s;
         let is_there = || {
+            if !self.knows_things(around) {
+                return true;
+            }
             let at = solids_near(around.world, seat.stone, SAME_M);
             at.iter().any(|it| it.species >= Species::Stump)
         };

@@ -1,10 +1,13 @@
 //! What other figures make of what stands on the land: they walk round it, sit on stones, and hide behind trunks.
 
+use std::sync::Arc;
+
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry};
 use antipode_plants::{Age, Species, placed, placed_near, top_m};
 use antipode_scene::frame::Clip;
 use antipode_scene::tuning::{DAY_S, FULL_HEALTH};
 use antipode_scene::{Actions, Generator, Scene, State, WorldSetup};
+use antipode_storage::WorldStore;
 use glam::{DVec3, Vec2};
 
 use crate::common::figures::{SECOND, bot, pass, shoot};
@@ -12,7 +15,13 @@ use crate::common::{LIMIT, setup, steps};
 
 /// A world with things.
 fn planted(geometry: Geometry) -> Scene {
-    let setup = WorldSetup {
+    let mut scene = Scene::open(planted_setup(geometry), None).unwrap();
+    assert!(scene.wait_for_step(LIMIT));
+    scene
+}
+
+fn planted_setup(geometry: Geometry) -> WorldSetup {
+    WorldSetup {
         generator: Generator::Planted,
         radius_m: if geometry == Geometry::Spherical {
             64.0
@@ -21,10 +30,7 @@ fn planted(geometry: Geometry) -> Scene {
         },
         seed: 7,
         ..setup(geometry)
-    };
-    let mut scene = Scene::open(setup, None).unwrap();
-    assert!(scene.wait_for_step(LIMIT));
-    scene
+    }
 }
 
 /// The roots of things that are wanted and have nothing else within so many metres: those nearest to the middle first, in a
@@ -174,6 +180,60 @@ fn check_seat(scene: &mut Scene, geometry: Geometry, root: ChartPoint, id: u32) 
     let gone_m = level(scene, root, bot(scene, id).point).length();
     assert!(gone_m > 1.2, "{geometry:?}: he cannot get away, {gone_m} m");
     true
+}
+
+/// A kept world in which somebody sits on a stone: its root, his number, and where it is kept.
+fn sitting() -> (Scene, ChartPoint, u32, tempfile::TempDir) {
+    let geometry = Geometry::Euclidean;
+    let young = |species, age| species == Species::Boulder && age == Age::Young;
+    let stones = alone(&planted(geometry), 3.0, young);
+    stones
+        .into_iter()
+        .take(4)
+        .find_map(|(root, _)| {
+            let dir = tempfile::tempdir().unwrap();
+            let setup = planted_setup(geometry);
+            let store = WorldStore::create(&dir.path().join("world"), &setup.to_meta()).unwrap();
+            let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+            assert!(scene.wait_for_step(LIMIT));
+            let place = about(&scene, root, -7.0, 4.0);
+            put_player(&mut scene, place);
+            let place = about(&scene, root, 4.0, 2.0);
+            let id = scene.spawn_bot(place, 0.0, false);
+            let sits = (0..240).any(|_| {
+                pass(&mut scene, 0.5);
+                let at = bot(&scene, id).point;
+                perches(&mut scene, at) && level(&scene, root, at).length() < 0.5
+            });
+            sits.then_some((scene, root, id, dir))
+        })
+        .expect("somebody sits")
+}
+
+#[test]
+fn who_sits_is_saved_standing() {
+    let (scene, root, id, dir) = sitting();
+    scene.close().unwrap();
+    let store = WorldStore::open(&dir.path().join("world")).unwrap();
+    let setup = WorldSetup::from_meta(&store.meta(), 2).unwrap();
+    let mut again = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(again.wait_for_step(LIMIT));
+    let away_m = level(&again, root, bot(&again, id).point).length();
+    assert!(away_m > 0.7, "he begins within the stone, {away_m} m");
+}
+
+#[test]
+fn who_sits_and_is_shot_gets_up_to_fight() {
+    let (mut scene, root, id, _dir) = sitting();
+    shoot(&mut scene, id);
+    pass(&mut scene, 0.5);
+    let hit = bot(&scene, id);
+    assert!(hit.fights && hit.health < 3.0, "{hit:?}");
+    pass(&mut scene, 4.0);
+    let at = bot(&scene, id).point;
+    assert!(!perches(&mut scene, at), "he still sits");
+    let away_m = level(&scene, root, at).length();
+    assert!(away_m > 0.7, "he is stuck in the stone, {away_m} m");
 }
 
 /// Puts the player before a tree and fells it; whether that left a stump.
