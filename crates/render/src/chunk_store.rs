@@ -404,14 +404,11 @@ impl ChunkStore {
         frame: &Frame,
         land: &[ChunkLand],
         plan: &mut FramePlan,
-        Shading {
-            shadows,
-            shades,
-            pressers,
-        }: Shading<'_>,
+        shading: Shading<'_>,
         list: &mut DrawList,
         charts: &mut Charts,
     ) {
+        let shadows = shading.shadows;
         list.clear();
         self.list_fallen(frame, list, charts);
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
@@ -426,9 +423,9 @@ impl ChunkStore {
             let lights = lights_near(frame, coord.chart, chunk.land.min, chunk.land.max);
             let reach = shadows.reach(frame, &Caster::of(&chunk.land));
             let instance = ChunkInstance::of(frame, coord, &choice.port)
-                .shaded(shades.on(&chunk.land), reach == ShadowReach::All)
+                .shaded(shading.shades.on(&chunk.land), reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
-            let bent = pressers.on(frame, &chunk.land);
+            let bent = shading.pressers.on(frame, &chunk.land);
             let light = ThingsLight::of(shadows, reach, lights).bent_by(bent);
             chunk.list_growth(frame, choice, light, list, chart);
             let mesh = chunk.drawn();
@@ -441,11 +438,7 @@ impl ChunkStore {
                     if hides && cell().is_none() {
                         return None;
                     }
-                    let of = Caster {
-                        chart: coord.chart,
-                        min,
-                        max,
-                    };
+                    let of = Caster::new(coord.chart, min, max);
                     Some(numbered(shadows.reach_within(frame, reach, &of)))
                 };
                 let whole = numbered(shadows.told_apart(reach));

@@ -237,6 +237,11 @@ pub struct Caster {
 }
 
 impl Caster {
+    /// What lies between two corners of a chart, metres.
+    pub fn new(chart: ChartId, min: DVec3, max: DVec3) -> Self {
+        Self { chart, min, max }
+    }
+
     /// Its middle, metres.
     pub fn middle(&self) -> DVec3 {
         0.5 * (self.min + self.max)
