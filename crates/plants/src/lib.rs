@@ -17,6 +17,6 @@ pub use growth::Growth;
 pub use placement::{placed, placed_near, tree_at};
 pub use seat::top_m;
 pub use shape::{Corner, Material, Shape, Size, low_shape, shape};
-pub use solid::add_solids;
+pub use solid::{add_solids, solid_of};
 pub use species::{Age, Species, Trunk, left_of};
 pub use undergrowth::undergrowth;

@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use antipode_terrain::Thing;
 use glam::Vec3;
 
-use crate::species::{Age, Species};
+use crate::species::{Age, Species, Trunk};
 
 /// Corners around a trunk.
 const AROUND: u32 = 8;
@@ -15,7 +15,18 @@ const BELOW_M: f32 = 0.5;
 const TAPER: (f32, f32) = (0.55, 0.9);
 
 /// Of a thinner trunk nobody takes notice, metres.
-const THINNEST_M: f32 = 0.04;
+const THINNEST_M: f64 = 0.04;
+
+/// What one bumps into of a thing, as large as it is; nothing of bushes and of the thinnest trunks.
+pub fn solid_of(thing: &Thing) -> Option<Trunk> {
+    let (species, age) = (Species::of_byte(thing.species)?, Age::of_byte(thing.age)?);
+    let (trunk, scale) = (species.trunk(age)?, f64::from(thing.scale));
+    let solid = Trunk {
+        radius_m: trunk.radius_m * scale,
+        height_m: trunk.height_m * scale,
+    };
+    (solid.radius_m >= THINNEST_M).then_some(solid)
+}
 
 /// Adds what is solid of things to the corners and triangles of a mesh, in metres from the same corner as theirs; the triangles
 /// are counter-clockwise seen from outside.
@@ -30,14 +41,9 @@ fn add_solid(
     corners: &mut Vec<[f32; 3]>,
     triangles: &mut Vec<[u32; 3]>,
 ) -> Option<()> {
-    let (species, age) = (Species::of_byte(thing.species)?, Age::of_byte(thing.age)?);
-    let trunk = species.trunk(age)?;
-    let radius_m = trunk.radius_m as f32 * thing.scale;
-    if radius_m < THINNEST_M {
-        return None;
-    }
-    let height_m = trunk.height_m as f32 * thing.scale;
-    let taper = if species == Species::Boulder {
+    let solid = solid_of(thing)?;
+    let (radius_m, height_m) = (solid.radius_m as f32, solid.height_m as f32);
+    let taper = if thing.species == Species::Boulder.byte() {
         TAPER.0
     } else {
         TAPER.1

@@ -51,6 +51,8 @@ pub struct Drop {
     yaw_rad: f64,
     /// How far it has rolled about its length, radians.
     rolled_rad: f64,
+    /// For how long it has, since it last met the ground out of the air or was woken, seconds; none before.
+    rolls_s: Option<f64>,
 }
 
 impl Drop {
@@ -65,6 +67,7 @@ impl Drop {
             // Nothing is known of it; things side by side are not to lie alike.
             yaw_rad: TURN_RAD_PER_M * (point.pos.x + point.pos.z),
             rolled_rad: 0.0,
+            rolls_s: None,
         }
     }
 
@@ -86,7 +89,7 @@ impl Drop {
 
     /// Whether it rolls at least so fast, m/s.
     pub(crate) fn rolls_at(&self, speed_m_s: f64) -> bool {
-        let rolls = !self.rests && self.stack.item.rolls_m().is_some();
+        let rolls = !self.rests && self.rolls_s.is_some();
         rolls && self.velocity.length() > speed_m_s
     }
 
@@ -221,8 +224,10 @@ impl Drop {
         if let Some(radius_m) = self.stack.item.rolls_m() {
             let axis = self.axis();
             if let Some(touch) = touch {
+                let rolls_s = self.rolls_s.get_or_insert(0.0);
+                *rolls_s += STEP_S;
                 (self.velocity, self.rests) =
-                    logs::rolled(self.velocity, axis, touch.normal, self.age_s);
+                    logs::rolled(self.velocity, axis, touch.normal, *rolls_s);
             }
             // Rolling ahead, it turns about what is ahead turned to the right about the upright.
             let ahead = axis.cross(DVec3::Y);
@@ -272,5 +277,6 @@ impl OnGround for Drop {
 
     fn wake(&mut self) {
         self.rests = false;
+        self.rolls_s = None;
     }
 }

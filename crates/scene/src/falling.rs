@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use antipode_geometry::{ChartPoint, ChunkCoord};
 use antipode_items::Item;
 use antipode_plants::Age;
-use antipode_terrain::Cover;
+use antipode_terrain::{Cover, FIRST_PLANTED};
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
@@ -161,7 +161,7 @@ fn land(
         let from = Some(-it.way);
         hurt_player(actors, player, outbox, damage, DamageKind::Tree, from);
     }
-    break_tree(world, actors, player, it, speed_m_s);
+    break_tree(world, actors, player, outbox, it);
 }
 
 /// A tree that has come down breaks: logs along its trunk, the faster the farther up, and the seeds of its crown.
@@ -169,32 +169,34 @@ fn break_tree(
     world: &mut World,
     actors: &mut Actors,
     player: &mut Player,
+    outbox: &mut Outbox,
     it: &Falling,
-    speed_m_s: f64,
 ) {
-    let (_, trunk_m) = it.standing.solid_m().unwrap_or_default();
+    let solid = it.standing.solid_m();
+    let (_, trunk_m) = solid.unwrap_or_default();
+    let speed_m_s = it.rate * it.height_m();
     let aside = it.way.cross(DVec3::Y);
-    let count = logs::pieces_in(Item::Log, it.standing.wood_m3());
-    let log = |share: f64| {
-        let side = if (share * 10.0) as u32 % 2 == 0 {
-            1.0
-        } else {
-            -1.0
-        };
+    let least = u32::from(solid.is_some());
+    let count = logs::pieces_in(Item::Log, it.standing.wood_m3()).max(least);
+    let log = |n: u32, share: f64| {
+        let side = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         let velocity = aside * side * (0.5 + 0.12 * share * speed_m_s) + DVec3::Y;
         let point = it.at(share * trunk_m).moved(DVec3::Y * LOGS_UP_M);
         (point, velocity, it.way)
     };
     let left = logs::leave(actors, Item::Log, count, log);
-    logs::gain_left(world, player, Item::Log, left);
+    logs::take_in(world, player, outbox, Item::Log, left);
+    let was_planted = it.standing.thing.slot >= FIRST_PLANTED;
     let seeds = match it.standing.age {
-        Age::Young => 0,
+        // What it came from is not lost.
+        Age::Young => u32::from(was_planted),
         Age::Grown => 1,
         Age::Old => 2,
     };
-    let seed = |share: f64| {
+    let seed = |_, share: f64| {
         let point = it.at(0.8 * it.height_m()).moved(DVec3::Y * LOGS_UP_M);
         (point, aside * (2.0 * share - 0.7) + DVec3::Y, it.way)
     };
-    logs::leave(actors, Item::Seed, seeds, seed);
+    let left = logs::leave(actors, Item::Seed, seeds, seed);
+    logs::take_in(world, player, outbox, Item::Seed, left);
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Projection};
 use antipode_items::Item;
-use antipode_plants::{Age, Species};
+use antipode_plants::{Age, Species, solid_of};
 use antipode_storage::{FelledRecord, Record, RecordKind};
 use antipode_streaming::{Chunk, Column, Streamer, column_of};
 use antipode_terrain::{Cover, FIRST_PLANTED, Thing};
@@ -70,6 +70,11 @@ impl Felled {
         *all |= slots;
     }
 
+    /// Says that a save has a record of this number.
+    pub fn has_numbered(&mut self, id: u32) {
+        self.next = self.next.max(id);
+    }
+
     /// What a save has of it. What still falls stands there again: its wood has not been had yet.
     pub fn records(&self, actors: &Actors, all: &mut All) {
         let falling = actors.map(|_, it: &Falling| {
@@ -96,7 +101,6 @@ impl Felled {
     pub fn restore(&mut self, streamer: &Streamer, id: u32, column: Column, record: &FelledRecord) {
         let [low, high] = record.slots.map(u128::from);
         let slots = low | high << 64;
-        self.next = self.next.max(id);
         self.columns.entry(column).or_insert((id, 0)).1 |= slots;
         streamer.remember_felled(column, slots);
     }
@@ -129,8 +133,8 @@ impl Standing {
 
     /// What of it is solid: radius and height, metres.
     pub fn solid_m(&self) -> Option<(f64, f64)> {
-        let (trunk, scale) = (self.species.trunk(self.age)?, f64::from(self.thing.scale));
-        Some((trunk.radius_m * scale, trunk.height_m * scale))
+        let solid = solid_of(&self.thing)?;
+        Some((solid.radius_m, solid.height_m))
     }
 
     /// How far its crown reaches about its root, and how high, metres.
@@ -302,7 +306,8 @@ pub(crate) fn chop(
     player.has_felled = true;
     let feet = over(&*world.strategy, it.root(), actors.feet());
     let away = (it.root().pos - feet.pos).with_y(0.0);
-    fell(world, actors, player, outbox, it, away);
+    strike_off(world, it.coord, &it.thing);
+    come_down(world, actors, player, outbox, it, away);
 }
 
 /// Takes in chunks that an edit has changed, and fells what the ground has gone from under.
@@ -315,16 +320,37 @@ pub(crate) fn put_edited(sim: &mut Simulation, chunks: Vec<Chunk>) {
     } = sim;
     for chunk in chunks {
         for (coord, thing) in world.put(chunk) {
-            let standing = Standing::of(coord, thing);
-            if let Some(it) = standing.filter(|_| world.stands(coord, &thing)) {
+            let stands = world.stands(coord, &thing);
+            if thing.slot < FIRST_PLANTED {
+                if stands {
+                    strike_off(world, coord, &thing);
+                }
+            } else {
+                // No stump is left without its ground.
+                world.planted.uproot(coord, thing.slot);
+                world.streamer.uproot(coord, thing.slot);
+            }
+            if let Some(it) = Standing::of(coord, thing).filter(|_| stands) {
                 let down = world.ground.normal(it.root()).as_dvec3().with_y(0.0);
-                fell(world, actors, player, outbox, it, down);
+                come_down(world, actors, player, outbox, it, down);
             }
         }
     }
 }
 
-fn fell(
+/// Notes that a thing was felled, here and with the chunk workers.
+fn strike_off(world: &mut World, coord: ChunkCoord, thing: &Thing) {
+    if thing.slot < FIRST_PLANTED {
+        world.felled.add(column_of(coord), 1_u128 << thing.slot);
+    } else {
+        let now_s = world.simulated_s;
+        world.planted.fell(coord, thing.slot, now_s);
+    }
+    world.streamer.fell(coord, thing.slot);
+}
+
+/// What was felled falls over, or to pieces.
+fn come_down(
     world: &mut World,
     actors: &mut Actors,
     player: &mut Player,
@@ -332,19 +358,11 @@ fn fell(
     it: Standing,
     way: DVec3,
 ) {
-    if it.thing.slot < FIRST_PLANTED {
-        world
-            .felled
-            .add(column_of(it.coord), 1_u128 << it.thing.slot);
-    } else {
-        world.planted.fell(it.coord, it.thing.slot);
-    }
-    world.streamer.fell(it.coord, it.thing.slot);
     outbox.effects.push(Effect::Chopped { at: it.root() });
     if it.species.is_tree() {
         actors.enter(Falling::begin(it, way));
     } else if it.species == Species::Boulder {
-        break_boulder(world, actors, player, &it, way);
+        break_boulder(world, actors, player, outbox, &it, way);
     }
 }
 
@@ -353,6 +371,7 @@ fn break_boulder(
     world: &mut World,
     actors: &mut Actors,
     player: &mut Player,
+    outbox: &mut Outbox,
     it: &Standing,
     way: DVec3,
 ) {
@@ -360,15 +379,15 @@ fn break_boulder(
     let count = logs::pieces_in(Item::Stone, radius_m * radius_m * height_m * 2.0);
     let ahead = way.normalize_or(DVec3::X);
     let aside = ahead.cross(DVec3::Y);
-    let piece = |share: f64| {
+    let piece = |_, share: f64| {
         let out = (ahead + aside * (4.0 * share - 2.0)).normalize();
         let point = it
             .root()
             .moved(out * 0.5 * radius_m + DVec3::Y * (0.5 * height_m + 0.2));
         (point, out * 1.5 + DVec3::Y, out.cross(DVec3::Y))
     };
-    let left = logs::leave(actors, Item::Stone, count, piece);
-    logs::gain_left(world, player, Item::Stone, left);
+    let left = logs::leave(actors, Item::Stone, count.max(1), piece);
+    logs::take_in(world, player, outbox, Item::Stone, left);
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ use crate::{door_place, flag, lamp};
 
 mod solid;
 
-pub(crate) use solid::solids;
+pub(crate) use solid::Solids;
 
 /// Those within this of the player are looked after, in metres: further off nobody changes the ground.
 const NEAR_M: f64 = 40.0;

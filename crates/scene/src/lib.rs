@@ -61,6 +61,7 @@ mod particles;
 pub mod persist;
 mod photo;
 pub mod pick;
+mod planted;
 mod planting;
 pub mod player;
 mod presentation;

@@ -13,6 +13,7 @@ use crate::bot::Bot;
 use crate::damage::{DamageKind, hurt_bot, hurt_player};
 use crate::drops::Drop;
 use crate::inventory::Stack;
+use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::pick::over;
 use crate::player::{Health, Player, Position};
@@ -50,22 +51,22 @@ pub(crate) fn tuning(radius_m: f64) -> BallTuning {
 }
 
 /// What a touch of the ground does to what rolls about an axis: its velocity after it, and whether it has come to rest.
-pub(crate) fn rolled(velocity: DVec3, axis: DVec3, normal: DVec3, age_s: f64) -> (DVec3, bool) {
+pub(crate) fn rolled(velocity: DVec3, axis: DVec3, normal: DVec3, for_s: f64) -> (DVec3, bool) {
     let along = axis * velocity.dot(axis);
     let velocity = velocity - along * (1.0 - SLIDES_ON);
     let across = axis.cross(DVec3::Y).normalize_or(DVec3::X);
     let lies = normal.dot(across).abs() < STAYS && normal.y > 0.5;
     let rests = velocity.length() < RESTS_M_S && lies;
-    (velocity, rests || age_s > RESTS_AFTER_S)
+    (velocity, rests || for_s > RESTS_AFTER_S)
 }
 
-/// Leaves so many of a thing lying about in a few pieces. Each lies where `piece` says for its share of the whole, with a
-/// velocity and along a level way. Returns how many find no room among all that lies about.
+/// Leaves so many of a thing lying about in a few pieces. Each lies where `piece` says, by its number
+/// and its share of the whole, with a velocity and along a level way. Returns how many find no room among all that lies about.
 pub(crate) fn leave(
     actors: &mut Actors,
     item: Item,
     count: u32,
-    piece: impl Fn(f64) -> (ChartPoint, DVec3, DVec3),
+    piece: impl Fn(u32, f64) -> (ChartPoint, DVec3, DVec3),
 ) -> u32 {
     let pieces = count.min(MOST_PIECES);
     let mut left = count;
@@ -74,7 +75,7 @@ pub(crate) fn leave(
             break;
         }
         let count = left / (pieces - n);
-        let (point, velocity, along) = piece((f64::from(n) + 0.5) / f64::from(pieces));
+        let (point, velocity, along) = piece(n, (f64::from(n) + 0.5) / f64::from(pieces));
         let stack = Stack { item, count };
         actors.enter(Drop::thrown(stack, point, velocity, along));
         left -= count;
@@ -106,20 +107,35 @@ pub(crate) fn gain(world: &mut World, player: &mut Player, brought: &Stock) {
     }
 }
 
-/// Where too much lies about already, who gathers has it at once.
-pub(crate) fn gain_left(world: &mut World, player: &mut Player, item: Item, count: u32) {
-    if let Some((kind, m3)) = ground_of(item, count).filter(|_| count > 0) {
+/// Gives the player at once what finds no room among all that lies about: to who gathers as ground.
+pub(crate) fn take_in(
+    world: &mut World,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    item: Item,
+    count: u32,
+) {
+    if count == 0 {
+        return;
+    }
+    let gathers = world.streamer.stock().is_some();
+    if let Some((kind, m3)) = ground_of(item, count).filter(|_| gathers) {
         let mut brought = Stock::default();
         brought.add(kind, m3);
         gain(world, player, &brought);
+    } else if player.inventory.give(item, count) > 0 {
+        outbox.hints.push(Hint::TooManyDrops);
     }
 }
 
-/// Strikes whom something runs into that rolls fast.
+/// Strikes whom something runs into that rolls fast: not while it has not met the ground yet, so that nobody is struck by what he
+/// throws down before him.
 pub(crate) fn strike(world: &World, actors: &mut Actors, player: &mut Player, outbox: &mut Outbox) {
     let fast: Vec<(Entity, Drop)> = {
         let mut drops = actors.ecs.query::<(Entity, &Drop)>();
-        let rolling = drops.iter().filter(|(_, it)| it.rolls_at(STRIKES_M_S));
+        let rolling = drops.iter().filter(|(_, it)| {
+            it.rolls_at(STRIKES_M_S) && it.is_awake(&*world.strategy, actors.feet())
+        });
         rolling.map(|(entity, it)| (entity, *it)).collect()
     };
     for (entity, it) in fast {

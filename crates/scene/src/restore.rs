@@ -24,7 +24,7 @@ use crate::notice::Notice;
 use crate::npc::mind::Mind;
 use crate::npc::tuning::ANGRY_S;
 use crate::persist::All;
-use crate::planting::{self, MOST_PLANTED};
+use crate::planted::{self, MOST_PLANTED};
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS};
@@ -140,7 +140,7 @@ pub(crate) fn things(
         }
     }
     for (kind, last) in records.last {
-        number_next(actors, kind.numbered(last + 1));
+        number_next(world, actors, kind.numbered(last.saturating_add(1)));
     }
     (taken, course)
 }
@@ -154,7 +154,7 @@ fn thing(
     record: &Record,
     notices: &mut Vec<Notice>,
 ) -> bool {
-    number_next(actors, key);
+    number_next(world, actors, key);
     match record {
         Record::Player(_) => key.id == 0,
         // The streamer keeps it.
@@ -186,20 +186,17 @@ fn thing(
         Record::Felled(it) => felled(world, key.id, it),
         Record::Planted(it) => {
             let at = point(world, it.place.chart, it.place.pos);
-            planting::restore(world, key.id, at, it)
+            planted::restore(world, key.id, at, it)
         }
     }
 }
 
 /// Says which number the next of a kind gets.
-fn number_next(actors: &mut Actors, key: RecordKey) {
+fn number_next(world: &mut World, actors: &mut Actors, key: RecordKey) {
     match key.kind {
-        RecordKind::Player
-        | RecordKind::Course
-        | RecordKind::View
-        | RecordKind::Earth
-        | RecordKind::Felled
-        | RecordKind::Planted => {}
+        RecordKind::Player | RecordKind::Course | RecordKind::View | RecordKind::Earth => {}
+        RecordKind::Felled => world.felled.has_numbered(key.id),
+        RecordKind::Planted => world.planted.has_numbered(key.id),
         RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => {
             actors.number_next_fixture(key.kind, key.id);
         }

@@ -60,7 +60,7 @@ impl Simulation {
         }
         drive::step(world, actors, player, outbox, actions);
         let mut bodies = actors.car_bodies(world);
-        bodies.extend(fixture::solids(world, actors));
+        bodies.extend_from_slice(world.solids.near(&*world.strategy, actors));
         world.physics.set_obstacles(bodies);
         circumnavigation::notice(world, actors.feet(), &mut player.circumnavigation, outbox);
         biome::notice(world, actors.feet(), &mut player.biome, outbox);

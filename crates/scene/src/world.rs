@@ -10,8 +10,9 @@ use glam::DVec3;
 
 use crate::day;
 use crate::felling::Felled;
+use crate::fixture::Solids;
 use crate::ground::{Ground, Spent, chunks_near, height_below};
-use crate::planting::Planted;
+use crate::planted::Planted;
 use crate::restore::{LONGEST_PLAYED_S, finite_or};
 use crate::setup::WorldSetup;
 use crate::tuning::{BODIES_WITHIN_CHUNKS, DAY_S, DAY_START_S};
@@ -35,6 +36,8 @@ pub(crate) struct World {
     pub felled: Felled,
     /// What somebody planted.
     pub planted: Planted,
+    /// What was put down and is bumped into.
+    pub solids: Solids,
     /// The pair of doors that stood when the step began.
     pub doors: Option<Doorway>,
     /// The chunk of the player's head when the step began: bodies move about it.
@@ -67,6 +70,7 @@ impl World {
             streamer,
             felled: Felled::default(),
             planted: Planted::default(),
+            solids: Solids::default(),
             holds_land: false,
             doors: None,
             physics: PhysicsWorld::new(),
@@ -164,7 +168,7 @@ impl World {
         lost
     }
 
-    /// Whether a thing that a chunk shows has not been felled meanwhile.
+    /// Whether a thing that a chunk shows has not been felled meanwhile: what is left of that stands no more.
     pub fn stands(&self, coord: ChunkCoord, thing: &Thing) -> bool {
         if thing.slot < FIRST_PLANTED {
             !self.felled.has(coord, thing.slot)

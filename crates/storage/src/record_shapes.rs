@@ -211,8 +211,8 @@ pub struct PlantedRecord {
     pub species: u8,
     /// When it was planted, simulated seconds since the world was made.
     pub since_s: f64,
-    /// Whether it was felled, and a stump is left.
-    pub felled: bool,
+    /// When it was felled, and a stump was left; none while it stands.
+    pub felled_s: Option<f64>,
 }
 
 /// How the player looks at the world.

@@ -256,6 +256,10 @@ impl EditStore {
             }
             ThingChange::Felled(slot) => state.fell_planted(coord, slot),
             ThingChange::Planted(thing) => state.plant(coord, thing),
+            ThingChange::Gone(slot) => {
+                let planted = state.planted.entry(coord).or_default();
+                planted.retain(|it| it.slot != slot);
+            }
         }
         Entered {
             revision: state.revision,

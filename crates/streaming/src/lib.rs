@@ -50,4 +50,5 @@ pub use api::{
 };
 pub use edit_store::{Column, column_of};
 pub use range::is_in_world;
+pub use shared::BELOW_ROOT_M;
 pub use streamer::Streamer;

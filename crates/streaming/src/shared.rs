@@ -18,7 +18,7 @@ use crate::history::History;
 use crate::scheduler::Make;
 
 /// A thing goes with the ground so far below its root, metres.
-const BELOW_ROOT_M: f64 = 0.6;
+pub const BELOW_ROOT_M: f64 = 0.6;
 
 /// A point in a worker's course, told to the test that watches it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -179,12 +179,18 @@ impl Streamer {
         self.feed();
     }
 
+    /// Leaves nothing of what somebody planted in a slot of a chunk.
+    pub fn uproot(&mut self, coord: ChunkCoord, slot: u8) {
+        self.strokes.change(coord, ThingChange::Gone(slot));
+        self.feed();
+    }
+
     /// Takes over what was felled in earlier visits of a column of chunks, a bit for each slot; before the first wish.
     pub fn remember_felled(&self, column: Column, slots: u128) {
         self.worker_pool.remember_felled(column, slots);
     }
 
-    /// Takes over what was planted on a chunk in earlier visits; before the first wish.
+    /// Takes over what was planted on a chunk in earlier visits, or has grown where no land is there to show it.
     pub fn remember_planted(&self, coord: ChunkCoord, thing: Thing) {
         self.worker_pool.remember_planted(coord, thing);
     }

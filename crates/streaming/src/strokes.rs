@@ -25,6 +25,8 @@ pub(crate) enum ThingChange {
     Felled(u8),
     /// Somebody planted it, or it has grown, in its slot.
     Planted(Thing),
+    /// Nothing is left of what somebody planted in a slot.
+    Gone(u8),
 }
 
 /// What a batch does.

@@ -19,6 +19,8 @@ use crate::pick::over;
 /// What one hides behind is at least so stout and so high, metres.
 const STOUT_M: f64 = 0.19;
 const HIGH_M: f64 = 1.5;
+/// A thing that is as near to a root is that one, metres.
+const SAME_M: f64 = 0.01;
 /// How far behind it one hides, from its middle at least and besides its radius, so that ways lead there, metres.
 const BEHIND_M: (f64, f64) = (0.95, 0.6);
 /// How far to the side one looks out, besides its radius, metres.
@@ -88,8 +90,12 @@ impl Npc<'_> {
             self.mind.cover = Some(cover);
         }
         let cover = self.mind.cover.filter(|cover| {
+            let is_gone = self.knows_things(around)
+                && solids_near(around.world, cover.root, SAME_M)
+                    .iter()
+                    .all(|it| it.solid_m().is_none_or(|(_, high_m)| high_m < HIGH_M));
             let is_close = around.apart_m(self.position.0, known.feet) < FOE_M;
-            self.mind.since_s < cover.until_s && !is_close
+            self.mind.since_s < cover.until_s && !is_close && !is_gone
         });
         let Some(cover) = cover else {
             self.mind.cover = None;

@@ -127,6 +127,7 @@ fn a_log_is_wood_to_who_gathers_and_itself_elsewhere() {
         });
         steps(&mut scene, 200, &Actions::default());
         assert!(scene.probe().drops.is_empty(), "{mode:?}");
+        assert_eq!(scene.health(), 20.0, "nobody strikes himself");
         let wood_m3 = scene.stock().map(|stock| stock.of(Kind::Wood));
         let more = scene.inventory().count(Item::Log) - logs;
         match mode {
