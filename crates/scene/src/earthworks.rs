@@ -13,7 +13,10 @@ const LEAST_SHOWN_M3: f64 = 0.05;
 /// Who has dug so much slate in a visit and less coal than that, cubic metres, has dug where there is none.
 const DEEP_M3: f64 = 40.0;
 const COAL_M3: f64 = 1.0;
-/// So many kinds are shown, and every ore: there is little of those, and they are what one digs for.
+/// What goes against a stroke is shown from there on only, cubic metres: surfaces of ores beside it move a little.
+const AGAINST_M3: f64 = 0.5;
+/// So many kinds are shown, every ore among them and what there is most of besides: there is little of ores, and they are what
+/// one digs for.
 const MOST_SHOWN: usize = 2;
 
 /// Some ground of a kind.
@@ -87,13 +90,22 @@ impl Earthworks {
         } else {
             self.moved()
         };
-        heaps.retain(|heap| heap.m3.abs() >= LEAST_SHOWN_M3);
+        let gains = heaps.iter().map(|heap: &Heap| heap.m3).sum::<f64>() >= 0.0;
+        heaps.retain(|heap| {
+            let goes_along = (heap.m3 >= 0.0) == gains;
+            heap.m3.abs()
+                >= if goes_along {
+                    LEAST_SHOWN_M3
+                } else {
+                    AGAINST_M3
+                }
+        });
         heaps.sort_by(|a, b| {
             let by_size = b.m3.abs().total_cmp(&a.m3.abs());
             b.kind.is_ore().cmp(&a.kind.is_ore()).then(by_size)
         });
         let ores = heaps.iter().filter(|heap| heap.kind.is_ore()).count();
-        heaps.truncate(MOST_SHOWN.max(ores));
+        heaps.truncate(MOST_SHOWN.max(ores + 1));
         heaps
     }
 
@@ -143,6 +155,7 @@ mod tests {
             (Kind::Soil, 9.0),
             (Kind::Coal, 0.4),
             (Kind::Copper, 0.01),
+            (Kind::Crystal, -0.1),
         ];
         for (kind, m3) in dug {
             paid.add(kind, m3);
@@ -151,6 +164,15 @@ mod tests {
         let shown = works.shown(true, 7.5);
         let kinds: Vec<_> = shown.iter().map(|heap| heap.kind).collect();
         assert_eq!(kinds, [Kind::Coal, Kind::Slate]);
+        paid.add(Kind::Copper, 0.1);
+        works.enter(2, &Earth::default(), &paid, 8.0);
+        let shown = works.shown(true, 8.0);
+        let kinds: Vec<_> = shown.iter().map(|heap| heap.kind).collect();
+        assert_eq!(
+            kinds,
+            [Kind::Coal, Kind::Copper, Kind::Slate],
+            "and what it lay in"
+        );
     }
 
     /// Half of what is built may be a surface of another kind that moves.

@@ -146,6 +146,8 @@ fn digging_through_a_door_digs_on_the_other_side() {
 #[test]
 fn a_click_puts_up_the_first_and_the_second_and_a_third_moves_the_older() {
     let mut scene = scene(Geometry::Euclidean);
+    // There is to be room for it in the hotbar.
+    assert!(scene.inventory_mut().take_from(8, true).is_some());
     assert_eq!(scene.inventory_mut().give(Item::Door, 1), 0);
     let slots = scene.inventory().slots();
     let is_door = |slot: &Option<antipode_scene::Stack>| {

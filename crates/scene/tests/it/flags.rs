@@ -109,6 +109,7 @@ fn who_has_planted_the_last_flag_can_name_it_and_take_it_up_with_an_empty_hand()
     assert_eq!((carried(&scene), scene.flag_ways().len()), (1, 0));
     // Nothing is told of an empty hand that points at the ground.
     scene.take_hints();
+    assert!(scene.inventory_mut().take_from(9, true).is_some());
     scene.inventory_mut().select(9);
     press(&mut scene, false);
     press(&mut scene, true);
