@@ -130,6 +130,10 @@ pub fn comparable(probe: &Value) -> Value {
             terrain.remove("dug");
             terrain.remove("built");
         }
+        // It is of the land that a picture has of it, which the view distance and the pace of workers bound.
+        if let Some(plants) = fields.get_mut("plants").and_then(Value::as_object_mut) {
+            plants.remove("in_view");
+        }
     }
     probe
 }
