@@ -14,7 +14,7 @@ use crate::reaches::Reaches;
 /// plan comes every few metres of way, and all at once its chunks would make one frame several
 /// times as long as the others.
 pub(super) const LEAST_SETTLED: usize = 8;
-pub(super) const SETTLED_SHARE: usize = 24;
+pub(super) const SETTLED_SHARE: usize = 8;
 
 impl ChunkScheduler {
     /// Takes a wish; returns the chunks that are no longer solid. The first wish is planned at
