@@ -167,6 +167,8 @@ impl ChunkStore {
         let chosen: Vec<_> = chosen.map(|choice| land[choice.place].coord).collect();
         let eye = &frame.view.eye.point;
         self.refinements.lead.frame(&*frame.view.strategy, eye);
+        // First, and always: what nobody waits for any more is not to seem under way for ever.
+        self.take_done();
         if chosen.is_empty() && self.refinements.coming.is_none() {
             return;
         }
@@ -180,7 +182,6 @@ impl ChunkStore {
         if anew || self.refinements.coming.is_none() {
             self.begin_set(frame, &plan.bounds, land, &chosen, at_once);
         }
-        self.take_done();
         if self.is_set_complete(frame, at_once) {
             self.show_set(at_once);
         }

@@ -234,3 +234,22 @@ fn who_stands_still_again_is_drawn_with_no_more_than_before() {
     assert!(shown.is_some_and(|rules| rules.key.way.is_place()));
     assert!(!run.store.refinements.is_busy());
 }
+
+#[test]
+fn nothing_is_under_way_for_ever_when_the_land_is_left_behind_and_none_of_the_next_needs_work() {
+    for (map, dial) in VIEWS {
+        let Some(mut run) = Run::begin(map, dial) else {
+            return;
+        };
+        run.store.refinements.hold(true);
+        run.go_to(5.5);
+        assert!(run.store.refinements.is_busy(), "{map:?}");
+        run.store.refinements.forget();
+        run.frame.content_mut().land = Arc::new(Land::default());
+        run.store.refinements.hold(false);
+        for _ in 0..4 {
+            run.go_to(5.5);
+        }
+        assert!(!run.store.refinements.is_busy(), "{map:?}");
+    }
+}
