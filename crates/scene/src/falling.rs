@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_geometry::ChartPoint;
 use antipode_items::Item;
 use antipode_plants::Age;
 use antipode_terrain::{Cover, FIRST_PLANTED};
@@ -12,15 +12,18 @@ use hecs::Entity;
 use crate::actors::{ActorId, Actors, all_mut};
 use crate::bot::Bot;
 use crate::damage::{DamageKind, hurt_bot, hurt_player};
+use crate::drops::Drop;
 use crate::felling::Standing;
 use crate::frame::FallingThing;
+use crate::ground::height_below;
+use crate::inventory::Stack;
 use crate::logs;
 use crate::outbox::Outbox;
 use crate::particles::Effect;
 use crate::pick::over;
 use crate::player::{Health, Player, Position};
 use crate::sound::SoundEvent;
-use crate::tuning::STEP_S;
+use crate::tuning::{DROP, STEP_S};
 use crate::world::World;
 
 /// Gravity in the falling of a tree, m/s2.
@@ -36,6 +39,10 @@ const MEETS_AT: [f64; 3] = [0.45, 0.7, 0.95];
 const STRUCK_M: f64 = 0.6;
 /// How far over the place where it lay a log begins to roll, metres.
 const LOGS_UP_M: f64 = 0.3;
+/// Where a save has what it breaks into: so far beside its root, on the ground below so much over that, so far down at most, metres.
+const KEPT_ASIDE_M: f64 = 0.8;
+const KEPT_FROM_M: f64 = 2.0;
+const KEPT_TO_M: f64 = 8.0;
 /// What that takes of somebody's health, for each metre of the tree's height.
 const DAMAGE_PER_M: f64 = 1.6;
 
@@ -73,9 +80,32 @@ impl Falling {
         self.standing.height_m()
     }
 
-    /// Where it stood: its chunk, and its slot there.
-    pub fn slot(&self) -> (ChunkCoord, u8) {
-        (self.standing.coord, self.standing.thing.slot)
+    /// How many logs and seeds it breaks into.
+    fn leaves(&self) -> [u32; 2] {
+        let least = u32::from(self.standing.solid_m().is_some());
+        let logs = logs::pieces_in(Item::Log, self.standing.wood_m3()).max(least);
+        let was_planted = self.standing.thing.slot >= FIRST_PLANTED;
+        let seeds = match self.standing.age {
+            // What it came from is not lost.
+            Age::Young => u32::from(was_planted),
+            Age::Grown => 1,
+            Age::Old => 2,
+        };
+        [logs, seeds]
+    }
+
+    /// What a save has of it: what it breaks into, on the ground beside where it stood.
+    pub fn kept(&self, world: &World) -> Vec<Drop> {
+        let beside = self.standing.root().moved(self.way * KEPT_ASIDE_M);
+        let crossing = world.strategy.cross(beside);
+        let mut at = crossing.map_or(beside, |it| it.point);
+        let high = at.moved(DVec3::Y * KEPT_FROM_M);
+        let low_y = height_below(high, KEPT_TO_M, |at| world.ground.is_solid(at));
+        at.pos.y = low_y.unwrap_or(at.pos.y) + DROP.radius_m;
+        let stacks = [Item::Log, Item::Seed].into_iter().zip(self.leaves());
+        let stacks = stacks.filter(|(_, count)| *count > 0);
+        let lying = stacks.map(|(item, count)| Drop::lying(Stack { item, count }, at));
+        lying.collect()
     }
 
     /// As a picture has it.
@@ -88,7 +118,12 @@ impl Falling {
     }
 }
 
-/// What falls at the moment.
+/// What a save has of what falls at the moment: it lies there as logs.
+pub(crate) fn kept(world: &World, actors: &Actors) -> Vec<Drop> {
+    actors.map(|_, it: &Falling| it.kept(world)).concat()
+}
+
+/// What falls at the moment, as a picture has it.
 pub(crate) fn shown(actors: &Actors) -> Vec<FallingThing> {
     actors.map(|_, it: &Falling| it.shown())
 }
@@ -172,12 +207,10 @@ fn break_tree(
     outbox: &mut Outbox,
     it: &Falling,
 ) {
-    let solid = it.standing.solid_m();
-    let (_, trunk_m) = solid.unwrap_or_default();
+    let (_, trunk_m) = it.standing.solid_m().unwrap_or_default();
     let speed_m_s = it.rate * it.height_m();
     let aside = it.way.cross(DVec3::Y);
-    let least = u32::from(solid.is_some());
-    let count = logs::pieces_in(Item::Log, it.standing.wood_m3()).max(least);
+    let [count, seeds] = it.leaves();
     let log = |n: u32, share: f64| {
         let side = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         let velocity = aside * side * (0.5 + 0.12 * share * speed_m_s) + DVec3::Y;
@@ -186,13 +219,6 @@ fn break_tree(
     };
     let left = logs::leave(actors, Item::Log, count, log);
     logs::take_in(world, player, outbox, Item::Log, left);
-    let was_planted = it.standing.thing.slot >= FIRST_PLANTED;
-    let seeds = match it.standing.age {
-        // What it came from is not lost.
-        Age::Young => u32::from(was_planted),
-        Age::Grown => 1,
-        Age::Old => 2,
-    };
     let seed = |_, share: f64| {
         let point = it.at(0.8 * it.height_m()).moved(DVec3::Y * LOGS_UP_M);
         (point, aside * (2.0 * share - 0.7) + DVec3::Y, it.way)

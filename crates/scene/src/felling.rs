@@ -75,23 +75,14 @@ impl Felled {
         self.next = self.next.max(id);
     }
 
-    /// What a save has of it. What still falls stands there again: its wood has not been had yet.
-    pub fn records(&self, actors: &Actors, all: &mut All) {
-        let falling = actors.map(|_, it: &Falling| {
-            let (coord, slot) = it.slot();
-            (column_of(coord), 1_u128.unbounded_shl(slot.into()))
-        });
-        let landed = self.columns.iter().filter_map(|(column, (id, slots))| {
-            let falls = falling.iter().filter(|(of, _)| of == column);
-            let slots = falls.fold(*slots, |slots, (_, slot)| slots & !slot);
-            (slots != 0).then_some((column, (id, slots)))
-        });
-        all.extend(landed.map(|((chart, [x, z]), (id, slots))| {
+    /// What a save has of it.
+    pub fn records(&self, all: &mut All) {
+        all.extend(self.columns.iter().map(|((chart, [x, z]), (id, slots))| {
             let record = FelledRecord {
                 chart: chart.number(),
                 x: *x,
                 z: *z,
-                slots: [slots as u64, (slots >> 64) as u64],
+                slots: [*slots as u64, (slots >> 64) as u64],
             };
             (RecordKind::Felled.numbered(*id), Record::Felled(record))
         }));

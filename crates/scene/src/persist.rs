@@ -14,6 +14,7 @@ use crate::bot::Bot;
 use crate::camera::CameraMode;
 use crate::car::Car;
 use crate::drops::Drop;
+use crate::falling;
 use crate::fixture::Fixture;
 use crate::npc::mind::Mind;
 use crate::player::{Body, Health, Look, Player, Position};
@@ -40,9 +41,9 @@ pub(crate) fn records(
         car_given: actors.cars.given,
     }));
     single(Record::View(view_record(world, player)));
-    world.felled.records(actors, &mut all);
-    world.planted.records(actors, &mut all);
-    things(actors, player, &mut all);
+    world.felled.records(&mut all);
+    world.planted.records(&mut all);
+    things(world, actors, player, &mut all);
     figures(actors, &mut all);
     all.extend(actors.map(|id, car: &Car| {
         let record = Record::Car(car.record());
@@ -133,29 +134,31 @@ pub(crate) fn fixture_record(it: &Fixture) -> Record {
     }
 }
 
-/// What was put down, and what lies about. What the pointer holds while the backpack is open lies at the player's feet in a save,
-/// under the number of the next that is thrown away.
-fn things(actors: &Actors, player: &Player, all: &mut All) {
+/// What was put down, and what lies about. What the pointer holds while the backpack is open lies at the player's feet in a save, and
+/// a tree that falls as what it breaks into, under the numbers of the next that are thrown away.
+fn things(world: &World, actors: &Actors, player: &Player, all: &mut All) {
     let mut fixtures = actors.ecs.query::<(&ActorId, &Fixture)>();
     all.extend(fixtures.iter().map(|(id, it)| {
         let key = fixture_kind(it.item).numbered(id.0);
         (key, fixture_record(it))
     }));
-    let drop_record = |id: ActorId, drop: &Drop| {
+    let drop_record = |id: u32, drop: &Drop| {
         let record = Record::Drop(DropRecord {
             chart: drop.point.chart.number(),
             pos: drop.point.pos.to_array(),
             item: drop.stack.item.id().to_owned(),
             count: drop.stack.count,
         });
-        (RecordKind::Drop.numbered(id.0), record)
+        (RecordKind::Drop.numbered(id), record)
     };
     let mut drops = actors.ecs.query::<(&ActorId, &Drop)>();
-    all.extend(drops.iter().map(|(id, drop)| drop_record(*id, drop)));
+    all.extend(drops.iter().map(|(id, drop)| drop_record(id.0, drop)));
     let middle = DVec3::Y * (0.5 * actors.tuning.height_m);
     let carried = player.inventory.carried();
     let carried = carried.map(|stack| Drop::lying(stack, actors.feet().moved(middle)));
-    all.extend(carried.map(|drop| drop_record(actors.next::<Drop>(), &drop)));
+    let still = carried.into_iter().chain(falling::kept(world, actors));
+    let numbered = (actors.next::<Drop>().0..).zip(still);
+    all.extend(numbered.map(|(id, drop)| drop_record(id, &drop)));
 }
 
 fn figures(actors: &Actors, all: &mut All) {

@@ -11,8 +11,6 @@ use antipode_streaming::Streamer;
 use antipode_terrain::{FIRST_PLANTED, Thing};
 use glam::DVec3;
 
-use crate::actors::Actors;
-use crate::falling::Falling;
 use crate::ground::Ground;
 use crate::persist::All;
 use crate::pick::over;
@@ -195,12 +193,10 @@ impl Planted {
         }
     }
 
-    /// What a save has of it. What still falls stands there again, as what grew by itself does.
-    pub fn records(&self, actors: &Actors, all: &mut All) {
-        let falling = actors.map(|_, it: &Falling| it.slot());
-        all.extend(self.all.iter().map(|((coord, slot), it)| {
+    /// What a save has of it.
+    pub fn records(&self, all: &mut All) {
+        all.extend(self.all.iter().map(|((coord, _), it)| {
             let pos = coord.origin() + it.thing.root.as_dvec3() + DVec3::Y * ROOTED_M;
-            let falls = falling.contains(&(*coord, *slot));
             let record = PlantedRecord {
                 place: PlaceRecord {
                     chart: coord.chart.number(),
@@ -208,7 +204,7 @@ impl Planted {
                 },
                 species: it.species.byte(),
                 since_s: it.since_s,
-                felled_s: it.felled_s.filter(|_| !falls),
+                felled_s: it.felled_s,
             };
             let key = RecordKind::Planted.numbered(it.id);
             (key, Record::Planted(record))

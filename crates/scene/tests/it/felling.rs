@@ -285,18 +285,37 @@ fn a_falling_tree_strikes_who_stands_under_it_and_nobody_beside() {
     assert_eq!(health(&scene, beside), healthy);
 }
 
+/// The logs and seeds that lie about.
+fn lying(scene: &Scene) -> [u32; 2] {
+    let drops = scene.probe().drops;
+    [Item::Log, Item::Seed].map(|item| {
+        let of_it = drops.iter().filter(|it| it.stack.item == item);
+        of_it.map(|it| it.stack.count).sum()
+    })
+}
+
 #[test]
-fn a_tree_that_still_falls_when_the_world_is_left_stands_there_again() {
+fn a_tree_that_still_falls_when_the_world_is_left_lies_there_as_logs() {
+    let setup = planted(Geometry::Euclidean);
+    let fell = |scene: &mut Scene| {
+        assert!(scene.wait_for_step(LIMIT));
+        let (root, species) = tree(scene);
+        stand_before(scene, root, 2.0);
+        let before = scene.probe().plants.unwrap().near[species.name()];
+        chop_until(scene, (1, 1));
+        (root, species, before)
+    };
+    let mut whole = open(setup.clone());
+    fell(&mut whole);
+    steps(&mut whole, 400, &Actions::default());
+    let wood = lying(&whole);
+    assert!(wood[0] > 0);
+
     let dir = tempfile::tempdir().unwrap();
     let here = dir.path().join("world");
-    let setup = planted(Geometry::Euclidean);
     let store = WorldStore::create(&here, &setup.to_meta()).unwrap();
     let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
-    assert!(scene.wait_for_step(LIMIT));
-    let (root, species) = tree(&scene);
-    stand_before(&mut scene, root, 2.0);
-    let before = scene.probe().plants.unwrap().near[species.name()];
-    chop_until(&mut scene, (1, 1));
+    let (root, species, before) = fell(&mut scene);
     scene.close().unwrap();
 
     let store = WorldStore::open(&here).unwrap();
@@ -304,7 +323,14 @@ fn a_tree_that_still_falls_when_the_world_is_left_stands_there_again() {
     let mut again = Scene::open(setup, Some(Arc::new(store))).unwrap();
     assert!(again.wait_for_step(LIMIT) && again.settle(LIMIT));
     let plants = again.probe().plants.unwrap();
-    assert_eq!((plants.felled, plants.near[species.name()]), (0, before));
+    let left = plants.near.get(species.name()).copied().unwrap_or_default();
+    assert_eq!((plants.felled, plants.falling, left), (1, 0, before - 1));
+    assert_eq!(lying(&again), wood, "its wood");
+    for drop in again.probe().drops {
+        let away = DVec3::from(drop.pos) - root.pos;
+        assert!(away.with_y(0.0).length() < 1.0, "{away}");
+        assert!(away.y.abs() < 0.8, "{away}");
+    }
 }
 
 #[test]
