@@ -9,7 +9,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antipode_geometry::{ChartId, ChunkCoord};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord};
 use glam::DVec3;
 use rapier3d::dynamics::{IslandManager, RigidBodySet, SoftBodySet};
 use rapier3d::geometry::{ColliderBuilder, ColliderHandle, ColliderSet};
@@ -68,6 +68,32 @@ impl Obstacle {
     }
 }
 
+/// Something small and solid that stands still. Whatever meets terrain meets it.
+#[derive(Clone, Debug)]
+pub struct Solid {
+    chart: ChartId,
+    /// Where its shape's origin is, metres of the chart.
+    foot: DVec3,
+    shape: TerrainCollider,
+}
+
+impl Solid {
+    /// One whose triangles lie within a metre or two of its foot, metres of a chart.
+    pub fn new(chart: ChartId, foot: DVec3, shape: TerrainCollider) -> Self {
+        Self { chart, foot, shape }
+    }
+
+    /// The chart that it stands in.
+    pub fn chart(&self) -> ChartId {
+        self.chart
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        let (shared, of) = self.shape.shared_parts(&other.shape);
+        self.foot == other.foot && shared == of
+    }
+}
+
 /// Rapier's names of a chunk's blocks.
 type Standing = [Option<ColliderHandle>; BLOCKS];
 
@@ -82,6 +108,9 @@ pub struct ChartGround {
     tree: Bvh,
     chunks: HashMap<ChunkCoord, Standing>,
     grounds: HashMap<u32, Ground>,
+    solids: Vec<(Solid, Vec<ColliderHandle>)>,
+    /// How many solids there have been: each has a number of its own.
+    solids_put: usize,
     obstacles: Vec<Obstacle>,
     origin: DVec3,
 }
@@ -112,6 +141,8 @@ impl ChartGround {
             tree: Bvh::new(),
             chunks: HashMap::new(),
             grounds: HashMap::new(),
+            solids: Vec::new(),
+            solids_put: 0,
             obstacles: Vec::new(),
             origin: DVec3::ZERO,
         }
@@ -164,6 +195,35 @@ impl ChartGround {
         TerrainCollider::of(removed)
     }
 
+    /// Says which solids stand in the chart, in place of those that did. Those that still do stay as they are.
+    pub(crate) fn set_solids(&mut self, wanted: &[Solid]) {
+        let before = std::mem::take(&mut self.solids);
+        let (kept, gone): (Vec<_>, Vec<_>) = before
+            .into_iter()
+            .partition(|(it, _)| wanted.iter().any(|other| it.is(other)));
+        for handle in gone.into_iter().flat_map(|(_, handles)| handles) {
+            self.take_out(handle);
+        }
+        self.solids = kept;
+        for it in wanted {
+            if self.solids.iter().any(|(other, _)| other.is(it)) {
+                continue;
+            }
+            let number = BLOCKS + self.solids_put;
+            self.solids_put += 1;
+            let blocks = it.shape.blocks().iter().flatten();
+            let grounds = blocks.map(|block| Ground {
+                coord: ChunkCoord::containing(ChartPoint::new(it.chart, it.foot)),
+                number,
+                origin: it.foot,
+                block: block.clone(),
+            });
+            let handles = grounds.map(|ground| self.put_in(ground)).collect();
+            self.solids.push((it.clone(), handles));
+        }
+        self.forget_changes();
+    }
+
     /// Whether a chunk has terrain to stand on or bump into.
     pub fn has_terrain(&self, coord: ChunkCoord) -> bool {
         self.chunks.contains_key(&coord)
@@ -174,9 +234,14 @@ impl ChartGround {
         self.chunks.len()
     }
 
+    /// How many small solids stand on the terrain.
+    pub fn solid_count(&self) -> usize {
+        self.solids.len()
+    }
+
     /// Whether there is nothing solid.
     pub(crate) fn is_empty(&self) -> bool {
-        self.chunks.is_empty() && self.obstacles.is_empty()
+        self.chunks.is_empty() && self.obstacles.is_empty() && self.solids.is_empty()
     }
 
     /// Moves the floating origin to `focus` (m), usually the player's feet, when that is more than

@@ -29,7 +29,7 @@ mod world;
 
 pub use ball::{Ball, BallTuning, Touch, meets_capsule};
 pub use character::{Character, CharacterInput};
-pub use chart_ground::{ChartGround, Obstacle};
+pub use chart_ground::{ChartGround, Obstacle, Solid};
 pub use collider::TerrainCollider;
 pub use loose::{LooseBlow, LooseBodies, LooseBody, LooseMotion, LooseShape};
 pub use rays::RayHit;

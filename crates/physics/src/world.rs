@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use antipode_geometry::{ChartId, ChartPoint};
 
-use crate::{ChartGround, Obstacle};
+use crate::{ChartGround, Obstacle, Solid};
 
 /// The ground of all charts.
 #[derive(Debug, Default)]
@@ -45,6 +45,17 @@ impl PhysicsWorld {
             if let Some(ground) = self.charts.get_mut(&focus.chart) {
                 ground.recentre(focus.pos);
             }
+        }
+    }
+
+    /// Says which small solids stand on the terrain, in place of those that did.
+    pub fn set_solids(&mut self, solids: &[Solid]) {
+        for it in solids {
+            self.chart_mut(it.chart());
+        }
+        for (chart, ground) in &mut self.charts {
+            let own = solids.iter().filter(|it| it.chart() == *chart);
+            ground.set_solids(&own.cloned().collect::<Vec<_>>());
         }
     }
 
@@ -118,6 +129,28 @@ mod tests {
         let next = ChartPoint::new(ChartId::new(9), DVec3::ZERO);
         world.recentre(next, std::iter::once(far));
         assert!(world.charts.len() == 1 && world.charts.contains_key(&next.chart));
+    }
+
+    #[test]
+    fn rays_meet_a_solid_where_it_stands_until_it_is_gone() {
+        let mut world = floors([4.0, 4.0]);
+        let top = [
+            [-1.0, 2.0, -1.0],
+            [-1.0, 2.0, 1.0],
+            [1.0, 2.0, 1.0],
+            [1.0, 2.0, -1.0],
+        ];
+        let shape = TerrainCollider::build(&top, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+        let at = |x: f64| Solid::new(ChartId::new(9), DVec3::new(x, 4.0, 9.0), shape.clone());
+        world.set_solids(&[at(7.0), at(20.0)]);
+        assert_eq!(below(&world, 9), Some(14.0));
+        assert_eq!(below(&world, 5), Some(16.0), "of the other chart");
+        let far = ChartPoint::new(ChartId::new(9), DVec3::X * 900.0);
+        world.recentre(far, std::iter::empty());
+        assert_eq!(below(&world, 9), Some(14.0), "from another origin");
+        world.set_solids(&[at(20.0)]);
+        assert_eq!(below(&world, 9), Some(16.0));
+        assert_eq!(world.chart(ChartId::new(9)).solid_count(), 1);
     }
 
     #[test]

@@ -59,9 +59,9 @@ impl Simulation {
             walk(world, actors, player, outbox, actions);
         }
         drive::step(world, actors, player, outbox, actions);
-        let mut bodies = actors.car_bodies(world);
-        bodies.extend_from_slice(world.solids.near(&*world.strategy, actors));
-        world.physics.set_obstacles(bodies);
+        world.physics.set_obstacles(actors.car_bodies(world));
+        let (solids, physics) = (&mut world.solids, &mut world.physics);
+        solids.tell(&*world.strategy, actors, physics);
         circumnavigation::notice(world, actors.feet(), &mut player.circumnavigation, outbox);
         biome::notice(world, actors.feet(), &mut player.biome, outbox);
         // Both hands are on the wheel.

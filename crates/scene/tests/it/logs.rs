@@ -5,6 +5,7 @@ use antipode_geometry::{ChartPoint, Geometry};
 use antipode_scene::{Actions, Item, Kind, Mode, Scene, Stack, WorldSetup};
 use glam::DVec3;
 
+use crate::common::cars::{ahead, car, enter, stand_beside, still};
 use crate::common::{LIMIT, scene, setup, steps};
 
 const LOG: Stack = Stack {
@@ -137,18 +138,23 @@ fn a_log_is_wood_to_who_gathers_and_itself_elsewhere() {
     }
 }
 
+/// A row of logs across the way along +x, so far ahead of the feet.
+fn fence(scene: &mut Scene, ahead_m: f64) {
+    let feet = scene.feet();
+    for n in -30..=30 {
+        let at = feet.pos + DVec3::new(ahead_m, 0.0, 0.3 * f64::from(n));
+        let y = scene.field().surface_height(feet.chart, at.x, at.z);
+        let at = ChartPoint::new(feet.chart, at.with_y(y));
+        assert!(scene.put_up(Item::Log, at, 0.0, ""));
+    }
+}
+
 #[test]
-fn nobody_walks_through_a_log_that_was_put_up_until_it_is_taken_up_again() {
+fn nobody_walks_through_a_log_that_was_put_up() {
     for geometry in Geometry::ALL {
         let mut scene = scene(geometry);
         let feet = scene.feet();
-        let fence = |n: i32| feet.pos + DVec3::new(2.0, 0.0, 0.3 * f64::from(n));
-        for n in -30..=30 {
-            let at = fence(n);
-            let y = scene.field().surface_height(feet.chart, at.x, at.z);
-            let at = ChartPoint::new(feet.chart, at.with_y(y));
-            assert!(scene.put_up(Item::Log, at, 0.0, ""));
-        }
+        fence(&mut scene, 2.0);
         scene.aim(0.0, 0.0);
         let ahead = Actions {
             forward: 1.0,
@@ -157,5 +163,54 @@ fn nobody_walks_through_a_log_that_was_put_up_until_it_is_taken_up_again() {
         steps(&mut scene, 120, &ahead);
         let way_m = scene.feet().pos.x - feet.pos.x;
         assert!((0.5..2.0).contains(&way_m), "{geometry:?}: {way_m} m");
+    }
+}
+
+#[test]
+fn no_bullet_flies_through_a_log_that_was_put_up() {
+    for geometry in Geometry::ALL {
+        let flown_m = |has_fence: bool| {
+            let mut scene = scene(geometry);
+            let feet = scene.feet();
+            if has_fence {
+                fence(&mut scene, 3.0);
+            }
+            let over_m = Item::Log.stands().unwrap().middle_m;
+            let y = scene
+                .field()
+                .surface_height(feet.chart, feet.pos.x + 3.0, feet.pos.z);
+            let muzzle = DVec3::new(feet.pos.x + 2.0, y + over_m, feet.pos.z);
+            steps(&mut scene, 1, &Actions::default());
+            scene.throw_bullet(ChartPoint::new(feet.chart, muzzle), DVec3::X * 40.0);
+            steps(&mut scene, 3, &Actions::default());
+            scene.probe().projectiles[0].pos[0] - muzzle.x
+        };
+        assert!(flown_m(false) > 1.5, "{geometry:?}: nothing is in its way");
+        assert!(flown_m(true) < 1.0, "{geometry:?}");
+    }
+}
+
+#[test]
+fn no_car_drives_through_a_log_that_was_put_up() {
+    for geometry in Geometry::ALL {
+        let driven_m = |has_fence: bool| {
+            let mut scene = scene(geometry);
+            let feet = scene.feet();
+            if has_fence {
+                fence(&mut scene, 8.0);
+            }
+            let start = feet.moved(DVec3::new(-1.0, 0.3, 0.0));
+            assert!(scene.spawn_car(start, 0.0));
+            steps(&mut scene, 90, &still());
+            stand_beside(&mut scene, 2.2);
+            steps(&mut scene, 1, &enter());
+            assert!(scene.is_driving(), "{:?}", scene.take_hints());
+            let from = car(&scene).point.pos;
+            steps(&mut scene, 300, &ahead());
+            car(&scene).point.pos.x - from.x
+        };
+        let (free_m, stopped_m) = (driven_m(false), driven_m(true));
+        assert!(free_m > 10.0, "{geometry:?}: {free_m} m");
+        assert!(stopped_m < 8.0, "{geometry:?}: {stopped_m} m");
     }
 }
