@@ -9,7 +9,8 @@
 //! A space is made of four traits: [`Atlas`], [`Map`], [`Optics`] and [`Metric`]. Each space has a folder:
 //! `flat`, `hyperbolic` (of two maps) and `spherical`. What several share lies beside the folders, and
 //! the arithmetic that shaders mirror in [`kernel`]. A fourth space is a folder beside these, with its
-//! `ENTRY`, and a variant of [`Geometry`] (`kind.rs`).
+//! `ENTRY`, and a variant of [`Geometry`] (`kind.rs`). [`tiling`] is the hyperbolic plane in squares, in exact numbers, of
+//! which no space is made yet.
 //!
 //! Conventions: column vectors; view coordinates are x right, y up, z back, with xyz in metres
 //! and w without unit, so that the flat limit is regular; the eye is at (0, 0, 0, 1).
@@ -38,6 +39,7 @@ pub mod shader;
 mod sight;
 mod spherical;
 mod strategy;
+pub mod tiling;
 mod triangle;
 mod uniform;
 mod view_mode;

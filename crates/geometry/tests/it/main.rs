@@ -8,3 +8,4 @@
 
 mod accuracy;
 mod space;
+mod tiling;

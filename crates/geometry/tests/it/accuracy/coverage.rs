@@ -1,7 +1,7 @@
 //! Every public function that takes numbers is held to a golden table, or excused with a reason.
 
 use super::golden::{FUNCTIONS, KERNELS};
-use super::{functions, kernels};
+use super::{functions, kernels, tiling};
 
 /// Sources of the crate by module name.
 pub const SOURCES: &[(&str, &str)] = &[
@@ -402,30 +402,22 @@ fn public_functions(module: &str, source: &str) -> Vec<String> {
 #[test]
 fn every_public_function_of_numbers_is_held_or_excused() {
     let tables = functions::checks().into_iter().chain(kernels::checks());
-    let held: Vec<&str> = tables
-        .flat_map(|check| check.covers.iter().copied())
-        .collect();
-    let excused = |name: &str| EXCUSED.iter().any(|(excused, _)| *excused == name);
+    let held = tables.flat_map(|check| check.covers.iter().copied());
+    let whole = STRATEGIES.iter().chain(tiling::HELD).copied();
+    let excused = EXCUSED.iter().chain(tiling::EXCUSED).map(|(name, _)| *name);
+    let listed: Vec<&str> = held.chain(whole).chain(excused).collect();
     let mut all = Vec::new();
-    for (module, source) in SOURCES {
+    for (module, source) in SOURCES.iter().chain(tiling::SOURCES) {
         all.extend(public_functions(module, source));
     }
     let missing: Vec<&String> = all
         .iter()
-        .filter(|name| {
-            !held.contains(&name.as_str()) && !STRATEGIES.contains(&name.as_str()) && !excused(name)
-        })
+        .filter(|name| !listed.contains(&name.as_str()))
         .collect();
     assert!(missing.is_empty(), "neither held nor excused: {missing:?}");
     // A list that names what is gone would excuse whatever takes the name next.
     let known = |name: &str| all.iter().any(|other| other == name);
-    let gone: Vec<&str> = held
-        .iter()
-        .copied()
-        .chain(STRATEGIES.iter().copied())
-        .chain(EXCUSED.iter().map(|(name, _)| *name))
-        .filter(|name| !known(name))
-        .collect();
+    let gone: Vec<&str> = listed.into_iter().filter(|name| !known(name)).collect();
     assert!(gone.is_empty(), "listed, but not in the sources: {gone:?}");
 }
 

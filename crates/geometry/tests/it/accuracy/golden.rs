@@ -5,6 +5,7 @@ use antipode_geometry::Real;
 pub const FUNCTIONS: &str = include_str!("../../../../../tests/reference/functions.json");
 pub const KERNELS: &str = include_str!("../../../../../tests/reference/kernels.json");
 pub const STRATEGIES: &str = include_str!("../../../../../tests/reference/strategies.json");
+pub const TILING: &str = include_str!("../../../../../tests/reference/tiling.json");
 
 /// One kernel in one precision: arguments to answers.
 pub type Kernel<T> = fn(&[T]) -> Vec<T>;

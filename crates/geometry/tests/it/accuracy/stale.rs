@@ -1,8 +1,9 @@
-//! Whether the golden files are those of the script beside them.
+//! Whether the golden files are those of the scripts beside them.
 
-use super::golden::{FUNCTIONS, KERNELS, STRATEGIES};
+use super::golden::{FUNCTIONS, KERNELS, STRATEGIES, TILING};
 
 const SCRIPT: &[u8] = include_bytes!("../../../../../tests/reference/make_golden.py");
+const TILING_SCRIPT: &[u8] = include_bytes!("../../../../../tests/reference/make_tiling.py");
 
 /// FNV-1a, 64 bits.
 fn fnv(bytes: &[u8]) -> String {
@@ -25,13 +26,14 @@ fn field<'a>(text: &'a str, name: &str) -> &'a str {
 
 #[test]
 fn the_golden_files_are_the_scripts_own() {
-    for (name, text) in [
-        ("functions.json", FUNCTIONS),
-        ("kernels.json", KERNELS),
-        ("strategies.json", STRATEGIES),
+    for (name, text, script) in [
+        ("functions.json", FUNCTIONS, SCRIPT),
+        ("kernels.json", KERNELS, SCRIPT),
+        ("strategies.json", STRATEGIES, SCRIPT),
+        ("tiling.json", TILING, TILING_SCRIPT),
     ] {
-        let stale = "run tests/reference/make_golden.py again";
-        assert_eq!(field(text, "generator"), fnv(SCRIPT), "{name}: {stale}");
+        let stale = "run the script of tests/reference that makes it again";
+        assert_eq!(field(text, "generator"), fnv(script), "{name}: {stale}");
         let data = between(text, "\"data\": ", "\n}\n");
         assert_eq!(
             field(text, "content"),

@@ -1,7 +1,7 @@
 //! What must hold of the curved spaces: golden values, identities and round trips.
 
 mod atlas;
-mod common;
+pub mod common;
 mod cone;
 mod crossing;
 mod culling;

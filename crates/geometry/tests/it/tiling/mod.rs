@@ -1,0 +1,9 @@
+//! What must hold of the hyperbolic plane's tiling: exact numbers, frames, ways, places and charts.
+
+mod charts;
+mod common;
+mod frames;
+mod ground;
+mod paths;
+mod places;
+mod reference;
