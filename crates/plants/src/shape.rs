@@ -1,4 +1,4 @@
-//! Shapes of plants and stones: triangles with colours, in three sizes each, made once.
+//! Shapes of plants and stones: triangles with colours, in four sizes each, made once.
 
 mod boulder;
 mod broadleaf;
@@ -50,13 +50,15 @@ pub enum Size {
     Near,
     /// Farther off: 60 to 80 triangles.
     Middle,
+    /// Where crowns are still seen to be round: 16 to 36 triangles.
+    Coarse,
     /// A few pixels: 8 to 12 triangles.
     Far,
 }
 
 impl Size {
     /// All, from the one with the most triangles.
-    pub const ALL: [Self; 3] = [Self::Near, Self::Middle, Self::Far];
+    pub const ALL: [Self; 4] = [Self::Near, Self::Middle, Self::Coarse, Self::Far];
 }
 
 /// A corner of a shape.

@@ -1,7 +1,7 @@
 //! What grows and stands on chunks, as meshes in the pages of the land.
 //!
 //! All that stands on a chunk is one mesh, so that it is culled, hidden, carried into the space, lit and shadowed as the chunk's
-//! land is, and costs a call nothing. It is made from the shapes of `antipode_plants` in one of their three sizes, by how large
+//! land is, and costs a call nothing. It is made from the shapes of `antipode_plants` in one of their sizes, by how large
 //! a metre of the chunk is in the picture. No edge is long and no triangle is a card: what is far off is a solid of a dozen
 //! triangles, which every map of the space bends as it does land.
 
@@ -24,10 +24,10 @@ use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::touched::Touched;
 use crate::uniforms::ChunkInstance;
 
-/// From so many pixels a metre on things are near, and from so many on not far: for cards, and for the processor, to which a
+/// From so many pixels a metre on things are shown in each size but the last: for cards, and for the processor, to which a
 /// corner is as dear as a hundred pixels.
-const CARD_PX: [f64; 2] = [24.0, 5.0];
-const SOFTWARE_PX: [f64; 2] = [64.0, 10.0];
+const CARD_PX: [f64; 3] = [24.0, 5.0, 2.5];
+const SOFTWARE_PX: [f64; 3] = [64.0, 12.0, 3.0];
 /// Where a thing is drawn by fewer triangles than now only if a metre has this share of those pixels: on the line between two
 /// sizes it does not flip to and fro.
 const COARSER_SHARE: f64 = 0.8;
@@ -89,22 +89,18 @@ pub fn changed(coord: ChunkCoord, old: &[Thing], new: &[Thing]) -> Option<Touche
 }
 
 /// The size for a metre of so many pixels, of things that are shown in a size before.
-fn size_for(metre_px: f64, [near_px, middle_px]: [f64; 2], before: Option<Size>) -> Size {
+fn size_for(metre_px: f64, thresholds_px: [f64; 3], before: Option<Size>) -> Size {
     let from = |px: f64, size: Size| {
         let is_finer = before.is_some_and(|before| before <= size);
         metre_px >= if is_finer { COARSER_SHARE * px } else { px }
     };
-    if from(near_px, Size::Near) {
-        Size::Near
-    } else if from(middle_px, Size::Middle) {
-        Size::Middle
-    } else {
-        Size::Far
-    }
+    let mut sizes = Size::ALL.into_iter().zip(thresholds_px);
+    let found = sizes.find(|(size, px)| from(*px, *size));
+    found.map_or(Size::Far, |(size, _)| size)
 }
 
-/// From so many pixels a metre on things are near, and from so many on not far.
-fn thresholds_px(quality: Quality, preset: Preset) -> [f64; 2] {
+/// From so many pixels a metre on things are shown in each size but the last.
+fn thresholds_px(quality: Quality, preset: Preset) -> [f64; 3] {
     let least = match preset {
         Preset::Software => SOFTWARE_PX,
         Preset::Card => CARD_PX,
@@ -304,7 +300,7 @@ struct Scale {
     /// How many one takes that is a metre off.
     near_px: f64,
     /// See [`thresholds_px`].
-    thresholds_px: [f64; 2],
+    thresholds_px: [f64; 3],
     /// Where the eye is, of a chunk so near that its things differ: metres from its corner.
     eye: Option<Vec3>,
 }
@@ -366,17 +362,18 @@ mod tests {
 
     #[test]
     fn what_is_between_two_sizes_keeps_the_one_that_it_has() {
-        use Size::{Far, Middle, Near};
+        use Size::{Coarse, Far, Middle, Near};
         let size_for = |px, before| size_for(px, CARD_PX, before);
-        let [near_px, middle_px] = CARD_PX;
+        let [near_px, middle_px, coarse_px] = CARD_PX;
         assert_eq!(
-            [1.0, 6.0, 60.0].map(|px| size_for(px, None)),
-            [Far, Middle, Near]
+            [1.0, 3.0, 6.0, 60.0].map(|px| size_for(px, None)),
+            [Far, Coarse, Middle, Near]
         );
-        let at = |px: f64| [Far, Middle, Near].map(|before| size_for(px, Some(before)));
-        assert_eq!(at(0.9 * middle_px), [Far, Middle, Middle]);
-        assert_eq!(at(0.9 * near_px), [Middle, Middle, Near]);
-        assert_eq!(at(0.7 * middle_px), [Far; 3]);
+        let at = |px: f64| [Far, Coarse, Middle, Near].map(|before| size_for(px, Some(before)));
+        assert_eq!(at(0.9 * near_px), [Middle, Middle, Middle, Near]);
+        assert_eq!(at(0.9 * middle_px), [Coarse, Coarse, Middle, Middle]);
+        assert_eq!(at(0.9 * coarse_px), [Far, Coarse, Coarse, Coarse]);
+        assert_eq!(at(0.7 * coarse_px), [Far; 4]);
     }
 
     #[test]

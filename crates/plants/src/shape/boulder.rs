@@ -16,7 +16,8 @@ pub(super) fn grow(build: Build, size: Size) -> Shape {
     let faces = match size {
         Size::Near => near.clone(),
         Size::Middle => faces(&all[..16]),
-        Size::Far => faces(&blunt(&near)),
+        Size::Coarse => faces(&blunt(&near, &ROUND, 0.88)),
+        Size::Far => faces(&blunt(&near, &BLUNT, 0.81)),
     };
     let corners = || near.iter().flat_map(|(_, corners)| corners);
     let top = corners().map(|corner| corner.y).fold(0.01, f32::max);
@@ -104,26 +105,41 @@ fn planes(build: Build) -> Vec<Plane> {
     planes.collect()
 }
 
-/// Six planes about a stone: a slanting top, four sides and a bottom, each as far out as halfway to the farthest corner.
-fn blunt(near: &[(Vec3, Vec<Vec3>)]) -> Vec<Plane> {
-    let ways = [
-        [0.15, 1.0, 0.1],
-        [1.0, 0.16, 0.2],
-        [-0.2, 0.12, 1.0],
-        [-1.0, 0.14, -0.2],
-        [0.2, 0.18, -1.0],
-        [0.0, -1.0, 0.0],
-    ];
-    let planes = ways.map(|way| {
-        let way = Vec3::from(way).normalize_or(Vec3::Y);
+/// A slanting top, four sides and a bottom.
+const BLUNT: [[f32; 3]; 6] = [
+    [0.15, 1.0, 0.1],
+    [1.0, 0.16, 0.2],
+    [-0.2, 0.12, 1.0],
+    [-1.0, 0.14, -0.2],
+    [0.2, 0.18, -1.0],
+    [0.0, -1.0, 0.0],
+];
+/// The same with four more that slant between the top and the sides.
+const ROUND: [[f32; 3]; 10] = [
+    [0.15, 1.0, 0.1],
+    [1.0, 0.1, 0.2],
+    [-0.2, 0.05, 1.0],
+    [-1.0, 0.1, -0.2],
+    [0.2, 0.05, -1.0],
+    [0.8, 0.75, 0.75],
+    [-0.7, 0.9, 0.75],
+    [-0.8, 0.7, -0.7],
+    [0.75, 0.85, -0.8],
+    [0.0, -1.0, 0.0],
+];
+
+/// Planes about a stone that face so, each at such a share of the way to the farthest corner.
+fn blunt(near: &[(Vec3, Vec<Vec3>)], ways: &[[f32; 3]], share: f32) -> Vec<Plane> {
+    let planes = ways.iter().map(|way| {
+        let way = Vec3::from(*way).normalize_or(Vec3::Y);
         let reach = near
             .iter()
             .flat_map(|(_, corners)| corners)
             .map(|corner| corner.dot(way))
             .fold(0.0, f32::max);
-        (way, reach * 0.81)
+        (way, reach * share)
     });
-    planes.to_vec()
+    planes.collect()
 }
 
 /// The faces that planes leave of a large block: the way of each, and its corners counter-clockwise seen from outside.

@@ -30,7 +30,7 @@ pub(super) fn grow(build: Build, size: Size) -> Shape {
     let (coarse, sides) = match size {
         Size::Near => (trunk.clone(), 6),
         Size::Middle => (trunk.coarse(1).stouter(3), 3),
-        Size::Far => (trunk.coarse(0).stouter(3), 3),
+        Size::Coarse | Size::Far => (trunk.coarse(0).stouter(3), 3),
     };
     add_limb(&mut mesh, &coarse, sides, &bark, &sway);
     let mut dice = Dice::new(build.by_age(81, 82, 83));
@@ -61,10 +61,11 @@ pub(super) fn grow(build: Build, size: Size) -> Shape {
                 add_leaf(&mut mesh, build, head, [i as f32 / 6.0 * TAU, rise, 1.0], 2);
             }
         }
-        Size::Far => {
+        Size::Coarse | Size::Far => {
             let out = (build.radius - head.x) * 0.95;
-            for i in 0..4 {
-                add_blade(&mut mesh, build, head, i as f32 / 4.0 * TAU, out);
+            let count = if size == Size::Far { 4 } else { 7 };
+            for i in 0..count {
+                add_blade(&mut mesh, build, head, i as f32 / count as f32 * TAU, out);
             }
         }
     }

@@ -28,8 +28,8 @@ impl Build {
     }
 }
 
-/// The three sizes of a plant.
-pub(super) fn grow(species: Species, age: Age) -> [Shape; 3] {
+/// The sizes of a plant.
+pub(super) fn grow(species: Species, age: Age) -> [Shape; 4] {
     let build = Build {
         age,
         height: species.height_m(age) as f32,
@@ -38,7 +38,7 @@ pub(super) fn grow(species: Species, age: Age) -> [Shape; 3] {
             .trunk(age)
             .map_or(0.0, |trunk| trunk.radius_m as f32),
     };
-    let [near, mut middle, mut far] = Size::ALL.map(|size| match species {
+    let [near, mut simpler @ ..] = Size::ALL.map(|size| match species {
         Species::Spruce => spruce::grow(build, size),
         Species::Palm => palm::grow(build, size),
         Species::Snag => snag::grow(build, size),
@@ -52,7 +52,9 @@ pub(super) fn grow(species: Species, age: Age) -> [Shape; 3] {
         Species::Kapok => canopy::kapok(build).shape(size),
         Species::Bush => broadleaf::bush(build).shape(size),
     });
-    match_tones(&near, &mut middle);
-    match_tones(&near, &mut far);
-    [near, middle, far]
+    for shape in &mut simpler {
+        match_tones(&near, shape);
+    }
+    let [middle, coarse, far] = simpler;
+    [near, middle, coarse, far]
 }

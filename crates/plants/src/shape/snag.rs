@@ -39,8 +39,9 @@ pub(super) fn grow(build: Build, size: Size) -> Shape {
                 );
             }
         }
-        Size::Far => {
-            for (i, limb) in limbs.iter().take(4).enumerate() {
+        Size::Coarse | Size::Far => {
+            let count = if size == Size::Far { 4 } else { 7 };
+            for (i, limb) in limbs.iter().take(count).enumerate() {
                 let thin = limb.coarse(0).stouter(3);
                 let limb = if i == 0 {
                     thin

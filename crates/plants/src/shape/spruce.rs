@@ -35,7 +35,7 @@ pub(super) fn grow(build: Build, size: Size) -> Shape {
     match size {
         Size::Near => wood(&trunk, 6),
         Size::Middle => wood(&trunk.coarse(1).stouter(3), 3),
-        Size::Far => wood(&trunk.coarse(0).stouter(3), 3),
+        Size::Coarse | Size::Far => wood(&trunk.coarse(0).stouter(3), 3),
     }
     match size {
         Size::Near => {
@@ -46,6 +46,7 @@ pub(super) fn grow(build: Build, size: Size) -> Shape {
             }
         }
         Size::Middle => add_cones(&mut mesh, build, lowest, 5, 6),
+        Size::Coarse => add_cones(&mut mesh, build, lowest, 3, 5),
         Size::Far => add_far(&mut mesh, build, lowest),
     }
     mesh.finish()

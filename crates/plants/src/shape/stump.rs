@@ -48,6 +48,7 @@ pub(super) fn grow(build: Build, size: Size) -> Shape {
     let (profile, sides): (&[_], _) = match size {
         Size::Near => (&whole, 10),
         Size::Middle => (&plain, 7),
+        Size::Coarse => (&few, 6),
         Size::Far => (&few, 4),
     };
     let mut mesh = Mesh::default();

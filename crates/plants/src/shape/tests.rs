@@ -15,7 +15,7 @@ fn plants() -> impl Iterator<Item = (Species, Age)> {
 #[test]
 fn triangles_stay_within_their_budgets() {
     for (species, age) in plants() {
-        for (size, most) in [(Size::Near, 620), (Size::Middle, 84), (Size::Far, 12)] {
+        for (size, most) in Size::ALL.into_iter().zip([620, 84, 36, 12]) {
             let count = shape(species, age, size).triangles.len();
             assert!(
                 (5..=most).contains(&count),
@@ -106,7 +106,7 @@ fn simpler_shapes_reach_as_far() {
             high - low.max(Vec3::new(f32::MIN, 0.0, f32::MIN))
         };
         let near = extent(Size::Near);
-        for size in [Size::Middle, Size::Far] {
+        for size in [Size::Middle, Size::Coarse, Size::Far] {
             let ratio = extent(size) / near;
             // The turn about the upright line is free, so that the two ways sideways count as one.
             let sideways = (ratio.x * ratio.z).sqrt();

@@ -41,6 +41,11 @@ pub(super) fn grow(build: Build, size: Size) -> Shape {
                 [0.0, 0.24],
             ],
         ),
+        Size::Coarse => cap.add(
+            &mut mesh,
+            6,
+            &[[0.0, 1.04], [0.8, 0.74], [1.06, 0.08], [0.0, 0.24]],
+        ),
         Size::Far => cap.add(&mut mesh, 3, &[[0.84, 0.94], [1.2, 0.06]]),
     }
     mesh.finish()
@@ -73,7 +78,7 @@ fn add_stem(mesh: &mut Mesh, lean: Vec3, build: Build, size: Size) {
     match size {
         Size::Near => add_limb(mesh, &stem, 9, &flesh, &sway),
         Size::Middle => add_limb(mesh, &fewer.stouter(4), 4, &flesh, &sway),
-        Size::Far => add_limb(
+        Size::Coarse | Size::Far => add_limb(
             mesh,
             &stem
                 .coarse(0)

@@ -80,6 +80,7 @@ impl Tree {
         match size {
             Size::Near => self.near(),
             Size::Middle => self.middle(),
+            Size::Coarse => self.coarse(),
             Size::Far => self.far(),
         }
     }
@@ -153,18 +154,39 @@ impl Tree {
         mesh.finish()
     }
 
+    fn coarse(&self) -> Shape {
+        let mut mesh = Mesh::default();
+        self.add_spike(&mut mesh);
+        if let Some((_, profile)) = &self.turned {
+            self.add_turned(&mut mesh, 5, profile);
+            return mesh.finish();
+        }
+        let [sides, rings] = if self.hulls.len() > 1 { [5, 1] } else { [6, 2] };
+        for group in 0..self.hulls.len() {
+            let wider = Vec3::new(1.12, self.deep, 1.12);
+            self.crown
+                .add_hull(&mut mesh, Some(group as u8), sides, rings, wider);
+        }
+        mesh.finish()
+    }
+
     fn far(&self) -> Shape {
         let mut mesh = Mesh::default();
         let (sides, profile) = &self.far;
         self.add_turned(&mut mesh, *sides, profile);
-        let end = self
-            .crown
-            .centre()
-            .midpoint(self.crown.centre().with_y(self.crown.limits()[1].y));
-        if let Some(trunk) = self.trunk.as_ref().filter(|_| mesh.count() < 10) {
-            self.add_wood(&mut mesh, &trunk.coarse(0).stouter(3).ending(end), 3);
+        if mesh.count() < 10 {
+            self.add_spike(&mut mesh);
         }
         mesh.finish()
+    }
+
+    /// Adds the trunk as one that tapers to its end within the crown.
+    fn add_spike(&self, mesh: &mut Mesh) {
+        let middle = self.crown.centre();
+        let end = middle.midpoint(middle.with_y(self.crown.limits()[1].y));
+        if let Some(trunk) = &self.trunk {
+            self.add_wood(mesh, &trunk.coarse(0).stouter(3).ending(end), 3);
+        }
     }
 
     /// Adds a crown that is turned about its middle line.
