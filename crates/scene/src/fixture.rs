@@ -23,7 +23,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{FIXTURE_REACH_M, REACH_M, STEP_S};
 use crate::world::World;
-use crate::{door_place, flag, lamp};
+use crate::{door_place, felling, flag, lamp};
 
 mod solid;
 
@@ -238,6 +238,12 @@ pub(crate) fn use_in_hand(
     }
 }
 
+/// Of two solid things the middle lines are at least this share of both radii apart: so a row of them has no gaps. One on
+/// top of another would fall into it, from so far up; whose roots are farther off reach nowhere, metres.
+const APART: f64 = 0.75;
+const FALLS_IN_M: f64 = 1.0;
+const THINGS_M: f64 = 4.0;
+
 /// How one would stand if it were put down, and what is against it; none where no ground is in reach. Through a door it is put
 /// on the other side.
 fn placing(
@@ -251,9 +257,31 @@ fn placing(
     let normal = || world.ground.normal(spot.point).as_dvec3();
     let foot = || behaviour(item).foot_on(stands, spot.point, normal());
     let foot = spot.hit.then(foot).flatten()?;
-    let it = put_at(world, &spot.eye, item, foot)?;
+    let it = put_at(world, &spot.eye, item, foot).filter(|it| !is_taken(now, it))?;
     let unfit = behaviour(item).unfit(now, &it);
     Some((it, unfit))
+}
+
+/// Whether a trunk, a boulder or another that is solid stands where one that is solid would.
+fn is_taken(now: Situation<'_>, it: &Fixture) -> bool {
+    if !it.stands.is_solid {
+        return false;
+    }
+    let (foot, own) = (it.foot.point, it.stands);
+    let is_in = |root: ChartPoint, radius_m: f64, height_m: f64| {
+        let by = over(&*now.world.strategy, foot, root).pos - foot.pos;
+        let heights_m = -height_m - FALLS_IN_M..own.heights_m[1];
+        by.with_y(0.0).length() < APART * (own.radius_m + radius_m) && heights_m.contains(&by.y)
+    };
+    let things = felling::solids_near(now.world, foot, THINGS_M);
+    let mut things = things
+        .iter()
+        .filter_map(|it| Some((it.root(), it.solid_m()?)));
+    let others = map(now.actors, |_, other| {
+        let stands = other.stands;
+        stands.is_solid && is_in(other.foot.point, stands.radius_m, stands.heights_m[1])
+    });
+    others.contains(&true) || things.any(|(root, (radius_m, high_m))| is_in(root, radius_m, high_m))
 }
 
 /// The same of what is in a free hand.

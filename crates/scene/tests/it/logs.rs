@@ -2,7 +2,7 @@
 //! puts them up.
 
 use antipode_geometry::{ChartPoint, Geometry};
-use antipode_scene::{Actions, Item, Kind, Mode, Scene, Stack, WorldSetup};
+use antipode_scene::{Actions, Hint, Item, Kind, Mode, Scene, Stack, WorldSetup};
 use glam::DVec3;
 
 use crate::common::cars::{ahead, car, enter, stand_beside, still};
@@ -213,4 +213,43 @@ fn no_car_drives_through_a_log_that_was_put_up() {
         assert!(free_m > 10.0, "{geometry:?}: {free_m} m");
         assert!(stopped_m < 8.0, "{geometry:?}: {stopped_m} m");
     }
+}
+
+/// Puts up a log where one looks, or does not; how many stand.
+fn put_where_one_looks(scene: &mut Scene, pitch: f64) -> (usize, Vec<Hint>) {
+    scene.aim(0.0, pitch);
+    steps(scene, 1, &Actions::default());
+    scene.take_hints();
+    let press = Actions {
+        primary: true,
+        ..Actions::default()
+    };
+    steps(scene, 1, &press);
+    steps(scene, 1, &Actions::default());
+    let stand = scene.probe().fixtures.len();
+    (stand, scene.take_hints())
+}
+
+#[test]
+fn a_log_is_put_up_beside_another_and_not_into_it() {
+    let mut scene = scene(Geometry::Euclidean);
+    let feet = scene.feet();
+    let x = feet.pos.x + 3.0;
+    let y = scene.field().surface_height(feet.chart, x, feet.pos.z);
+    let foot = ChartPoint::new(feet.chart, DVec3::new(x, y, feet.pos.z));
+    assert!(scene.put_up(Item::Log, foot, 0.0, ""));
+    assert_eq!(scene.inventory_mut().give(Item::Log, 5), 0);
+    let slots = scene.inventory().slots();
+    let is_log = |it: &Option<Stack>| it.is_some_and(|it| it.item == Item::Log);
+    let slot = slots.iter().position(is_log).unwrap();
+    scene.inventory_mut().select(slot as u8);
+    let eye_m = scene.head().point.pos.y - y;
+    let pitch = |up_m: f64, x_m: f64| -(eye_m - up_m).atan2(x_m);
+    let (stand, hints) = put_where_one_looks(&mut scene, pitch(0.6, 3.0));
+    assert!(
+        stand == 1 && hints.contains(&Hint::NoPlaceFor(Item::Log)),
+        "{hints:?}"
+    );
+    let (stand, hints) = put_where_one_looks(&mut scene, pitch(0.0, 2.4));
+    assert_eq!(stand, 2, "{hints:?}");
 }
