@@ -6,7 +6,7 @@ use super::cache::Cache;
 use crate::ChartId;
 use crate::tiling::{Frame, Tile, TilePath, TilingError, rings};
 
-/// Places in the tables: more than the tiles within 250 m where they are 64 m wide, of which there are 171.
+/// Places in the tables: more than the tiles within 250 m where they are 64 m wide, of which there are 153.
 const PLACES: usize = 1024;
 
 /// Tiles one and two steps from one: 4 and 12.

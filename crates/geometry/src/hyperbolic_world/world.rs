@@ -18,9 +18,9 @@ use crate::{
 const HYSTERESIS_M: f64 = 0.2;
 /// The widest tiles, in chunks.
 const WIDEST_CHUNKS: f64 = 64.0;
-/// Geodesics are followed in steps of at most so many radii, that no coordinate grow large...
+/// Geodesics are followed in steps of at most so many radii: coordinates stay small.
 const STEP_RAD: f64 = 1.0;
-/// ...and so far at most: from one end of the world to the other.
+/// They are followed so far at most, in radii: from one end of the world to the other.
 const FARTHEST_RAD: f64 = 160.0;
 /// What lies in a chart that is not there is seen so many radii behind the eye.
 const NOWHERE_RAD: f64 = 40.0;
@@ -44,9 +44,8 @@ pub struct HyperbolicWorld {
 
 impl fmt::Debug for HyperbolicWorld {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let radius = ("radius_m", self.chart.radius_m);
         f.debug_struct("HyperbolicWorld")
-            .field(radius.0, &radius.1)
+            .field("radius_m", &self.chart.radius_m)
             .finish_non_exhaustive()
     }
 }
@@ -119,6 +118,16 @@ impl HyperbolicWorld {
         let place = self.tiles.frame(chart)?.place(point).ok()?;
         Some((self.tiles.chart(&place.frame)?, place.way.lorentz()))
     }
+}
+
+/// A point and a direction there, put right after roundings: what they lack of length and right angle would grow as e^(2d)
+/// along the way.
+fn straightened(at: DVec4, ahead: DVec4) -> (DVec4, DVec4) {
+    let inner = |a: DVec4, b: DVec4| a.truncate().dot(b.truncate()) - a.w * b.w;
+    let away = at.truncate();
+    let at = away.extend((1.0 + away.length_squared()).sqrt());
+    let ahead = ahead + at * inner(at, ahead);
+    (at, ahead / inner(ahead, ahead).sqrt())
 }
 
 /// The inverse of a Lorentz matrix: `G M^T G`, G = diag(1, 1, 1, -1).
@@ -238,7 +247,8 @@ impl Map for HyperbolicWorld {
     }
 
     /// Step by step, each in the chart that it leads to, so that far off only the direction's own rounding counts: 1e-16 of it
-    /// are `1e-16 sinh(d)` radii at d radii. It ends where the world does.
+    /// are `1e-16 sinh(d)` radii at d radii. High up, at y radii, all are `cosh(y)^2` times as coarse. It ends where the world
+    /// does, and 13 radii up.
     fn along(&self, eye: &Eye, direction: DVec3, distance_m: f64) -> ChartPoint {
         let pose = self.pose(eye);
         let mut chart = eye.point.chart;
@@ -251,8 +261,9 @@ impl Map for HyperbolicWorld {
             let Some((home, way)) = self.home(chart, next) else {
                 break;
             };
-            ahead = way * (at * sinh + ahead * cosh);
-            (chart, at) = (home, way * next);
+            let onward = way * (at * sinh + ahead * cosh);
+            (at, ahead) = straightened(way * next, onward);
+            chart = home;
         }
         ChartPoint::new(chart, self.chart.pos(at))
     }

@@ -1,6 +1,6 @@
 //! Any input, many threads, and the ends of the world.
 
-use antipode_geometry::tiling::{Side, Tile};
+use antipode_geometry::tiling::Side;
 use antipode_geometry::{
     Atlas, BodyChart, ChartId, ChartPoint, Eye, HyperbolicWorld, Map, Metric, Optics,
 };
@@ -70,7 +70,6 @@ fn at_the_end_of_the_world_nobody_goes_on() {
         let end = world.along(&eye, DVec3::NEG_Z, 1e6);
         assert_eq!(end.chart, last);
         assert!(end.pos.is_finite());
-        assert!(Tile::REACH > 0);
     }
 }
 

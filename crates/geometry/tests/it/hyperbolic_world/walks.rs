@@ -181,7 +181,7 @@ fn two_kilometres_straight_out_and_back_along_marks_end_at_the_start() {
         }
         let out_m = apart_m(&world, start, walker.at);
         let stretch = BodyChart::new(&world, start).level_stretch(5.0);
-        println!("{world:?}: {:.6} m on the plane", out_m);
+        println!("{world:?}: {out_m:.6} m on the plane");
         // The chord of a level 5 m up is a little shorter than the way.
         assert!(out_m < 2000.0 && out_m > 2000.0 / stretch - 1e-6);
         while let Some(mark) = marks.pop() {
