@@ -11,6 +11,8 @@ use crate::tiling::{APOTHEM, equiangular_chart, equiangular_point};
 
 /// A chart is written to this part of its square's width past each edge, where neighbouring charts have taken over.
 const PAST: f64 = 0.25;
+/// X/W there, along an axis: `tanh(1.5 APOTHEM)`.
+const REACH_TANH: f64 = 0.661_770_042_700_383_5;
 /// What lies past these is drawn in to them, so that everything written has a place: along an axis in radii, and the product
 /// of the sines of both, which is 1 where the plane ends.
 const FAR_RAD: f64 = 3.0;
@@ -35,9 +37,9 @@ impl SquareChart {
         (1.0 + 2.0 * PAST) * self.half_m()
     }
 
-    /// Whether the chart is written there.
-    pub fn reaches(self, pos: DVec3) -> bool {
-        pos.xz().abs().max_element() <= self.reach_m()
+    /// Whether a chart is written at a point of its model.
+    pub fn is_written(point: DVec4) -> bool {
+        point.x.abs().max(point.z.abs()) <= REACH_TANH * point.w
     }
 
     /// A place in radii, drawn in to where it has a point; what is no number counts as 0.
@@ -138,5 +140,21 @@ impl SquareChart {
         } else {
             f64::INFINITY
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chart_is_written_to_its_reach() {
+        let chart = SquareChart { radius_m: 60.0 };
+        assert!((REACH_TANH - (1.5 * APOTHEM).tanh()).abs() < 2e-16);
+        for (share, within) in [(1.0 - 1e-12, true), (1.0 + 1e-12, false)] {
+            let pos = DVec3::new(chart.reach_m() * share, 30.0, -20.0);
+            assert_eq!(SquareChart::is_written(chart.point(pos)), within);
+        }
+        assert!(!SquareChart::is_written(DVec4::NAN));
     }
 }

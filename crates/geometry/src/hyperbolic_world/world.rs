@@ -100,17 +100,21 @@ impl HyperbolicWorld {
         self.domain(ChartId::FIRST).outside_m(pos.xz())
     }
 
-    /// A point by the way from its chart to another; none where that one does not reach so far.
-    fn carried(&self, point: ChartPoint, to: ChartId, way: DMat4) -> Option<Crossing> {
-        let there = self
-            .chart
-            .pos(way * self.chart.point(point.pos.with_y(0.0)));
-        // Nothing that is carried gets higher or lower, to the bit.
-        let pos = there.with_y(point.pos.y);
-        self.chart.reaches(pos).then(|| Crossing {
-            point: ChartPoint::new(to, pos),
+    /// A point of a chart, whose place on the plane is known in the chart's model, in another chart; none where that one is not
+    /// written so far.
+    fn carried(&self, point: ChartPoint, level: DVec4, to: ChartId) -> Option<Crossing> {
+        let way = self.tiles.way(point.chart, to)?;
+        let there = way * level;
+        SquareChart::is_written(there).then(|| Crossing {
+            // Nothing that is carried gets higher or lower, to the bit.
+            point: ChartPoint::new(to, self.chart.pos(there).with_y(point.pos.y)),
             turn_rad: self.chart.turn_rad(point.pos, way),
         })
+    }
+
+    /// A place on the plane below or above one of a chart, in the chart's model.
+    fn level(&self, pos: DVec3) -> DVec4 {
+        self.chart.point(pos.with_y(0.0))
     }
 
     /// The chart whose square a point of a chart's model lies in, and the way there; none past the end of the world.
@@ -154,7 +158,7 @@ impl Atlas for HyperbolicWorld {
         if self.outside_m(point.pos) <= HYSTERESIS_M {
             return None;
         }
-        let level = self.chart.point(point.pos.with_y(0.0));
+        let level = self.level(point.pos);
         let (home, _) = self.home(point.chart, level)?;
         // Past the hysteresis a place may still round to an edge.
         self.carry(point, home).filter(|_| home != point.chart)
@@ -164,7 +168,7 @@ impl Atlas for HyperbolicWorld {
         if to == point.chart {
             return Some(Crossing::within(point));
         }
-        self.carried(point, to, self.tiles.way(point.chart, to)?)
+        self.carried(point, self.level(point.pos), to)
     }
 
     /// Those that reach so far: none that shares no corner with the chart that the point lies in.
@@ -175,13 +179,13 @@ impl Atlas for HyperbolicWorld {
         if inside_m > reach_m.min(self.chart.reach_m() - self.chart.half_m()) {
             return images;
         }
-        let level = self.chart.point(point.pos.with_y(0.0));
+        let level = self.level(point.pos);
         let Some((home, _)) = self.home(point.chart, level) else {
             return images;
         };
         let others = std::iter::once(home).chain(self.tiles.around(home));
         for chart in others.filter(|it| *it != point.chart) {
-            let image = self.carry(point, chart);
+            let image = self.carried(point, level, chart);
             images.extend(image.filter(|it| self.outside_m(it.point.pos) <= reach_m));
         }
         images
@@ -203,7 +207,7 @@ impl Atlas for HyperbolicWorld {
     /// The Poincare disc about the root, as large as the plane at its middle. Continuous it is, but the plane is crowded at the
     /// disc's edge: noise fit for land is made tile by tile.
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
-        let level = self.chart.point(point.pos.with_y(0.0));
+        let level = self.level(point.pos);
         let at = self.tiles.way(point.chart, ChartId::FIRST);
         let at = at.map_or(level, |way| way * level);
         let scale = 2.0 * self.chart.radius_m / (1.0 + at.w);
