@@ -9,13 +9,15 @@
 //! A space is made of four traits: [`Atlas`], [`Map`], [`Optics`] and [`Metric`]. Each space has a folder:
 //! `flat`, `hyperbolic` (of two maps) and `spherical`. What several share lies beside the folders, and
 //! the arithmetic that shaders mirror in [`kernel`]. A fourth space is a folder beside these, with its
-//! `ENTRY`, and a variant of [`Geometry`] (`kind.rs`). [`tiling`] is the hyperbolic plane in squares, in exact numbers, of
-//! which no space is made yet.
+//! `ENTRY`, and a variant of [`Geometry`] (`kind.rs`). [`tiling`] is the hyperbolic plane in squares, in exact numbers, and
+//! [`HyperbolicWorld`] the space over it, of which the game makes no world yet. [`BodyChart`] is a chart about a body, in any
+//! space.
 //!
 //! Conventions: column vectors; view coordinates are x right, y up, z back, with xyz in metres
 //! and w without unit, so that the flat limit is regular; the eye is at (0, 0, 0, 1).
 
 mod atlas;
+mod body_chart;
 mod chart;
 pub mod charts;
 mod chunk;
@@ -25,6 +27,7 @@ mod eye;
 mod flat;
 mod frustum;
 mod hyperbolic;
+mod hyperbolic_world;
 pub mod kernel;
 mod kind;
 mod map;
@@ -45,6 +48,7 @@ mod uniform;
 mod view_mode;
 
 pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, SquareFrame};
+pub use body_chart::BodyChart;
 pub use chart::{ChartId, ParseChartError};
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
 pub use chunk_cube::ChunkCube;
@@ -53,6 +57,7 @@ pub use eye::Eye;
 pub use flat::Euclidean;
 pub use frustum::{Frustum, side_normals};
 pub use hyperbolic::{DEFAULT_HYPERBOLIC_RADIUS_M, FAR_LIMIT_RADII, Horizon, Raised};
+pub use hyperbolic_world::HyperbolicWorld;
 pub use kind::{
     Geometry, HyperbolicMap, ParseGeometryError, ParseMapError, Radii, picture, strategy,
 };

@@ -7,5 +7,6 @@
 )]
 
 mod accuracy;
+mod hyperbolic_world;
 mod space;
 mod tiling;

@@ -5,6 +5,7 @@ mod coverage;
 mod extremes;
 mod functions;
 pub mod golden;
+mod hyperbolic_world;
 mod kernels;
 mod repeatable;
 mod sources;

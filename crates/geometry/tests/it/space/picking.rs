@@ -4,14 +4,14 @@ use antipode_geometry::{ChartPoint, Euclidean, Eye, Map, Metric, Raised, Spheric
 use glam::DVec3;
 use proptest::prelude::{prop_assert, proptest};
 
-use super::common::{cases, eye, in_space, pixel, projection, spaces, vector};
+use super::common::{all_spaces, cases, eye, in_space, pixel, projection, vector};
 
 proptest! {
     #![proptest_config(cases(512))]
 
     #[test]
     fn the_geodesic_ahead_stays_under_the_crosshair(eye in eye(50.0), distance in 0.1..60.0_f64) {
-        for space in spaces() {
+        for space in all_spaces() {
             let mut eye = eye;
             eye.point = in_space(space.as_ref(), eye.point);
             let point = space.along(&eye, DVec3::NEG_Z, distance);
@@ -23,7 +23,7 @@ proptest! {
     #[test]
     fn depth_falls_along_every_sight_line(eye in eye(50.0), tilt in vector(0.5)) {
         let direction = DVec3::new(tilt.x, tilt.y, -1.0).normalize();
-        for space in spaces() {
+        for space in all_spaces() {
             let mut eye = eye;
             eye.point = in_space(space.as_ref(), eye.point);
             let end = if space.is_closed() { 100.0 } else { 390.0 };

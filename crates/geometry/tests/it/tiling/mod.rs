@@ -1,7 +1,7 @@
 //! What must hold of the hyperbolic plane's tiling: exact numbers, frames, ways, places and charts.
 
 mod charts;
-mod common;
+pub mod common;
 mod frames;
 mod ground;
 mod paths;

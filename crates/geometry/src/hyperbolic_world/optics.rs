@@ -1,0 +1,136 @@
+//! How pictures of the world are taken.
+
+use std::f64::consts::PI;
+
+use glam::{DMat4, DVec2, DVec3, DVec4, Vec3Swizzles};
+
+use super::plan::plan;
+use super::world::{HyperbolicWorld, inverse};
+use crate::projection::Depth;
+use crate::sight::Axis;
+use crate::{
+    Atlas, BoundingCylinder, ChartId, ChartPoint, Eye, MapShader, Metric, Optics, Projection,
+    SightCell, SpaceUniform, shader,
+};
+
+/// Nothing farther than this is drawn, in radii. There a hill of 10 m is a tenth of a pixel high, and within are 7500 tiles; one
+/// radius more would be 2.7 times as many.
+const SIGHT_RAD: f64 = 8.0;
+/// Eyes higher than so many radii over the plane see everything.
+const HIGHEST_EYE_RAD: f64 = 6.0;
+
+impl HyperbolicWorld {
+    /// A box of a chart as far as the chart is written; none where that leaves nothing.
+    fn written(&self, min: DVec3, max: DVec3) -> Option<[DVec3; 2]> {
+        let reach_m = self.chart.reach_m();
+        let limit = DVec3::new(reach_m, f64::INFINITY, reach_m);
+        let (low, high) = (min.max(-limit), max.min(limit));
+        (low.x <= high.x && low.z <= high.z).then_some([low, high])
+    }
+
+    /// A matrix on the model in radii, on one with xyz in metres and w without unit.
+    fn metres(&self, matrix: DMat4) -> DMat4 {
+        let radius_m = self.chart.radius_m;
+        let metres = DVec4::new(radius_m, radius_m, radius_m, 1.0);
+        DMat4::from_diagonal(metres) * matrix * DMat4::from_diagonal(metres.recip())
+    }
+}
+
+/// The shaders have no text yet for this map, of which `port(p)` has to be [`crate::tiling::equiangular_point`] in metres:
+/// with that, [`Optics::chart_matrix`] takes it to view coordinates. Until then [`Optics::shader`] is the nearest that there is,
+/// the horizon map of the same curvature, which is right at the middle of each square only.
+impl Optics for HyperbolicWorld {
+    fn reference(&self, _eye: &Eye, _chart: ChartId) -> DVec3 {
+        DVec3::ZERO
+    }
+
+    fn sight_limit_m(&self, _eye: &Eye) -> f64 {
+        SIGHT_RAD * self.chart.radius_m
+    }
+
+    fn trims(&self, _eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> bool {
+        self.domain(chart).most_outside_m(min.xz(), max.xz()) > 0.0
+    }
+
+    /// Of what the chart is written for.
+    fn sight_cell(&self, eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> SightCell {
+        let radius_m = self.chart.radius_m;
+        if eye.point.pos.y.abs() > HIGHEST_EYE_RAD * radius_m {
+            return SightCell::EVERYWHERE;
+        }
+        let Some([min, max]) = self.written(min, max) else {
+            return SightCell::NOWHERE;
+        };
+        let Some(way) = self.tiles.way(chart, eye.point.chart) else {
+            return SightCell::NOWHERE;
+        };
+        let foot = self.chart.frame(eye.point.pos.with_y(0.0));
+        let sight = inverse(foot) * way;
+        let disc = |x: f64, z: f64| {
+            let at = sight * self.chart.point(DVec3::new(x, 0.0, z));
+            DVec2::new(at.x, at.z) / at.w
+        };
+        let corners = [
+            (min.x, min.z),
+            (max.x, min.z),
+            (max.x, max.z),
+            (min.x, max.z),
+        ];
+        let middle = 0.5 * (min + max);
+        let plan = plan(
+            corners.map(|(x, z)| disc(x, z)),
+            disc(middle.x, middle.z),
+            radius_m,
+        );
+        Axis::new(-radius_m.powi(-2), eye.point.pos.y).cell(&plan, [min.y, max.y])
+    }
+
+    fn sight_cell_of(&self, eye: &Eye, cylinder: &BoundingCylinder) -> SightCell {
+        let [min, max] = cylinder.square(DVec3::new(cylinder.radius_m, 0.0, cylinder.radius_m));
+        self.sight_cell(eye, cylinder.chart, min, max)
+    }
+
+    /// A metre of the chart is at most so long as at the corner of the ball's surroundings farthest out and highest.
+    fn ball_rises_m(&self, _eye: &Eye, middle: ChartPoint, radius_m: f64) -> f64 {
+        let highest = (middle.pos.y.abs() + radius_m) / self.chart.radius_m;
+        let stretch = self.chart.most_stretch(middle.pos, radius_m) * highest.cosh();
+        self.chart.radius_m * (radius_m * stretch / self.chart.radius_m).sinh()
+    }
+
+    /// Those of other charts are not.
+    fn keeps_azimuths(&self) -> bool {
+        false
+    }
+
+    fn clip_from_view(&self, _eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
+        let rule = Depth::Exponential {
+            radius_m: self.chart.radius_m,
+        };
+        projection.clip(rule, view)
+    }
+
+    fn view_matrix(&self, eye: &Eye) -> DMat4 {
+        self.metres(inverse(self.pose(eye)))
+    }
+
+    /// From far charts it is large and of no use to `f32`; what is drawn goes by [`Optics::chart_matrix`].
+    fn home_matrix(&self, chart: ChartId) -> DMat4 {
+        let way = self.tiles.way(chart, ChartId::FIRST);
+        self.metres(way.unwrap_or(DMat4::IDENTITY))
+    }
+
+    /// By the short way from the eye's chart. What is in a chart that is not there is taken behind the eye.
+    fn chart_matrix(&self, eye: &Eye, chart: ChartId) -> DMat4 {
+        let behind = DMat4::from_rotation_y(PI);
+        self.metres(self.sight(eye, chart).unwrap_or(behind))
+    }
+
+    fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
+        let view = self.view_matrix(eye);
+        SpaceUniform::new(view, projection, self.radius_m(), -1.0, 0.0)
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        &shader::HORIZON
+    }
+}

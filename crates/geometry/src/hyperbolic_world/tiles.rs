@@ -1,0 +1,89 @@
+//! The tiles of charts, and the ways between them.
+
+use glam::DMat4;
+
+use super::cache::Cache;
+use crate::ChartId;
+use crate::tiling::{Frame, Tile, TilePath, TilingError, rings};
+
+/// Places in the tables: more than the tiles within 250 m where they are 64 m wide, of which there are 153.
+const PLACES: usize = 1024;
+
+/// Tiles one and two steps from one: 4 and 12.
+const AROUND: usize = 16;
+
+/// Frames, ways and numbers, worked out when asked for and kept for a while.
+pub(super) struct Tiles {
+    frames: Cache<ChartId, Frame>,
+    ways: Cache<[ChartId; 2], DMat4>,
+    charts: Cache<Tile, ChartId>,
+    around: Cache<ChartId, [Option<ChartId>; AROUND]>,
+}
+
+impl Tiles {
+    pub fn new() -> Self {
+        Self {
+            frames: Cache::of_places(PLACES),
+            ways: Cache::of_places(PLACES),
+            charts: Cache::of_places(PLACES),
+            around: Cache::of_places(PLACES),
+        }
+    }
+
+    /// The frame of a chart's tile; `None` where there is no such chart.
+    pub fn frame(&self, chart: ChartId) -> Option<Frame> {
+        self.frames.value(chart, || path(chart).ok()?.frame().ok())
+    }
+
+    /// The chart of a tile.
+    pub fn chart(&self, frame: &Frame) -> Option<ChartId> {
+        let number = || Some(ChartId::new(frame.path().ok()?.number()));
+        self.charts.value(frame.tile(), number)
+    }
+
+    /// The charts one and two steps over edges from one, among which are all that share a corner with it.
+    pub fn around(&self, chart: ChartId) -> impl Iterator<Item = ChartId> {
+        let found = self.around.value(chart, || self.found_around(chart));
+        found.into_iter().flatten().flatten()
+    }
+
+    fn found_around(&self, chart: ChartId) -> Option<[Option<ChartId>; AROUND]> {
+        let about = rings(&self.frame(chart)?, 2, 1 + AROUND).ok()?;
+        let mut around = [None; AROUND];
+        for (place, frame) in around.iter_mut().zip(about.iter().skip(1).flatten()) {
+            *place = self.chart(frame);
+        }
+        Some(around)
+    }
+
+    /// From points (X, Y, Z, W) of a chart's model, in radii, to those of another's: each number within 1e-15 of itself, or
+    /// 1e-14 where the tiles are more than 86 radii apart. `None` where there is no such chart.
+    pub fn way(&self, from: ChartId, to: ChartId) -> Option<DMat4> {
+        if from == to {
+            return self.frame(from).map(|_| DMat4::IDENTITY);
+        }
+        self.ways.value([from, to], || self.found_way(from, to))
+    }
+
+    fn found_way(&self, from: ChartId, to: ChartId) -> Option<DMat4> {
+        let (here, there) = (self.frame(from)?, self.frame(to)?);
+        if let Ok(way) = there.between(&here) {
+            return Some(way.lorentz());
+        }
+        // Numbers too large to be exact. The way leads by the last tile that both were reached through, near to which the
+        // shortest way passes, so that nothing cancels where the halves are multiplied; and that is nearer to both.
+        let shared = shared_path(&path(from).ok()?, &path(to).ok()?).ok()?;
+        let between = shared.frame().ok()?;
+        let first = between.between(&here).ok()?.lorentz();
+        Some(there.between(&between).ok()?.lorentz() * first)
+    }
+}
+
+fn path(chart: ChartId) -> Result<TilePath, TilingError> {
+    TilePath::from_number(chart.number())
+}
+
+fn shared_path(a: &TilePath, b: &TilePath) -> Result<TilePath, TilingError> {
+    let both = a.sides().zip(b.sides());
+    TilePath::new(both.take_while(|(a, b)| a == b).map(|(side, _)| side))
+}

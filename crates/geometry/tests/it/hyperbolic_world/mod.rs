@@ -1,0 +1,8 @@
+//! The hyperbolic world, and the charts of bodies in it and on the sphere.
+
+mod atlas;
+mod bodies;
+mod common;
+mod picture;
+mod robust;
+mod walks;
