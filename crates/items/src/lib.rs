@@ -80,7 +80,7 @@ pub struct Stands {
     pub level_up: f64,
     /// How it is turned to the right of where who puts it down looks, degrees; none where all look the same way.
     pub turned_deg: Option<f64>,
-    /// Whether bodies on foot bump into that capsule, as a prism.
+    /// Whether a prism about that capsule stops all that land stops.
     pub is_solid: bool,
 }
 

@@ -89,8 +89,11 @@ impl Solid {
     }
 
     fn is(&self, other: &Self) -> bool {
-        let (shared, of) = self.shape.shared_parts(&other.shape);
-        self.foot == other.foot && shared == of
+        let is_same_shape = || {
+            let (shared, of) = self.shape.shared_parts(&other.shape);
+            shared == of
+        };
+        self.foot == other.foot && is_same_shape()
     }
 }
 

@@ -98,10 +98,19 @@ impl Falling {
     pub fn kept(&self, world: &World) -> Vec<Drop> {
         let beside = self.standing.root().moved(self.way * KEPT_ASIDE_M);
         let crossing = world.strategy.cross(beside);
-        let mut at = crossing.map_or(beside, |it| it.point);
-        let high = at.moved(DVec3::Y * KEPT_FROM_M);
-        let low_y = height_below(high, KEPT_TO_M, |at| world.ground.is_solid(at));
-        at.pos.y = low_y.unwrap_or(at.pos.y) + DROP.radius_m;
+        let beside = crossing.map_or(beside, |it| it.point);
+        let is_solid = |at: ChartPoint| world.ground.is_solid(at);
+        let below = |at: ChartPoint| {
+            let high = at.moved(DVec3::Y * KEPT_FROM_M);
+            let low_y = height_below(high, KEPT_TO_M, is_solid).filter(|_| !is_solid(high))?;
+            Some(ChartPoint::new(
+                at.chart,
+                at.pos.with_y(low_y + DROP.radius_m),
+            ))
+        };
+        let root = self.standing.root();
+        // Over an edge, or under one, it lies where it stood.
+        let at = below(beside).or_else(|| below(root)).unwrap_or(root);
         let stacks = [Item::Log, Item::Seed].into_iter().zip(self.leaves());
         let stacks = stacks.filter(|(_, count)| *count > 0);
         let lying = stacks.map(|(item, count)| Drop::lying(Stack { item, count }, at));

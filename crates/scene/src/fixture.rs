@@ -238,10 +238,9 @@ pub(crate) fn use_in_hand(
     }
 }
 
-/// Of two solid things the middle lines are at least this share of both radii apart: so a row of them has no gaps. One on
-/// top of another would fall into it, from so far up; whose roots are farther off reach nowhere, metres.
+/// Of two solid things the middle lines are at least this share of both radii apart: so a row of them has no gaps. Nothing is
+/// so stout that it reaches farther from its root, metres.
 const APART: f64 = 0.75;
-const FALLS_IN_M: f64 = 1.0;
 const THINGS_M: f64 = 4.0;
 
 /// How one would stand if it were put down, and what is against it; none where no ground is in reach. Through a door it is put
@@ -262,26 +261,39 @@ fn placing(
     Some((it, unfit))
 }
 
-/// Whether a trunk, a boulder or another that is solid stands where one that is solid would.
+/// Whether something solid stands where one would come to rest: for what is solid itself trunks and boulders, too.
 fn is_taken(now: Situation<'_>, it: &Fixture) -> bool {
-    if !it.stands.is_solid {
+    let (ground, own) = (&now.world.ground, it.stands);
+    if behaviour(it.item).hangs(it, ground) {
         return false;
     }
-    let (foot, own) = (it.foot.point, it.stands);
+    let mut foot = it.foot.point;
+    if it.foot.unchecked {
+        foot.pos.y = rest(ground, it);
+    }
     let is_in = |root: ChartPoint, radius_m: f64, height_m: f64| {
-        let by = over(&*now.world.strategy, foot, root).pos - foot.pos;
-        let heights_m = -height_m - FALLS_IN_M..own.heights_m[1];
-        by.with_y(0.0).length() < APART * (own.radius_m + radius_m) && heights_m.contains(&by.y)
+        let root = over(&*now.world.strategy, foot, root);
+        let by = root.pos - foot.pos;
+        let apart_m = if own.is_solid {
+            APART * (own.radius_m + radius_m)
+        } else {
+            radius_m
+        };
+        let heights_m = -height_m..own.heights_m[1];
+        let is_beside = by.with_y(0.0).length() >= apart_m || !heights_m.contains(&by.y);
+        root.chart == foot.chart && !is_beside
     };
-    let things = felling::solids_near(now.world, foot, THINGS_M);
-    let mut things = things
-        .iter()
-        .filter_map(|it| Some((it.root(), it.solid_m()?)));
-    let others = map(now.actors, |_, other| {
+    let mut others = now.actors.ecs.query::<&Fixture>();
+    let is_other = |other: &Fixture| {
         let stands = other.stands;
         stands.is_solid && is_in(other.foot.point, stands.radius_m, stands.heights_m[1])
-    });
-    others.contains(&true) || things.any(|(root, (radius_m, high_m))| is_in(root, radius_m, high_m))
+    };
+    let is_thing = |thing: &felling::Standing| {
+        let solid = thing.solid_m();
+        solid.is_some_and(|(radius_m, high_m)| is_in(thing.root(), radius_m, high_m))
+    };
+    let things = || felling::solids_near(now.world, foot, THINGS_M);
+    others.iter().any(is_other) || own.is_solid && things().iter().any(is_thing)
 }
 
 /// The same of what is in a free hand.

@@ -42,7 +42,9 @@ fn bed(now: Situation<'_>) -> Option<(ChartPoint, bool)> {
     let is_solid = |up_m: f64| world.ground.is_solid(point.moved(DVec3::Y * up_m));
     let is_level = f64::from(world.ground.normal(point).y) >= LEVEL;
     let is_soft = world.ground.kind(point).hardness() == 0;
-    let is_deep = is_solid(-BELOW_ROOT_M) && is_solid(-BELOW_ROOT_M - DEEPER_M);
+    // Not on something that was put up.
+    let is_deep =
+        is_solid(-DEEPER_M) && is_solid(-BELOW_ROOT_M) && is_solid(-BELOW_ROOT_M - DEEPER_M);
     let has_air = AIR_M.iter().all(|up_m| !is_solid(*up_m));
     let is_alone = felling::solids_near(world, point, APART_M).is_empty()
         && !world.planted.is_near(world, point, APART_M);

@@ -19,8 +19,8 @@ use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, REACH_M, STEP_S};
 use crate::world::World;
 use crate::{
-    biome, body, circumnavigation, damage, door, drops, falling, felling, fixture, gun, npc,
-    planting, tool,
+    biome, body, circumnavigation, damage, door, drops, falling, felling, fixture, ground_changed,
+    gun, npc, planting, tool,
 };
 use antipode_frame::motion::Doing;
 
@@ -61,7 +61,10 @@ impl Simulation {
         drive::step(world, actors, player, outbox, actions);
         world.physics.set_obstacles(actors.car_bodies(world));
         let (solids, physics) = (&mut world.solids, &mut world.physics);
-        solids.tell(&*world.strategy, actors, physics);
+        let changed = solids.tell(&*world.strategy, actors, physics);
+        if !changed.is_empty() {
+            ground_changed::tell(world, actors, &changed);
+        }
         circumnavigation::notice(world, actors.feet(), &mut player.circumnavigation, outbox);
         biome::notice(world, actors.feet(), &mut player.biome, outbox);
         // Both hands are on the wheel.

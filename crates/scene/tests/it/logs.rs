@@ -215,6 +215,14 @@ fn no_car_drives_through_a_log_that_was_put_up() {
     }
 }
 
+fn take_in_hand(scene: &mut Scene) {
+    assert_eq!(scene.inventory_mut().give(Item::Log, 5), 0);
+    let slots = scene.inventory().slots();
+    let is_log = |it: &Option<Stack>| it.is_some_and(|it| it.item == Item::Log);
+    let slot = slots.iter().position(is_log).unwrap();
+    scene.inventory_mut().select(slot as u8);
+}
+
 /// Puts up a log where one looks, or does not; how many stand.
 fn put_where_one_looks(scene: &mut Scene, pitch: f64) -> (usize, Vec<Hint>) {
     scene.aim(0.0, pitch);
@@ -238,11 +246,7 @@ fn a_log_is_put_up_beside_another_and_not_into_it() {
     let y = scene.field().surface_height(feet.chart, x, feet.pos.z);
     let foot = ChartPoint::new(feet.chart, DVec3::new(x, y, feet.pos.z));
     assert!(scene.put_up(Item::Log, foot, 0.0, ""));
-    assert_eq!(scene.inventory_mut().give(Item::Log, 5), 0);
-    let slots = scene.inventory().slots();
-    let is_log = |it: &Option<Stack>| it.is_some_and(|it| it.item == Item::Log);
-    let slot = slots.iter().position(is_log).unwrap();
-    scene.inventory_mut().select(slot as u8);
+    take_in_hand(&mut scene);
     let eye_m = scene.head().point.pos.y - y;
     let pitch = |up_m: f64, x_m: f64| -(eye_m - up_m).atan2(x_m);
     let (stand, hints) = put_where_one_looks(&mut scene, pitch(0.6, 3.0));
@@ -252,4 +256,59 @@ fn a_log_is_put_up_beside_another_and_not_into_it() {
     );
     let (stand, hints) = put_where_one_looks(&mut scene, pitch(0.0, 2.4));
     assert_eq!(stand, 2, "{hints:?}");
+}
+
+#[test]
+fn what_lies_on_logs_falls_when_they_are_taken_up() {
+    let mut scene = scene(Geometry::Euclidean);
+    let feet = scene.feet();
+    for n in 0..36 {
+        let by = DVec3::new(
+            1.2 + 0.26 * f64::from(n % 6),
+            0.0,
+            0.26 * f64::from(n / 6) - 0.65,
+        );
+        let at = feet.pos + by;
+        let y = scene.field().surface_height(feet.chart, at.x, at.z);
+        let at = ChartPoint::new(feet.chart, at.with_y(y));
+        assert!(scene.put_up(Item::Log, at, 0.0, ""));
+    }
+    steps(&mut scene, 1, &Actions::default());
+    let flag = Stack {
+        item: Item::Flag,
+        count: 1,
+    };
+    // The highest of all.
+    let up_m = |scene: &Scene| {
+        let drops = scene.probe().drops;
+        let up = drops.iter().map(|it| {
+            let [x, y, z] = it.pos;
+            y - scene.field().surface_height(feet.chart, x, z)
+        });
+        up.fold(0.0, f64::max)
+    };
+    for pitch in [0.6, 0.8, 1.0, 1.2] {
+        scene.aim(0.0, pitch);
+        steps(&mut scene, 1, &Actions::default());
+        scene.throw_away(flag);
+    }
+    steps(&mut scene, 240, &Actions::default());
+    assert!(up_m(&scene) > 1.0, "one lies on them: {}", up_m(&scene));
+    take_in_hand(&mut scene);
+    let press = Actions {
+        secondary: true,
+        ..Actions::default()
+    };
+    for _ in 0..80 {
+        let Some(log) = scene.probe().fixtures.first().map(|it| DVec3::from(it.pos)) else {
+            break;
+        };
+        let way = log + DVec3::Y * 0.6 - scene.head().point.pos;
+        scene.aim(way.z.atan2(way.x), way.y.atan2(way.x.hypot(way.z)));
+        steps(&mut scene, 1, &press);
+        steps(&mut scene, 1, &Actions::default());
+    }
+    assert_eq!(scene.probe().fixtures.len(), 0);
+    steps(&mut scene, 240, &Actions::default());
+    assert!(up_m(&scene) < 0.4, "{} m up in the air", up_m(&scene));
 }
