@@ -11,6 +11,7 @@ pub(super) struct Cache<K, V> {
 }
 
 impl<K: Copy + Eq + Hash, V: Copy> Cache<K, V> {
+    /// An empty one with room for so many, one at least.
     pub fn of_places(count: usize) -> Self {
         Self {
             places: (0..count.max(1)).map(|_| RwLock::new(None)).collect(),

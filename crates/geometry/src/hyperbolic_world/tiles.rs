@@ -21,6 +21,7 @@ pub(super) struct Tiles {
 }
 
 impl Tiles {
+    /// With nothing kept yet.
     pub fn new() -> Self {
         Self {
             frames: Cache::of_places(PLACES),

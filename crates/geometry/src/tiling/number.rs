@@ -55,6 +55,7 @@ pub(super) struct Walker {
 }
 
 impl Walker {
+    /// At the root.
     pub const ROOT: Self = Self { kind: ROOT_KIND };
 
     /// Over a side, if a child is there.

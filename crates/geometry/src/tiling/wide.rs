@@ -10,6 +10,7 @@ pub(super) struct Wide {
 }
 
 impl Wide {
+    /// Nought.
     pub const ZERO: Self = Self { high: 0, low: 0 };
 
     /// The product of any two numbers: at most `2^254`.
@@ -26,6 +27,7 @@ impl Wide {
         }
     }
 
+    /// The number with the other sign; `-2^255`, which no product reaches, stays as it is.
     pub fn negated(self) -> Self {
         Self {
             high: (!self.high).wrapping_add(i128::from(self.low == 0)),
@@ -43,6 +45,7 @@ impl Wide {
         }
     }
 
+    /// The difference, without a look for overflow: products are far from it.
     pub fn minus(self, other: Self) -> Self {
         self.plus(other.negated())
     }
