@@ -187,15 +187,17 @@ fn plant_colour(in: PlantOut, pixel: PlantPixel) -> vec4<f32> {
     return vec4<f32>(lit * own + in.veil, 1.0);
 }
 
+// Leaves do not give way here: what this draws is farther off, or drawn in software.
 @fragment
 fn fragment_plant(in: PlantOut) -> @location(0) vec4<f32> {
     let pixel = plant_pixel(in);
-    if gives_way(in) || is_cut(in.view) {
+    if is_cut(in.view) {
         discard;
     }
     return plant_colour(in, pixel);
 }
 
+// Each fragment with its own depth, and what may be close to the eye.
 @fragment
 fn fragment_deep_plant(in: PlantOut) -> DeepOut {
     let pixel = plant_pixel(in);

@@ -9,12 +9,16 @@ use glam::Vec3;
 
 use crate::land_mesh::LandMesh;
 use crate::pages::Pages;
-use crate::parts::parts;
+use crate::parts::{Block, parts};
 use crate::things::kind_of;
 
 /// How far a thing may reach out of its chunk, whole metres: the corner that its mesh is told from lies so far before the
 /// chunk's along each axis.
 pub const MARGIN_M: i32 = 16;
+/// How long the sides of the blocks of things are in the plan, metres.
+const THINGS_BLOCK_M: f32 = 16.0;
+/// How far wind and cars move what grows, metres.
+const MOVES_M: f32 = 0.5;
 /// How much the normals of leaves lean upwards: light comes through them from above, so that a crown is not black from below.
 const LEAVES_UP: f32 = 0.6;
 /// The numbers of what they are made of in the fourth byte of vertices; surfaces.wgsl. Above them is how much of the sky is left:
@@ -34,31 +38,62 @@ const OPEN_SKY: u8 = 6 << SKY_SHIFT;
 pub struct Baked {
     pub vertices: Vec<Vertex>,
     indices: Vec<u32>,
+    /// What lies together, near the eye; none where all is drawn or nothing.
+    blocks: Vec<Block>,
 }
 
 impl Baked {
-    /// Things, each in its size, the nearest to an eye first.
+    /// Things, each in its size; near an eye in blocks, the nearest first.
     pub fn of(things: &[Thing], sizes: impl Iterator<Item = Size>, eye: Option<Vec3>) -> Self {
         let mut all = Self::default();
         let mut pairs: Vec<_> = things.iter().zip(sizes).collect();
-        // What is drawn first hides what is behind it before that is lit.
-        if let Some(eye) = eye {
-            let away = |thing: &Thing| thing.root.distance_squared(eye);
-            pairs.sort_by(|(a, _), (b, _)| away(a).total_cmp(&away(b)));
-        }
-        for (thing, size) in pairs {
-            if let Some((species, age)) = kind_of(thing) {
-                all.add(thing, shape(species, age, size));
+        let Some(eye) = eye else {
+            for (thing, size) in pairs {
+                all.add(thing, size);
             }
+            return all;
+        };
+        // What is drawn first hides what is behind it before that is lit.
+        let away = |thing: &Thing| thing.root.distance_squared(eye);
+        pairs.sort_by(|(a, _), (b, _)| away(a).total_cmp(&away(b)));
+        let mut blocks: Vec<(usize, Vec<_>)> = Vec::new();
+        for pair in pairs {
+            let number = block_at(pair.0.root, THINGS_BLOCK_M);
+            match blocks.iter_mut().find(|(it, _)| *it == number) {
+                Some((_, block)) => block.push(pair),
+                None => blocks.push((number, vec![pair])),
+            }
+        }
+        for (_, block) in blocks {
+            all.add_block(|all| block.iter().for_each(|(thing, size)| all.add(thing, *size)));
         }
         all
     }
 
-    fn add(&mut self, thing: &Thing, shape: &Shape) {
+    /// Adds what lies together.
+    pub fn add_block(&mut self, add: impl FnOnce(&mut Self)) {
+        let first = (self.vertices.len(), self.indices.len() as u32);
+        add(self);
+        let places = self.vertices[first.0..].iter().map(Vertex::position);
+        let none = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+        let [min, max] = places.fold(none, |[min, max], at| [min.min(at), max.max(at)]);
+        if min.is_finite() {
+            self.blocks.push(Block {
+                indices: first.1..self.indices.len() as u32,
+                min: min - MARGIN_M as f32 - MOVES_M,
+                max: max - MARGIN_M as f32 + MOVES_M,
+            });
+        }
+    }
+
+    fn add(&mut self, thing: &Thing, size: Size) {
+        let Some((species, age)) = kind_of(thing) else {
+            return;
+        };
         let root = thing.root + Vec3::splat(MARGIN_M as f32);
         let (sin, cos) = thing.turn_rad.sin_cos();
         let turned = |v: Vec3| Vec3::new(v.x * cos - v.z * sin, v.y, v.x * sin + v.z * cos);
-        self.put_up(thing, shape, root, turned);
+        self.put_up(thing, shape(species, age, size), root, turned);
     }
 
     /// Adds a shape whose root comes to a place, turned so.
@@ -131,8 +166,15 @@ impl Baked {
     pub fn put(self, pages: &mut Pages) -> LandMesh {
         let mut sections: [&[u32]; crate::parts::SECTIONS] = Default::default();
         sections[0] = &self.indices;
-        LandMesh::put(pages, parts(&self.vertices, sections, &[]))
+        LandMesh::put(pages, parts(&self.vertices, sections, &self.blocks))
     }
+}
+
+/// The number of the block that a place lies in, metres from the chunk's corner, of blocks with sides so long in the plan.
+pub fn block_at(place: Vec3, side_m: f32) -> usize {
+    let along = (CHUNK_CELLS as f32 / side_m) as usize;
+    let number = |at: f32| ((at / side_m) as usize).min(along - 1);
+    number(place.x) + along * number(place.z)
 }
 
 /// The number of a corner of small growth.

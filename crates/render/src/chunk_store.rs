@@ -10,6 +10,7 @@ use antipode_terrain::{ChunkMesh, Level, Vertex};
 use glam::DVec3;
 
 use crate::blend::BlendClock;
+use crate::block_sight::BlockSight;
 use crate::charts::Charts;
 use crate::draw_list::DrawList;
 use crate::fallen::Fallen;
@@ -19,9 +20,10 @@ use crate::land_mesh::{LandMesh, SeamMask};
 use crate::low_growth::LowGrowth;
 use crate::pages::Pages;
 use crate::parts::{Block, parts, sections};
-use crate::plan::{ChunkLand, FramePlan, LandIndex, Tolerance};
+use crate::plan::{ChunkLand, FramePlan, LandIndex};
 use crate::pressers::Pressers;
 use crate::refinements::{Refinement, Refinements};
+use crate::renderer::Preset;
 use crate::seams;
 use crate::shades::Shades;
 use crate::shadow::{Caster, Shadows};
@@ -126,6 +128,8 @@ pub struct ChunkStore {
     touched: Vec<Touched>,
     /// Whether the next frame is to be complete, however long that takes.
     pub(crate) rush: bool,
+    /// The preset of the last frame.
+    pub(crate) preset: Preset,
 }
 
 /// What falls on land as it is drawn.
@@ -154,6 +158,7 @@ impl ChunkStore {
             cursor: LandCursor::default(),
             touched: Vec::new(),
             rush: false,
+            preset: Preset::Card,
         }
     }
 
@@ -411,9 +416,7 @@ impl ChunkStore {
         let shadows = shading.shadows;
         list.clear();
         self.list_fallen(frame, list, charts);
-        let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
-        let frustum = space.frustum(eye, &frame.view.projection);
-        let hides = hides_blocks(frame);
+        let sight = BlockSight::of(frame);
         for choice in &plan.chunks {
             let coord = land[choice.place].coord;
             let Some(chunk) = self.chunks.get(&coord) else {
@@ -426,19 +429,17 @@ impl ChunkStore {
                 .shaded(shading.shades.on(&chunk.land), reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
             let bent = shading.pressers.on(frame, &chunk.land);
-            let light = ThingsLight::of(shadows, reach, lights).bent_by(bent);
-            chunk.list_growth(frame, choice, light, list, chart);
+            let light = ThingsLight::of(self.preset, shadows, reach, lights).bent_by(bent);
+            plan.stats.triangles_outside += chunk.list_growth(&sight, choice, light, list, chart);
+            if !choice.shows_land {
+                continue;
+            }
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
             let Some((old, progress)) = self.blend(chunk) else {
                 let numbered = |reach| TerrainPipelines::number(choice, false, reach, lights);
                 let seen = |block: &Block| {
-                    let [min, max] = [block.min, block.max].map(|p| coord.origin() + p.as_dvec3());
-                    let cell = || frustum.cell_seen(space, eye, coord.chart, min, max);
-                    if hides && cell().is_none() {
-                        return None;
-                    }
-                    let of = Caster::new(coord.chart, min, max);
+                    let of = sight.shown(coord, block)?;
                     Some(numbered(shadows.reach_within(frame, reach, &of)))
                 };
                 let whole = numbered(shadows.told_apart(reach));
@@ -465,14 +466,6 @@ impl ChunkStore {
             self.chunks.get(&other).map(GpuChunk::finest)
         })
     }
-}
-
-/// Whether blocks of land that are not seen may be left out of a picture. Close to the far side of a closed one the drawn edges leave the
-/// cells in which their blocks are seen.
-fn hides_blocks(frame: &Frame) -> bool {
-    let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
-    let is_open = space.sight_limit_m(eye) >= std::f64::consts::PI * space.radius_at_m(eye);
-    Tolerance::of(frame.view.quality).hides && is_open && !frame.view.is_moved()
 }
 
 /// Bytes that a mesh takes on the adapter.

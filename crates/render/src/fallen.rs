@@ -14,6 +14,7 @@ use crate::lamps::lights_near;
 use crate::land_mesh::LandMesh;
 use crate::pages::Pages;
 use crate::plan::{ChunkChoice, Port};
+use crate::renderer::Preset;
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::things::kind_of;
 use crate::uniforms::ChunkInstance;
@@ -51,14 +52,18 @@ impl Fallen {
     }
 
     /// Lists it, ported by vertex.
-    pub fn list(&self, frame: &Frame, list: &mut DrawList, charts: &mut Charts) {
+    pub fn list(&self, frame: &Frame, preset: Preset, list: &mut DrawList, charts: &mut Charts) {
         let ChartPoint { chart, pos } = self.corner;
         let lights = lights_near(frame, chart, pos, pos + 2.0 * f64::from(FALLS_M));
         let instance = ChunkInstance::at(frame, self.corner, &Port::Vertex)
             .shaded(0, true)
             .lit(lights, Level::FULL);
-        let number =
-            TerrainPipelines::number_of_plants(&ChunkChoice::LOOSE, ShadowReach::All, lights);
+        let number = TerrainPipelines::number_of_plants(
+            &ChunkChoice::LOOSE,
+            preset,
+            ShadowReach::All,
+            lights,
+        );
         let pieces = self.mesh.pieces(0).map(|piece| (number, piece));
         list.add(charts.number(chart), instance, pieces);
     }
@@ -79,7 +84,7 @@ impl ChunkStore {
     /// Lists what falls.
     pub(crate) fn list_fallen(&self, frame: &Frame, list: &mut DrawList, charts: &mut Charts) {
         for it in &self.fallen {
-            it.list(frame, list, charts);
+            it.list(frame, self.preset, list, charts);
         }
     }
 }

@@ -11,6 +11,7 @@ mod baked;
 mod ball;
 mod bent_mesh;
 mod blend;
+mod block_sight;
 mod celestial;
 mod charts;
 mod chunk_store;

@@ -7,7 +7,7 @@ use antipode_plants::{Growth, low_shape};
 use antipode_terrain::Tuft;
 use glam::Vec3;
 
-use crate::baked::Baked;
+use crate::baked::{Baked, block_at};
 use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::land_mesh::LandMesh;
 use crate::pages::Pages;
@@ -30,6 +30,8 @@ const SCARCER: f32 = 0.35;
 const LOWER: f32 = 0.7;
 /// How much of it is left at the end of the reach.
 const LEFT: f32 = 0.3;
+/// How long the sides of its blocks are in the plan, metres.
+const BLOCK_M: f32 = 8.0;
 /// It is made anew when the eye has moved so far, metres.
 pub const MOVED_M: f32 = 2.5;
 
@@ -99,13 +101,21 @@ fn size_at(tuft: &Tuft, away: f32, share: f32) -> Option<f32> {
 }
 
 fn baked(tufts: &[Tuft], eye: Vec3, reach: Reach) -> Baked {
-    let mut all = Baked::default();
-    for tuft in tufts {
+    let shown = tufts.iter().filter_map(|tuft| {
         let away = tuft.root.distance(eye) / reach.m;
-        let size = size_at(tuft, away, reach.share);
-        if let (Some(size), Some(growth)) = (size, Growth::of_byte(tuft.growth)) {
-            all.add_tuft(tuft, low_shape(growth, away < FINE), size);
-        }
+        let size = size_at(tuft, away, reach.share)?;
+        let shape = low_shape(Growth::of_byte(tuft.growth)?, away < FINE);
+        Some((block_at(tuft.root, BLOCK_M), tuft, shape, size))
+    });
+    let mut shown: Vec<_> = shown.collect();
+    shown.sort_by_key(|(block, ..)| *block);
+    let mut all = Baked::default();
+    for block in shown.chunk_by(|(a, ..), (b, ..)| a == b) {
+        all.add_block(|all| {
+            for (_, tuft, shape, size) in block {
+                all.add_tuft(tuft, shape, *size);
+            }
+        });
     }
     all
 }

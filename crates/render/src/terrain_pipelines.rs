@@ -4,7 +4,11 @@ use wgpu::{RenderPipeline, ShaderModule, VertexBufferLayout};
 
 use crate::pipelines::{Maker, SOLID};
 use crate::plan::{ChunkChoice, DepthMethod, Port};
+use crate::renderer::Preset;
 use crate::shadow::ShadowQuality;
+
+/// Leaves closer to the eye than this may give way, metres; plants.wgsl.
+const GIVES_WAY_M: f64 = 1.6;
 
 /// What may throw a shadow of the key light on some land.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -125,9 +129,17 @@ impl TerrainPipelines {
         Self::number_of(way, reach, lights)
     }
 
-    /// The same of what grows on the land of a choice.
-    pub fn number_of_plants(choice: &ChunkChoice, reach: ShadowReach, lights: [u32; 3]) -> u8 {
+    /// The same of what grows on the land of a choice. What may be close to the eye is drawn as what finds its own depth by
+    /// fragment is: only there leaves give way, as a shader that may discard a fragment is run for those, too, that are hidden.
+    pub fn number_of_plants(
+        choice: &ChunkChoice,
+        preset: Preset,
+        reach: ShadowReach,
+        lights: [u32; 3],
+    ) -> u8 {
+        let is_close = preset == Preset::Card && choice.distance_m < GIVES_WAY_M;
         let way = match (&choice.port, choice.depth) {
+            _ if is_close => 9,
             (Port::Frame(_), _) => 10,
             (Port::Vertex, DepthMethod::Fragment) => 9,
             (Port::Vertex, _) => 0,

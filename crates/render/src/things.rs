@@ -12,11 +12,13 @@ use antipode_terrain::{Level, Thing};
 use glam::{DVec3, Vec3};
 
 use crate::baked::{Baked, MARGIN_M};
+use crate::block_sight::BlockSight;
 use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::draw_list::DrawList;
 use crate::land_mesh::LandMesh;
 use crate::low_growth::{LowGrowth, MOVED_M, Reach};
 use crate::pages::Pages;
+use crate::parts::Block;
 use crate::plan::{ChunkChoice, FramePlan};
 use crate::renderer::Preset;
 use crate::shadow::{Caster, Shadows};
@@ -171,6 +173,7 @@ impl Grown {
 /// What falls on the things of a chunk, and what bends them.
 #[derive(Clone, Copy, Debug)]
 pub struct ThingsLight {
+    preset: Preset,
     reach: ShadowReach,
     by_figures: bool,
     lights: [u32; 3],
@@ -179,34 +182,38 @@ pub struct ThingsLight {
 
 impl ThingsLight {
     /// Lists a mesh that is told from [`MARGIN_M`] before its chunk's corner, carried as the chunk is, but past the edge of its
-    /// chart as well.
+    /// chart as well; returns how many triangles are out of the picture.
     fn list(
         self,
         mesh: &LandMesh,
-        frame: &Frame,
+        sight: &BlockSight<'_>,
         coord: ChunkCoord,
         choice: &ChunkChoice,
         list: &mut DrawList,
         chart: u32,
-    ) {
+    ) -> usize {
         let corner = coord.origin() - f64::from(MARGIN_M);
         let corner = ChartPoint::new(coord.chart, corner);
-        let instance = ChunkInstance::at(frame, corner, &choice.port)
+        let instance = ChunkInstance::at(sight.frame, corner, &choice.port)
             .bent(self.pressers, self.by_figures)
             .lit(self.lights, Level::FULL);
-        let number = TerrainPipelines::number_of_plants(choice, self.reach, self.lights);
-        let pieces = mesh.pieces(0).map(|piece| (number, piece));
-        list.add(chart, instance, pieces);
+        let number =
+            TerrainPipelines::number_of_plants(choice, self.preset, self.reach, self.lights);
+        let shown = |block: &Block| sight.shown(coord, block).map(|_| number);
+        let (pieces, left_out) = mesh.pieces_seen(0, number, shown);
+        list.add(chart, instance, pieces.into_iter());
+        left_out
     }
 
     /// What may throw a shadow on them, and the lamps and beams that may light them.
-    pub fn of(shadows: &Shadows, reach: ShadowReach, lights: [u32; 3]) -> Self {
+    pub fn of(preset: Preset, shadows: &Shadows, reach: ShadowReach, lights: [u32; 3]) -> Self {
         // Where branches cost, no shadow of a figure is looked for on leaves: few would see it there.
         let looked_for = match reach {
             ShadowReach::All | ShadowReach::Land => ShadowReach::Land,
             ShadowReach::Nothing => reach,
         };
         Self {
+            preset,
             reach: shadows.told_apart(looked_for),
             by_figures: reach == ShadowReach::All,
             lights,
@@ -242,6 +249,7 @@ impl ChunkStore {
     /// Shows the things of the chunks that are drawn in the sizes that they have in the picture, the nearest first, as many as
     /// a frame has time for.
     pub fn grow(&mut self, frame: &Frame, plan: &FramePlan, preset: Preset) {
+        self.preset = preset;
         let thresholds_px = thresholds_px(frame.view.quality, preset);
         self.renew_fallen(frame);
         let land = self.land();
@@ -316,20 +324,21 @@ impl Scale {
 }
 
 impl GpuChunk {
-    /// Lists what grows on it.
+    /// Lists what grows on it; returns how many triangles are out of the picture.
     pub fn list_growth(
         &self,
-        frame: &Frame,
+        sight: &BlockSight<'_>,
         choice: &ChunkChoice,
         light: ThingsLight,
         list: &mut DrawList,
         chart: u32,
-    ) {
+    ) -> usize {
         let grown = self.grown.as_ref().map(Grown::mesh);
         let low = self.low.as_ref().map(LowGrowth::mesh);
-        for mesh in [grown, low].into_iter().flatten() {
-            light.list(mesh, frame, self.land.coord, choice, list, chart);
-        }
+        let meshes = [grown, low].into_iter().flatten();
+        let left_out =
+            meshes.map(|mesh| light.list(mesh, sight, self.land.coord, choice, list, chart));
+        left_out.sum()
     }
 
     /// Shows its things in the sizes that they have; returns how many corners that took.

@@ -1,11 +1,10 @@
 //! Chooses how one chunk is drawn: port, trimming, refinement and depth, from the frame's bounds.
 
 use antipode_frame::Frame;
-use antipode_geometry::SightCell;
 
-use super::ChunkLand;
 use super::bounds::{Affine, Bounds};
 use super::quality::Tolerance;
+use super::{Candidate, ChunkLand};
 
 /// Longest edge of the land's triangles at full resolution, metres: the diagonal of a cell.
 pub const LONGEST_EDGE_M: f64 = 1.733;
@@ -42,6 +41,8 @@ pub struct ChunkChoice {
     pub distance_m: f64,
     /// How its vertices are ported.
     pub port: Port,
+    /// Whether its land is drawn, too; else only what stands on it rises over nearer land.
+    pub shows_land: bool,
     /// Whether it reaches beyond what its chart shows.
     pub trimmed: bool,
     /// Whether edges of it may stray by more than the tolerance, so that each is looked at.
@@ -58,6 +59,7 @@ impl ChunkChoice {
         place: usize::MAX,
         distance_m: 0.0,
         port: Port::Vertex,
+        shows_land: true,
         trimmed: false,
         refine: false,
         depth: DepthMethod::Vertex,
@@ -69,8 +71,7 @@ impl ChunkChoice {
 pub fn choose(
     frame: &Frame,
     chunk: &ChunkLand,
-    place: usize,
-    cell: &SightCell,
+    candidate: &Candidate,
     bounds: &Bounds,
     tolerance: &Tolerance,
 ) -> ChunkChoice {
@@ -84,7 +85,9 @@ pub fn choose(
         .filter(|_| !trimmed);
     let near_m = Bounds::nearest_chart_m(frame, chunk);
     let longest_m = chunk.longest_edge_m();
-    let refine = affine.is_none() && near_m < bounds.refine_within_m(tolerance, longest_m);
+    let refine = candidate.shows_land
+        && affine.is_none()
+        && near_m < bounds.refine_within_m(tolerance, longest_m);
     let (port, error_px) = match affine {
         Some((affine, error_px)) => (Port::Frame(affine), error_px),
         // Of refined chunks each edge is looked at.
@@ -92,8 +95,9 @@ pub fn choose(
         None => (Port::Vertex, bounds.bend_px(near_m) * longest_m * longest_m),
     };
     ChunkChoice {
-        place,
-        distance_m: cell.nearest_m,
+        place: candidate.place,
+        distance_m: candidate.cell.nearest_m,
+        shows_land: candidate.shows_land,
         refine,
         depth: match port {
             Port::Vertex => depth_method(frame, bounds, tolerance),

@@ -164,6 +164,11 @@ impl ChunkLand {
         }
     }
 
+    /// Whether something that stands on it reaches farther than its land.
+    pub fn is_outgrown(&self) -> bool {
+        self.whole != [self.min, self.max]
+    }
+
     /// Longest edge of its triangles, metres: the diagonal of a cell.
     pub fn longest_edge_m(&self) -> f64 {
         LONGEST_EDGE_M * f64::from(self.level.step_m())

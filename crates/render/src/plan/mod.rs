@@ -58,6 +58,8 @@ struct Candidate {
     cell: SightCell,
     /// Its column's; 0, which nothing hides, where it has none.
     ring: u32,
+    /// Whether its land may be seen, too, and not only what stands on it.
+    shows_land: bool,
 }
 
 /// Decides what to draw of `land` in a picture `height_px` pixels high.
@@ -104,8 +106,7 @@ impl Planner {
             .map(|candidate| {
                 let chunk = &land_index.land()[candidate.place];
                 stats.level_error_at_least(chunk.error_m * bounds.metre_px(&candidate.cell));
-                let (place, cell) = (candidate.place, &candidate.cell);
-                let choice = choice::choose(frame, chunk, place, cell, &bounds, &tolerance);
+                let choice = choice::choose(frame, chunk, candidate, &bounds, &tolerance);
                 stats.count(&choice, chunk);
                 choice
             })
@@ -153,6 +154,7 @@ fn all(frame: &Frame, land_index: &LandIndex) -> Vec<Candidate> {
         place,
         cell: strategy.sight_cell(eye, chunk.coord.chart, chunk.whole[0], chunk.whole[1]),
         ring: 0,
+        shows_land: true,
     };
     chunks.map(candidate).collect()
 }
@@ -189,7 +191,13 @@ fn candidates(
                 Some(cell) => {
                     let column = IVec2::new(chunk.coord.index.x, chunk.coord.index.z);
                     let ring = grid.ring(column).unwrap_or(0);
-                    seen.push(Candidate { place, cell, ring });
+                    let shows_land = true;
+                    seen.push(Candidate {
+                        place,
+                        cell,
+                        ring,
+                        shows_land,
+                    });
                 }
                 None => stats.triangles_outside += chunk.triangles,
             }
@@ -241,7 +249,7 @@ fn unhidden(
     let mut order = order.into_iter().peekable();
     candidates.sort_unstable_by_key(|candidate| candidate.ring);
     let mut left_out = vec![false; columns.len()];
-    candidates.retain(|candidate| {
+    candidates.retain_mut(|candidate| {
         while let Some((ring, at, grid)) = order.next_if(|(ring, ..)| *ring < candidate.ring) {
             // Land that was left out hides nothing, or what is left out would add up.
             if !left_out[at as usize] {
@@ -249,14 +257,24 @@ fn unhidden(
             }
         }
         let over_px = skyline.rises_px(&candidate.cell);
-        let triangles = land_index.land()[candidate.place].triangles;
+        let chunk = &land_index.land()[candidate.place];
+        let triangles = chunk.triangles;
         if over_px <= 0.0 {
             stats.triangles_hidden += triangles;
             return false;
         }
+        candidate.shows_land = !chunk.is_outgrown() || {
+            let land = land_cell(frame, chunk);
+            skyline.rises_px(&land) > 0.0
+        };
+        if !candidate.shows_land {
+            stats.triangles_hidden += triangles;
+        }
         let is_small = over_px < tolerance.small_px;
         if is_small {
-            stats.triangles_small += triangles;
+            if candidate.shows_land {
+                stats.triangles_small += triangles;
+            }
             if let Some(column) = land_index.column_of(candidate.place) {
                 left_out[column] = true;
             }
@@ -265,6 +283,13 @@ fn unhidden(
         !is_small
     });
     candidates
+}
+
+/// Where the land of a chunk is seen, without what stands on it.
+fn land_cell(frame: &Frame, chunk: &ChunkLand) -> SightCell {
+    let eye = &frame.view.eye;
+    let strategy = &frame.view.strategy;
+    strategy.sight_cell(eye, chunk.coord.chart, chunk.min, chunk.max)
 }
 
 /// The bar that a quality keeps a frame's `error_px` under, pixels; `None` where it promises nothing, because
