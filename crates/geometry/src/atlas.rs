@@ -4,6 +4,7 @@ use std::fmt::Debug;
 
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
+use crate::tiling::quilt::Quilt;
 use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing, Globe};
 
 /// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
@@ -278,6 +279,43 @@ pub trait Atlas: Debug + Send + Sync {
         match self.noise_frame(point.chart) {
             NoiseFrame::Square(frame) => frame.placed(point.pos),
             NoiseFrame::Radial { .. } | NoiseFrame::Upright => point.pos,
+        }
+    }
+
+    /// The patches that the noise of a chart is found in, of a world in tiles whose noise knows no centre. There it is not
+    /// sampled at [`Atlas::noise_point`], but in each patch, at the place in it.
+    fn quilt(&self, _chart: ChartId) -> Option<NoiseQuilt> {
+        None
+    }
+}
+
+/// The patches that the noise of a chart is found in.
+#[derive(Debug, Clone)]
+pub struct NoiseQuilt {
+    /// Metres of a radius of the world.
+    pub radius_m: f64,
+    /// The chart's tile and those about it.
+    pub quilt: Quilt,
+    /// The charts of [`Quilt::around`], in its order.
+    pub charts: Vec<Option<ChartId>>,
+}
+
+impl NoiseQuilt {
+    /// X/W at x of the chart, or Z/W at z, metres. What is no number counts as 0.
+    pub fn tangent(&self, along_m: f64) -> f64 {
+        let along = along_m / self.radius_m;
+        if along.is_nan() { 0.0 } else { along.tanh() }
+    }
+
+    /// X/W and Z/W by [`Self::tangent`] of each, drawn in to the plane where they are no place on it.
+    pub fn on_plane(&self, at: DVec2) -> DVec2 {
+        /// X^2 + Z^2 over W^2 of the farthest place: 7 radii away.
+        const FARTHEST: f64 = 0.999_996;
+        let far = at.length_squared();
+        if far > FARTHEST {
+            at * (FARTHEST / far).sqrt()
+        } else {
+            at
         }
     }
 }
