@@ -12,10 +12,10 @@ mod lay;
 mod layout;
 mod over_ground;
 mod stretch;
-mod tiled;
 #[cfg(test)]
 #[expect(clippy::expect_used, reason = "tests fail by panicking")]
 mod tests;
+mod tiled;
 
 use std::collections::HashMap;
 use std::sync::{Arc, RwLock};

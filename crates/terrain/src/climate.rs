@@ -25,7 +25,7 @@ const CLOSED_SPREAD: f64 = 1.2;
 /// How far apart they were if worlds in tiles had some, radii.
 const TILED_SPREAD: f64 = 3.0;
 /// Standard deviation of the slow noise in open worlds, which that of worlds in tiles has, too.
-const DEVIATION: f32 = 0.27;
+const DEVIATION: f32 = 0.305;
 /// What the noise is multiplied by, so that climates range about from -0.5 to 0.5.
 const GAIN: f32 = 1.1;
 /// What high land is colder by, as a share of how high it lies.
@@ -69,7 +69,8 @@ impl Climate {
     /// that one likes to go on from, and another biome in reach.
     pub(crate) fn new(seed: u64, space: &dyn Atlas) -> Self {
         let start = space.noise_point(ChartPoint::new(ChartId::FIRST, DVec3::ZERO));
-        let laid_out = |n: u64| Self::laid_out([seed, seed.wrapping_add(n.wrapping_mul(ANEW))], space);
+        let laid_out =
+            |n: u64| Self::laid_out([seed, seed.wrapping_add(n.wrapping_mul(ANEW))], space);
         let mut all = (0..TRIES).map(laid_out);
         let found = all.find(|it| match &it.tracts {
             Some(tracts) => it.begins_well_in(tracts, space),
@@ -96,7 +97,11 @@ impl Climate {
         let Some(tract) = tracts.tract(space, ChartId::FIRST) else {
             return true;
         };
-        let lands = || tract.middles().map(|broad| self.nearest(Self::tiled(broad[0])));
+        let lands = || {
+            tract
+                .middles()
+                .map(|broad| self.nearest(Self::tiled(broad[0])))
+        };
         let first = lands().next().unwrap_or(0);
         self.lands[first].biome.begins && lands().any(|land| land != first)
     }

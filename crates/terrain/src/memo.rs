@@ -71,7 +71,10 @@ impl Waves {
     /// [`Self::at`] at a height over a spot of a world in tiles.
     pub(crate) fn over(&mut self, lattice: &Lattice, spot: &Spot, y: f64) -> [f32; 2] {
         let waves = self.waves.each_mut();
-        waves.map(|wave| spot.blended(y, |place| wave.noise(lattice, place)).clamp(-1.0, 1.0))
+        waves.map(|wave| {
+            spot.blended(y, |place| wave.noise(lattice, place))
+                .clamp(-1.0, 1.0)
+        })
     }
 }
 

@@ -291,5 +291,8 @@ impl<K: Copy + Eq + Hash, V: ?Sized> Memo<K, V> {
 type Once<T> = OnceLock<Arc<T>>;
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests fail by panicking")]
+mod pictures;
+#[cfg(test)]
 #[expect(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 mod tests;

@@ -76,9 +76,8 @@ impl Forms {
     pub(crate) fn begin(&self, rows: &Rows, [from, to]: [usize; 2], slab: &mut Slab) {
         for (row, sums) in slab.iter_mut().enumerate().take(to).skip(from) {
             let wave = rows.waves[row / 4][row % 4];
-            for (sum, (&terraces, &fall_m)) in sums
-                .iter_mut()
-                .zip(self.terraces.iter().zip(&self.fall_m))
+            for (sum, (&terraces, &fall_m)) in
+                sums.iter_mut().zip(self.terraces.iter().zip(&self.fall_m))
             {
                 *sum = terraces * wave + fall_m;
             }

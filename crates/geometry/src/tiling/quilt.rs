@@ -215,7 +215,10 @@ impl Quilt {
     /// that other is to be asked.
     pub fn owner(&self, at: DVec2) -> Owner {
         let turns = [at, turned(at, 3), turned(at, 2), turned(at, 1)];
-        let farthest = (0..4).fold(0, |most, n| if turns[n].x > turns[most].x { n } else { most });
+        let farthest = (0..4).fold(
+            0,
+            |most, n| if turns[n].x > turns[most].x { n } else { most },
+        );
         if turns[farthest].x > EDGE_TANH + ON_EDGE {
             return self.past(farthest, at);
         }

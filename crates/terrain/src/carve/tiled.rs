@@ -81,10 +81,7 @@ impl Field {
             return Vec::new();
         };
         let middle = first.midpoint(last);
-        let at = DVec2::new(
-            tract.noise.tangent(middle.x),
-            tract.noise.tangent(middle.z),
-        );
+        let at = DVec2::new(tract.noise.tangent(middle.x), tract.noise.tangent(middle.z));
         let at = tract.noise.on_plane(at);
         let half_m = 0.5 * (last - first).with_y(0.0).length();
         caves.dens(self, (&tract, at), half_m, [first.y, last.y], reach_m)
@@ -108,7 +105,9 @@ impl<'a> Dens<'a> {
                 high: ground + DVec3::Y * ends[1],
             };
             let near = den.stretches.iter();
-            let near: Vec<_> = near.filter(|it| it.bounds(REACH_M).meets(&column)).collect();
+            let near: Vec<_> = near
+                .filter(|it| it.bounds(REACH_M).meets(&column))
+                .collect();
             if !near.is_empty() {
                 all.push((ground, near));
             }

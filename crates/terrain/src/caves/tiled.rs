@@ -5,8 +5,8 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::hall::{Hall, tunnel};
-use super::layout::{WAY_UP_M, WAYS_UP, chance, either_way};
 use super::lay::Lay;
+use super::layout::{WAY_UP_M, WAYS_UP, chance, either_way};
 use super::stretch::{Bounds, Passage, Stretch};
 use crate::field::Field;
 use crate::lattice::stirred;

@@ -12,7 +12,7 @@ use crate::tracts::{Spot, Tract, Tracts, fill};
 use crate::upright::Grid;
 
 /// Standard deviation of an octave's noise, which is in -1..=1: what is broader than tiles has it, too.
-const OCTAVE_DEVIATION: f32 = 0.27;
+const OCTAVE_DEVIATION: f32 = 0.312;
 
 impl Field {
     /// Where the noise of the column over `(x, z)` is found, of a world in tiles.
@@ -65,13 +65,7 @@ impl Field {
     }
 
     /// [`Field::fill_grid`] of a chart of a world in tiles.
-    pub(super) fn fill_tiled(
-        &self,
-        tracts: &Tracts,
-        chart: ChartId,
-        grid: &Grid,
-        out: &mut [f32],
-    ) {
+    pub(super) fn fill_tiled(&self, tracts: &Tracts, chart: ChartId, grid: &Grid, out: &mut [f32]) {
         let spots = self.spots(tracts, chart, grid);
         let forms: Vec<_> = spots.iter().map(|spot| self.form_over(spot)).collect();
         let Grid {

@@ -64,18 +64,7 @@ fn octave_kernel(cosh: f64) -> f64 {
 fn powers(at: DVec2) -> [f64; TERMS] {
     let DVec2 { x, y: z } = at;
     let (xx, zz) = (x * x, z * z);
-    [
-        1.0,
-        x,
-        z,
-        xx,
-        x * z,
-        zz,
-        xx * x,
-        xx * z,
-        x * zz,
-        zz * z,
-    ]
+    [1.0, x, z, xx, x * z, zz, xx * x, xx * z, x * zz, zz * z]
 }
 
 impl Fit {
