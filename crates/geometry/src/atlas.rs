@@ -307,15 +307,11 @@ impl NoiseQuilt {
         if along.is_nan() { 0.0 } else { along.tanh() }
     }
 
-    /// X/W and Z/W by [`Self::tangent`] of each, drawn in to the plane where they are no place on it.
-    pub fn on_plane(&self, at: DVec2) -> DVec2 {
-        /// X^2 + Z^2 over W^2 of the farthest place: 7 radii away.
-        const FARTHEST: f64 = 0.999_996;
-        let far = at.length_squared();
-        if far > FARTHEST {
-            at * (FARTHEST / far).sqrt()
-        } else {
-            at
-        }
+    /// X/W and Z/W by [`Self::tangent`] of each, drawn in to where the chart is written: nobody asks what lies farther out.
+    pub fn written(&self, at: DVec2) -> DVec2 {
+        at.clamp(DVec2::splat(-WRITTEN_TANH), DVec2::splat(WRITTEN_TANH))
     }
 }
+
+/// X/W along an axis where a chart ends, a quarter of the width of its square past the edge.
+const WRITTEN_TANH: f64 = 0.661_770_042_700_383_5;

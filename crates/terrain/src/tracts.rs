@@ -119,7 +119,11 @@ impl Tracts {
     pub(crate) fn tract(&self, space: &dyn Atlas, chart: ChartId) -> Option<Arc<Tract>> {
         self.tracts.value(chart, || {
             let noise = space.quilt(chart)?;
-            let corners_m = noise.quilt.around().map(|it| self.corner_m(it.key()));
+            let corners_m = noise
+                .quilt
+                .around()
+                .iter()
+                .map(|it| self.corner_m(it.key()));
             let lot = |patch: &Patch| Lot {
                 corner_m: self.corner_m(patch.key()),
                 broad: self.broad(patch),
@@ -152,7 +156,7 @@ impl Tracts {
             return Spot::NOWHERE;
         };
         let at = DVec2::new(tract.noise.tangent(x), tract.noise.tangent(z));
-        self.spot_in(space, &tract, tract.noise.on_plane(at))
+        self.spot_in(space, &tract, tract.noise.written(at))
     }
 
     /// The spot of a place of a tile, or near it, by X/W and Z/W there.
@@ -188,23 +192,37 @@ impl Tracts {
 impl Tract {
     /// The key of a tile about it, its own first.
     pub(crate) fn key(&self, place: usize) -> Option<u64> {
-        Some(self.noise.quilt.around().nth(place)?.key())
+        Some(self.noise.quilt.around().get(place)?.key())
     }
 
     /// Of a place by X/W and Z/W, the one that the patch of a tile about it has, by that tile's key and its tract.
     pub(crate) fn grounds_of(&self, at: DVec2, key: u64) -> Option<DVec3> {
-        let place = self.noise.quilt.around().position(|it| it.key() == key)?;
-        self.grounds(at).nth(place)
+        let place = self
+            .noise
+            .quilt
+            .around()
+            .iter()
+            .position(|it| it.key() == key)?;
+        self.ground(at, place)
     }
 
-    /// Of each tile about it, the place on the ground of the space of the noise that its patch has for a place of this one by
-    /// X/W and Z/W; the tile's own first.
-    pub(crate) fn grounds(&self, at: DVec2) -> impl Iterator<Item = DVec3> {
-        let around = self.noise.quilt.around().zip(&self.corners_m);
-        around.map(move |(patch, corner_m)| {
-            let place = *corner_m + patch.place(at) * self.noise.radius_m;
-            DVec3::new(place.x, 0.0, place.y)
-        })
+    /// The place on the ground of the space of the noise that the patch of a tile about it has for a place of this one, by X/W
+    /// and Z/W; the tile's own is the first.
+    pub(crate) fn ground(&self, at: DVec2, place: usize) -> Option<DVec3> {
+        let patch = self.noise.quilt.around().get(place)?;
+        let at = self.corners_m.get(place)? + patch.place(at) * self.noise.radius_m;
+        Some(DVec3::new(at.x, 0.0, at.y))
+    }
+
+    /// How many tiles it knows about it, with itself.
+    pub(crate) fn count(&self) -> usize {
+        self.corners_m.len()
+    }
+
+    /// X/W of columns so far apart along x, or Z/W along z, metres.
+    pub(crate) fn tangents(&self, first_m: f64, step_m: f64, count: usize) -> Vec<f64> {
+        let at = |n: usize| self.noise.tangent(first_m + n as f64 * step_m);
+        (0..count).map(at).collect()
     }
 
     /// X/W and Z/W in the tile of a place on the ground of the space of the noise that its own patch has.

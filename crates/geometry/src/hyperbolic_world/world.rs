@@ -217,7 +217,7 @@ impl Atlas for HyperbolicWorld {
 
     fn quilt(&self, chart: ChartId) -> Option<NoiseQuilt> {
         let quilt = Quilt::new(&self.tiles.frame(chart)?).ok()?;
-        let charts = quilt.around().map(|it| self.tiles.chart(it.frame()));
+        let charts = quilt.around().iter().map(|it| self.tiles.chart(it.frame()));
         Some(NoiseQuilt {
             radius_m: self.chart.radius_m,
             charts: charts.collect(),

@@ -3,7 +3,7 @@
 //! A tile's *patch* is the disc about its centre in which it has a weight. With P = (X, Z, W) as its frame has a point, the
 //! weight is `t^3 / (t + SOFT)` of `t = 1 - (W - 1)/(PATCH_COSH - 1)`, twice differentiable where it comes to nothing, and the
 //! coordinates are `(X, Z) 3/(2 + W)`, which is the way out from the centre to half a percent: `r/sinh(r) = 1 - (W - 1)/3 + ...`,
-//! and so is `3/(2 + W)`. In a patch a metre of them is 1 m outwards and 1 to 1.22 m across. Nothing in that but the chart's own
+//! and so is `3/(2 + W)`. In a patch a metre of them is 1 m outwards and 1 to 1.32 m across. Nothing in that but the chart's own
 //! tangents is more than a root away from whole numbers, so that all machines find the same.
 //!
 //! A place on an edge or a corner belongs to two or five tiles. It is told in the least of them, where it lies exactly, so
@@ -15,10 +15,11 @@ use super::{EDGE_TANH, Frame, Golden, Isometry, Side, TilingError, rings};
 
 /// Tiles whose patches reach into a tile: itself, four over its edges and eight over its corners.
 pub const PATCHES: usize = 13;
-/// The most patches that a place lies in.
-pub const MOST_PATCHES: usize = 5;
-/// W where a patch ends, 1.158 radii from its centre.
-pub const PATCH_COSH: f64 = 1.75;
+/// The most patches that a place lies in; on average they are 5.
+pub const MOST_PATCHES: usize = 8;
+/// W where a patch ends, 1.317 radii from its centre. That is as wide as it can be for no other tiles to reach into one, and so
+/// wide that noise is hardly steeper at a corner, where weights change fastest.
+pub const PATCH_COSH: f64 = 2.0;
 /// How a weight comes to nothing: as a cube where t is less than this.
 const SOFT: f64 = 0.1;
 /// Centres nearer than this to a tile's, in W, are those of the patches that reach into it: over a corner it is phi^2.
@@ -105,9 +106,9 @@ struct Shared {
 /// A tile's own patch and all that reach into it.
 #[derive(Debug, Clone)]
 pub struct Quilt {
-    patches: Vec<Patch>,
-    /// Those two steps straight on, which do not reach into it.
-    beyond: Vec<Patch>,
+    /// First those that reach into it, so many; then those two steps straight on.
+    around: Vec<Patch>,
+    near: usize,
     /// Over each side the tile there, and the way there.
     over: [Option<(Shared, DMat3)>; 4],
     /// Where an edge belongs to the tile over it.
@@ -149,9 +150,11 @@ impl Quilt {
                 beyond.push(patch);
             }
         }
+        let near = patches.len();
+        patches.append(&mut beyond);
         let mut quilt = Self {
-            patches,
-            beyond,
+            around: patches,
+            near,
             over: [None; 4],
             edges: [None; 4],
             corners: [None; 4],
@@ -190,7 +193,7 @@ impl Quilt {
     }
 
     fn shared(&self, frame: &Frame, back: Side) -> Option<Shared> {
-        let over = self.around().position(|other| other.frame == *frame)?;
+        let over = self.around.iter().position(|other| other.frame == *frame)?;
         let back = back.number();
         Some(Shared { over, back })
     }
@@ -202,13 +205,13 @@ impl Quilt {
 
     /// The patches that reach into the tile, at most [`PATCHES`], its own first.
     pub fn patches(&self) -> &[Patch] {
-        &self.patches
+        &self.around[..self.near]
     }
 
     /// All tiles to two steps over edges: [`Self::patches`] and the four straight on behind those over the edges. No tile that
     /// shares a corner with this one is missing.
-    pub fn around(&self) -> impl Iterator<Item = &Patch> {
-        self.patches.iter().chain(&self.beyond)
+    pub fn around(&self) -> &[Patch] {
+        &self.around
     }
 
     /// Whose a place is, by X/W and Z/W of it in this tile's frame; of one outside of the tile it may be yet another's, which
@@ -259,7 +262,7 @@ impl Quilt {
     pub fn each(&self, at: DVec2, mut take: impl FnMut(usize, DVec2, f64)) {
         const PER_COSH: f64 = 1.0 / (PATCH_COSH - 1.0);
         let point = on_sheet(at);
-        for (n, patch) in self.patches.iter().enumerate() {
+        for (n, patch) in self.patches().iter().enumerate() {
             let way = &patch.way;
             let cosh = way.x_axis.z * point.x + way.y_axis.z * point.y + way.z_axis.z * point.z;
             let t = 1.0 - (cosh - 1.0) * PER_COSH;

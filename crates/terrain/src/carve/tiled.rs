@@ -27,10 +27,11 @@ impl Field {
         let Some(tract) = tract.filter(|_| !dens.is_empty()) else {
             return;
         };
+        let xs = tract.tangents(first.x, step_m, width);
+        let zs = tract.tangents(first.z, step_m, depth);
         for n in 0..width * depth {
-            let at = first + step_m * DVec3::new((n / depth) as f64, 0.0, (n % depth) as f64);
-            let at = DVec2::new(tract.noise.tangent(at.x), tract.noise.tangent(at.z));
-            let (owner, at) = tracts.owner(&**self.strategy(), &tract, tract.noise.on_plane(at));
+            let at = DVec2::new(xs[n / depth], zs[n % depth]);
+            let (owner, at) = tracts.owner(&**self.strategy(), &tract, tract.noise.written(at));
             let ends = [first.y, last.y];
             // Edges are another tile's, so that all who share one find the same.
             let mut others = Vec::new();
@@ -42,6 +43,9 @@ impl Field {
                 None => (&tract, &dens),
             };
             let column = Dens::new(owner, at, dens, ends);
+            if column.all.is_empty() {
+                continue;
+            }
             for j in 0..height {
                 if let Some(hollow) = column.hollow(self, heights(j)) {
                     take(n * height + j, hollow);
@@ -61,7 +65,7 @@ impl Field {
         let pos = point.pos;
         let tract = tracts.tract(space, point.chart)?;
         let at = DVec2::new(tract.noise.tangent(pos.x), tract.noise.tangent(pos.z));
-        let (owner, at) = tracts.owner(space, &tract, tract.noise.on_plane(at));
+        let (owner, at) = tracts.owner(space, &tract, tract.noise.written(at));
         let owner = owner.as_ref().unwrap_or(&tract);
         let ends = [pos.y, pos.y];
         let dens = caves.dens(self, (owner, at), 0.0, ends, REACH_M);
@@ -82,7 +86,7 @@ impl Field {
         };
         let middle = first.midpoint(last);
         let at = DVec2::new(tract.noise.tangent(middle.x), tract.noise.tangent(middle.z));
-        let at = tract.noise.on_plane(at);
+        let at = tract.noise.written(at);
         let half_m = 0.5 * (last - first).with_y(0.0).length();
         caves.dens(self, (&tract, at), half_m, [first.y, last.y], reach_m)
     }
@@ -96,8 +100,8 @@ struct Dens<'a> {
 impl<'a> Dens<'a> {
     fn new(tract: &Tract, at: DVec2, dens: &'a [Den], ends: [f64; 2]) -> Self {
         let mut all = Vec::new();
-        for (place, ground) in tract.grounds(at).enumerate() {
-            let Some(den) = dens.iter().find(|den| den.place == place) else {
+        for den in dens {
+            let Some(ground) = tract.ground(at, den.place) else {
                 continue;
             };
             let column = Bounds {

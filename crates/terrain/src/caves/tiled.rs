@@ -64,8 +64,9 @@ impl Tiled {
         };
         let aside = DVec3::new(1.0, 0.0, 1.0) * (STRETCH * half_m + reach_m);
         let mut dens = Vec::new();
-        for (place, ground) in tract.grounds(at).enumerate() {
-            let Some(key) = tract.key(place).filter(|key| self.has_hall(tract, *key)) else {
+        for place in 0..tract.count() {
+            let key = tract.key(place).filter(|key| self.has_hall(tract, *key));
+            let (Some(key), Some(ground)) = (key, tract.ground(at, place)) else {
                 continue;
             };
             let wanted = Bounds {

@@ -91,14 +91,10 @@ impl Field {
         let Some(tract) = tracts.tract(&*self.strategy, chart) else {
             return vec![Spot::NOWHERE; width * depth];
         };
-        let tangents = |first: f64, step_m: f64, count: usize| -> Vec<f64> {
-            let at = |n: usize| tract.noise.tangent(first + n as f64 * step_m);
-            (0..count).map(at).collect()
-        };
-        let xs = tangents(grid.first.x, grid.step_m.x, width);
-        let zs = tangents(grid.first.z, grid.step_m.z, depth);
+        let xs = tract.tangents(grid.first.x, grid.step_m.x, width);
+        let zs = tract.tangents(grid.first.z, grid.step_m.z, depth);
         let spot = |x: f64, z: f64, tract: &Tract| {
-            let at = tract.noise.on_plane(DVec2::new(x, z));
+            let at = tract.noise.written(DVec2::new(x, z));
             tracts.spot_in(&*self.strategy, tract, at)
         };
         let all = xs.iter().flat_map(|x| zs.iter().map(|z| (*x, *z)));

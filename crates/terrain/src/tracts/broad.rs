@@ -20,9 +20,9 @@ const TERMS: usize = 10;
 /// How far in W the tiles of the climates and of octaves count.
 const CLIMATE_COSH: f64 = 20.0;
 const OCTAVE_COSH: f64 = 3.0;
-/// No farther in W than this is a tile from a centre that counts in its patch: `cosh(acosh(20) + acosh(1.75))`, and to how many
+/// No farther in W than this is a tile from a centre that counts in its patch: `cosh(acosh(20) + acosh(2))`, and to how many
 /// steps such tiles are found, among how many.
-const MOST_COSH: f64 = 63.9;
+const MOST_COSH: f64 = 74.7;
 const MOST_STEPS: usize = 6;
 const MOST_TILES: usize = 1377;
 /// Octaves with waves longer than so many radii are broad.
@@ -98,7 +98,7 @@ struct Place {
 
 /// Places all over a patch.
 fn places() -> Vec<Place> {
-    let steps = 9;
+    let steps = 12;
     let at = |n: i32| f64::from(n) * APART;
     let all = (-steps..=steps).flat_map(|i| (-steps..=steps).map(move |k| [at(i), at(k)]));
     let place = |[x, z]: [f64; 2]| {
