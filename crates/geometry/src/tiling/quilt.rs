@@ -2,7 +2,7 @@
 //!
 //! A tile's *patch* is the disc about its centre in which it has a weight. With P = (X, Z, W) as its frame has a point, the
 //! weight is `t^3 / (t + SOFT)` of `t = 1 - (W - 1)/(PATCH_COSH - 1)`, twice differentiable where it comes to nothing, and the
-//! coordinates are `(X, Z) 3/(2 + W)`, which is the way out from the centre to half a percent: `r/sinh(r) = 1 - (W - 1)/3 + ...`,
+//! coordinates are `(X, Z) 3/(2 + W)`, which is the way out from the centre to 1.4 %: `r/sinh(r) = 1 - (W - 1)/3 + ...`,
 //! and so is `3/(2 + W)`. In a patch a metre of them is 1 m outwards and 1 to 1.32 m across. Nothing in that but the chart's own
 //! tangents is more than a root away from whole numbers, so that all machines find the same.
 //!

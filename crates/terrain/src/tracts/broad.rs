@@ -4,7 +4,7 @@
 //! of a tile's centre from the place. It has variance 1 everywhere, and tiles cannot be seen in it where K is broad. Up to hundreds of
 //! tiles count. So in each patch a cubic stands for it, the nearest by squares, whose coefficients are linear in the g_t: by
 //! what, is the same for all tiles. Patches are blended by their weights. Of that the standard deviation is
-//! within 1.7 % of 1 everywhere, and that of climates within 0.3 %.
+//! within 3.3 % of 1 everywhere, and that of climates within 0.4 %.
 
 use std::sync::Arc;
 
