@@ -100,7 +100,7 @@ impl Climate {
         let lands = || {
             tract
                 .middles()
-                .map(|broad| self.nearest(Self::tiled(broad[0])))
+                .map(|broad| self.nearest(Self::tiled(broad)))
         };
         let first = lands().next().unwrap_or(0);
         self.lands[first].biome.begins && lands().any(|land| land != first)
@@ -151,7 +151,7 @@ impl Climate {
     /// The climate at a spot of a world in tiles.
     #[inline]
     pub(crate) fn at_spot(spot: &Spot) -> Vec4 {
-        Self::tiled(spot.broad[0])
+        Self::tiled(spot.climate())
     }
 
     fn tiled(broad: Vec4) -> Vec4 {

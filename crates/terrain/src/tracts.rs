@@ -47,6 +47,8 @@ pub(crate) struct Tracts {
 pub(crate) struct Tract {
     pub noise: NoiseQuilt,
     patches: Vec<Lot>,
+    /// Whether more octaves than the longest are broader than tiles.
+    more: bool,
     /// Where in the space of the noise the patches of all tiles about it lie, in the order of the quilt.
     corners_m: Vec<DVec2>,
 }
@@ -64,8 +66,9 @@ pub(crate) struct Spot {
     count: usize,
     /// Which of the tile's patches, where in the space of the noise, x and z in metres, and the share.
     lots: [(usize, DVec2, f32); MOST_PATCHES],
-    /// Of variance 1: heat, humidity and how high land lies; and the octaves that are broader than tiles.
-    pub broad: [Vec4; 2],
+    /// Of variance 1: heat, humidity, how high land lies and the longest octave, where it is broader than tiles; then the other
+    /// octaves that are.
+    broad: [Vec4; 2],
 }
 
 impl Spot {
@@ -79,6 +82,19 @@ impl Spot {
     #[inline]
     pub(crate) fn lots(&self) -> &[(usize, DVec2, f32)] {
         &self.lots[..self.count]
+    }
+
+    /// Heat, humidity and how high land lies, of variance 1, and nothing.
+    #[inline]
+    pub(crate) fn climate(&self) -> Vec4 {
+        self.broad[0].with_w(0.0)
+    }
+
+    /// The octaves that are broader than tiles, of variance 1, the longest first.
+    #[inline]
+    pub(crate) fn octaves(&self) -> [f32; 4] {
+        let [first, rest] = self.broad;
+        [first.w, rest.x, rest.y, rest.z]
     }
 
     /// Noise about zero at a height, given that at a point of the space of the noise.
@@ -131,6 +147,7 @@ impl Tracts {
             let patches = noise.quilt.patches().iter().map(lot).collect();
             Some(Arc::new(Tract {
                 corners_m: corners_m.collect(),
+                more: self.wide > 1,
                 patches,
                 noise,
             }))
@@ -253,7 +270,8 @@ impl Tract {
                 spot.count += 1;
                 sum += weight;
                 squares += weight * weight;
-                lot.broad.add(place, weight as f32, &mut spot.broad);
+                lot.broad
+                    .add(place, weight as f32, self.more, &mut spot.broad);
             }
         });
         if spot.count > 0 {
@@ -267,9 +285,10 @@ impl Tract {
         spot
     }
 
-    /// The broad noise in the middle of the tile and of those about it.
-    pub(crate) fn middles(&self) -> impl Iterator<Item = [Vec4; 2]> {
-        self.patches.iter().map(|lot| lot.broad.middle())
+    /// [`Spot::climate`] in the middle of the tile and of those about it.
+    pub(crate) fn middles(&self) -> impl Iterator<Item = Vec4> {
+        let middles = self.patches.iter().map(|lot| lot.broad.middle()[0]);
+        middles.map(|middle| middle.with_w(0.0))
     }
 }
 

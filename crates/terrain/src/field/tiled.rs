@@ -1,7 +1,7 @@
 //! The field of worlds in tiles, whose noise knows no centre ([`crate::tracts`]).
 
 use antipode_geometry::{ChartId, ChartPoint};
-use glam::{DVec2, DVec3, Vec4};
+use glam::{DVec2, DVec3};
 
 use super::Field;
 use super::land::HEIGHT_TRIES;
@@ -56,9 +56,10 @@ impl Field {
         };
         let mut form = climate.form(Climate::at_spot(spot));
         let wide = self.tracts.as_ref().map_or(0, |tracts| tracts.wide());
-        let broad = (spot.broad[1] * OCTAVE_DEVIATION).clamp(Vec4::NEG_ONE, Vec4::ONE);
+        let broad = spot.octaves();
         for (n, octave) in self.octaves.iter().enumerate().take(wide.min(4)) {
-            form.fall_m += form.waves[n] * octave.half_m() * broad[n];
+            let noise = (broad[n] * OCTAVE_DEVIATION).clamp(-1.0, 1.0);
+            form.fall_m += form.waves[n] * octave.half_m() * noise;
             form.waves[n] = 0.0;
         }
         form

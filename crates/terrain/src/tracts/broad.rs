@@ -178,7 +178,7 @@ impl Factor {
     }
 }
 
-/// The broad noise of a tile's patch.
+/// The broad noise of a tile's patch: heat, humidity, how high land lies and the longest octave; then the other octaves.
 #[derive(Debug)]
 pub(super) struct Broad([[Vec4; 2]; TERMS]);
 
@@ -190,31 +190,33 @@ impl Broad {
         for ((key, climate), octaves) in keys.zip(&fit.climate).zip(&fit.octaves) {
             let key = stirred(key ^ seed);
             let climates = Vec4::new(number(key, 0), number(key, 1), number(key, 2), 0.0);
-            for (term, by) in terms.iter_mut().zip(climate) {
-                term[0] += climates * *by;
-            }
-            if octaves.iter().all(|by| by.abs() < f32::EPSILON) {
-                continue;
-            }
             let mut numbers = [0.0; 4];
-            for (n, out) in (3..).zip(numbers.iter_mut().take(wide)) {
-                *out = number(key, n);
+            if octaves.iter().any(|by| by.abs() > f32::EPSILON) {
+                for (n, out) in (3..).zip(numbers.iter_mut().take(wide)) {
+                    *out = number(key, n);
+                }
             }
-            for (term, by) in terms.iter_mut().zip(octaves) {
-                term[1] += Vec4::from(numbers) * *by;
+            let [longest, rest @ ..] = numbers;
+            let [longest, rest] = [Vec4::W * longest, Vec4::new(rest[0], rest[1], rest[2], 0.0)];
+            for (term, (by, by_octave)) in terms.iter_mut().zip(climate.iter().zip(octaves)) {
+                term[0] += climates * *by + longest * *by_octave;
+                term[1] += rest * *by_octave;
             }
         }
         Self(terms)
     }
 
-    /// Adds the noise at a place of the patch, radii, so many times.
+    /// Adds the noise at a place of the patch, radii, so many times; more octaves than the longest where they are asked for.
     #[inline]
-    pub(super) fn add(&self, place: DVec2, weight: f32, sums: &mut [Vec4; 2]) {
-        let powers = powers(place);
-        for (term, power) in self.0.iter().zip(powers) {
-            let by = weight * power as f32;
+    pub(super) fn add(&self, place: DVec2, weight: f32, more: bool, sums: &mut [Vec4; 2]) {
+        let powers = powers(place).map(|power| weight * power as f32);
+        for (term, by) in self.0.iter().zip(powers) {
             sums[0] += term[0] * by;
-            sums[1] += term[1] * by;
+        }
+        if more {
+            for (term, by) in self.0.iter().zip(powers) {
+                sums[1] += term[1] * by;
+            }
         }
     }
 

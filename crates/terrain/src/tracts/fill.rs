@@ -97,7 +97,7 @@ pub(crate) fn fill(
     let open = [4 * rows.open[0], height.min(4 * rows.open[1])];
     let mut slab = [[Vec4::ZERO; crate::relief::VECTORS]; BLOCK];
     let mut corners = [Corners::default(); BLOCK];
-    let columns = forms.chunks(depth).zip(spots.chunks(depth));
+    let columns = forms.chunks(depth.max(1)).zip(spots.chunks(depth.max(1)));
     for ((forms, spots), out) in columns.zip(out.chunks_exact_mut((height * depth).max(1))) {
         let is_felt = |n: usize| forms.iter().any(|form| form.waves[n] != 0.0);
         let shares = Forms::new(forms);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use antipode_geometry::tiling::{Frame, equiangular_chart};
 use antipode_geometry::{Atlas, ChartId, ChartPoint, HyperbolicWorld, Metric};
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec2, DVec4};
 
 use super::tests::perlin;
 use crate::field::Field;
@@ -31,7 +31,7 @@ fn place(world: &HyperbolicWorld, radius_m: f64, at: DVec2, rim: f64) -> Option<
         .then(|| ChartPoint::new(chart, pos.with_y(0.0)))
 }
 
-/// Biomes, colours and shaded heights, shaded heights alone, an octave, and the heat.
+/// In the conformal disc about the root, to `2 ANTIPODE_RIM` radii: shaded colours, biomes, shaded heights, and an octave.
 #[test]
 #[ignore = "draws pictures to the folder of ANTIPODE_PICTURES"]
 fn draw_land_in_tiles() {
@@ -43,7 +43,6 @@ fn draw_land_in_tiles() {
         let field = Field::new(seed, world.clone());
         let rim = (rim).tanh();
         let mut heights = vec![None; SIDE * SIDE];
-        let mut text = format!("P3 {} {SIDE} 255\n", 4 * SIDE);
         let at = |n: usize| {
             let [x, y] = [n % SIDE, n / SIDE].map(|c| (c as f64 + 0.5) * 2.0 / SIDE as f64 - 1.0);
             DVec2::new(x, y)
@@ -76,14 +75,23 @@ fn draw_land_in_tiles() {
             let grey = (128.0 + 250.0 * octave).clamp(0.0, 255.0) as u8;
             panels[3][n] = [grey; 3];
         }
-        for row in 0..SIDE {
-            for panel in &panels {
-                for [r, g, b] in &panel[row * SIDE..][..SIDE] {
-                    let _ = write!(text, "{r} {g} {b} ");
-                }
+        fs::write(
+            format!("{folder}/land-{n}-{seed}.ppm"),
+            beside_each_other(&panels),
+        )
+        .unwrap();
+    }
+}
+
+/// A portable pixmap of pictures.
+fn beside_each_other(panels: &[Vec<[u8; 3]>]) -> String {
+    let mut text = format!("P3 {} {SIDE} 255\n", panels.len() * SIDE);
+    for row in 0..SIDE {
+        for panel in panels {
+            for [r, g, b] in &panel[row * SIDE..][..SIDE] {
+                let _ = write!(text, "{r} {g} {b} ");
             }
         }
-        fs::write(format!("{folder}/land-{n}-{seed}.ppm"), text).unwrap();
-        let _ = DVec3::ZERO;
     }
+    text
 }

@@ -60,14 +60,8 @@ fn noises(
             perlin(lattice, place * AXIS_FREQUENCY * frequency)
         })
     };
-    let broad = spot.broad;
-    [
-        octave(0.1),
-        octave(0.2),
-        octave(0.4),
-        broad[0].x,
-        broad[1].x,
-    ]
+    let (climate, octaves) = (spot.climate(), spot.octaves());
+    [octave(0.1), octave(0.2), octave(0.4), climate.x, octaves[0]]
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use antipode_geometry::tiling::{Frame, rings};
-use antipode_geometry::{Atlas, ChartId, ChartPoint, HyperbolicWorld};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Euclidean, HyperbolicWorld, Metric};
 use antipode_terrain::{Content, Field, Generator, Level, march};
 use glam::DVec3;
 
@@ -135,54 +135,60 @@ fn there_are_all_biomes_and_about_as_much_of_each_as_in_flat_worlds() {
     }
 }
 
-/// Root mean squares of slopes and heights at places of many tiles.
-fn relief(field: &Field, charts: &[ChartId], [x, z]: [f64; 2]) -> [f64; 2] {
-    let (mut slopes, mut heights, mut mean) = (0.0, 0.0, 0.0);
-    for chart in charts {
-        let height = |x: f64, z: f64| field.surface_height(*chart, x, z);
-        let here = height(x, z);
-        let rise = [height(x - 1.0, z), height(x, z - 1.0)].map(|it| (here - it).powi(2));
-        slopes += rise[0] + rise[1];
-        heights += here * here;
-        mean += here;
+/// The root mean square of the slopes at points, in metres of the space both ways, and the standard deviation of heights.
+fn relief<S: Metric>(field: &Field, space: &S, points: &[ChartPoint]) -> [f64; 2] {
+    const STEP_M: f64 = 1.0;
+    let height = |chart, at: DVec3| field.surface_height(chart, at.x, at.z);
+    let (mut slopes, mut squares, mut sum) = (0.0, 0.0, 0.0);
+    for point in points {
+        let here = height(point.chart, point.pos);
+        for way in [DVec3::X, DVec3::Z] {
+            let step = space.in_chart(*point, way * STEP_M);
+            slopes += (height(point.chart, point.pos - step) - here).powi(2);
+        }
+        squares += here * here;
+        sum += here;
     }
-    let count = charts.len() as f64;
-    let mean = mean / count;
+    let count = points.len() as f64;
+    let mean = sum / count;
     [
-        (slopes / count).sqrt(),
-        (heights / count - mean * mean).sqrt(),
+        (slopes / count).sqrt() / STEP_M,
+        (squares / count - mean * mean).sqrt(),
     ]
 }
 
 #[test]
 fn hills_are_as_high_and_as_steep_as_flat_ones_all_over_a_tile() {
-    let charts = charts(240);
-    let mut found = Vec::new();
-    for n in 0..3 {
-        let half = half_m(n);
-        let field = Field::new(7, world(n)).without_caves();
-        for at in [
-            [0.0, 0.0],
-            [half, 0.0],
-            [half, half],
-            [0.6 * half, 0.5 * half],
-        ] {
-            found.push(relief(&field, &charts, at));
-        }
+    let (world, half) = (world(1), half_m(1));
+    let charts = charts(160);
+    let field = Field::new(7, world.clone()).without_caves();
+    let kinds = [
+        [0.0, 0.0],
+        [half, 0.0],
+        [half, half],
+        [0.6 * half, 0.5 * half],
+    ];
+    let found = kinds.map(|[x, z]| {
+        let at = |chart: &ChartId| ChartPoint::new(*chart, DVec3::new(x, 0.0, z));
+        let points: Vec<_> = charts.iter().map(at).collect();
+        relief(&field, &*world, &points)
+    });
+    let plain = Field::new(7, flat()).without_caves();
+    let place = |n: u32| DVec3::new(f64::from(n % 16), 0.0, f64::from(n / 16)) * 370.0;
+    let points: Vec<_> = (0..256).map(|n| ChartPoint::a(place(n))).collect();
+    let flat = relief(&plain, &Euclidean, &points);
+    println!("{found:.3?}, flat {flat:.3?}");
+    for [slope, height] in found {
+        assert!(
+            (0.7..1.6).contains(&(slope / flat[0])),
+            "{found:?} {flat:?}"
+        );
+        assert!(
+            (0.6..1.6).contains(&(height / flat[1])),
+            "{found:?} {flat:?}"
+        );
+        assert!((0.75..1.35).contains(&(slope / found[0][0])), "{found:?}");
     }
-    let field = Field::new(7, flat()).without_caves();
-    let mut plain = Vec::new();
-    for n in 0..4 {
-        let at = DVec3::new(f64::from(n % 2), 0.0, f64::from(n / 2)) * 5000.0;
-        let places: Vec<_> = (0..240)
-            .map(|k| at + DVec3::new(f64::from(k % 16), 0.0, f64::from(k / 16)) * 170.0)
-            .collect();
-        let all = places
-            .iter()
-            .map(|it| relief(&field, &[ChartId::FIRST], [it.x, it.z])[0].powi(2));
-        plain.push((all.sum::<f64>() / 240.0).sqrt());
-    }
-    println!("{found:.3?}\nflat slopes {plain:.3?}");
 }
 
 #[test]
