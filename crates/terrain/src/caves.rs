@@ -65,17 +65,16 @@ impl Caves {
         }
     }
 
-    /// In a world in tiles, the caves that come within `reach_m` metres of a box about a place of a tile, by X/W and Z/W: half
-    /// of its diagonal in chart metres, and its heights.
+    /// In a world in tiles, the caves that come within `reach_m` metres of a box of places of a tile, by X/W and Z/W of its
+    /// corners, and its heights.
     pub(crate) fn dens(
         &self,
         field: &Field,
-        place: (&Tract, DVec2),
-        half_m: f64,
+        corners: (&Tract, &[DVec2]),
         heights_m: [f64; 2],
         reach_m: f64,
     ) -> Vec<Den> {
-        self.tiled.near(field, place, half_m, heights_m, reach_m)
+        self.tiled.near(field, corners, heights_m, reach_m)
     }
 
     /// Calls `take` with each stretch that comes within `reach_m` of a box.

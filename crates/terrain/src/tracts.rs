@@ -38,7 +38,7 @@ pub(crate) struct Tracts {
     wide: usize,
     radius_m: f64,
     fit: Arc<Fit>,
-    tracts: Memo<ChartId, Tract>,
+    known: Memo<ChartId, Tract>,
     broads: Memo<u64, Broad>,
 }
 
@@ -116,7 +116,7 @@ impl Tracts {
             wide: broad::wide_octaves(noise.radius_m),
             radius_m: noise.radius_m,
             fit: Fit::shared(),
-            tracts: Memo::default(),
+            known: Memo::default(),
             broads: Memo::default(),
         })
     }
@@ -133,7 +133,7 @@ impl Tracts {
 
     /// The tract of a chart's tile; none where there is no such chart.
     pub(crate) fn tract(&self, space: &dyn Atlas, chart: ChartId) -> Option<Arc<Tract>> {
-        self.tracts.value(chart, || {
+        self.known.value(chart, || {
             let noise = space.quilt(chart)?;
             let corners_m = noise
                 .quilt

@@ -37,7 +37,7 @@ impl Field {
             let mut others = Vec::new();
             let (owner, dens) = match &owner {
                 Some(owner) => {
-                    others.extend(caves.dens(self, (owner, at), 0.0, ends, REACH_M));
+                    others.extend(caves.dens(self, (owner, &[at]), ends, REACH_M));
                     (owner, &others)
                 }
                 None => (&tract, &dens),
@@ -68,7 +68,7 @@ impl Field {
         let (owner, at) = tracts.owner(space, &tract, tract.noise.written(at));
         let owner = owner.as_ref().unwrap_or(&tract);
         let ends = [pos.y, pos.y];
-        let dens = caves.dens(self, (owner, at), 0.0, ends, REACH_M);
+        let dens = caves.dens(self, (owner, &[at]), ends, REACH_M);
         Dens::new(owner, at, &dens, ends).hollow(self, pos.y)
     }
 
@@ -84,11 +84,11 @@ impl Field {
         let Some(tract) = tracts.tract(&**self.strategy(), chart) else {
             return Vec::new();
         };
-        let middle = first.midpoint(last);
-        let at = DVec2::new(tract.noise.tangent(middle.x), tract.noise.tangent(middle.z));
-        let at = tract.noise.written(at);
-        let half_m = 0.5 * (last - first).with_y(0.0).length();
-        caves.dens(self, (&tract, at), half_m, [first.y, last.y], reach_m)
+        let xs = [first.x, last.x].map(|x| tract.noise.tangent(x));
+        let zs = [first.z, last.z].map(|z| tract.noise.tangent(z));
+        let corners = [[0, 0], [0, 1], [1, 0], [1, 1]];
+        let corners = corners.map(|[i, k]| tract.noise.written(DVec2::new(xs[i], zs[k])));
+        caves.dens(self, (&tract, &corners), [first.y, last.y], reach_m)
     }
 }
 

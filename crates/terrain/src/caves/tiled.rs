@@ -24,8 +24,8 @@ const TUNNELS: f64 = 0.75;
 /// radii: what belongs to a tile comes near to none that is more than two steps away.
 const ASIDE: f64 = 0.25;
 const WAY_UP: f64 = 0.6;
-/// Charts make no metre longer than this where they are asked.
-const STRETCH: f64 = 2.0;
+/// A circle's chord is so many times its square over the radius from the arc.
+const BOW: f64 = 0.125;
 
 /// What is known of tiles.
 #[derive(Debug, Default)]
@@ -49,29 +49,33 @@ impl Tiled {
         }
     }
 
-    /// The caves that come within `reach_m` metres of a box of places of a tile, by X/W and Z/W of its middle, half its
-    /// diagonal in chart metres, and its heights.
+    /// The caves that come within `reach_m` metres of a box of places of a tile, by X/W and Z/W of its corners, and its heights.
     pub(super) fn near(
         &self,
         field: &Field,
-        (tract, at): (&Tract, DVec2),
-        half_m: f64,
+        (tract, corners): (&Tract, &[DVec2]),
         heights_m: [f64; 2],
         reach_m: f64,
     ) -> Vec<Den> {
         let Some(tracts) = field.tracts() else {
             return Vec::new();
         };
-        let aside = DVec3::new(1.0, 0.0, 1.0) * (STRETCH * half_m + reach_m);
         let mut dens = Vec::new();
         for place in 0..tract.count() {
             let key = tract.key(place).filter(|key| self.has_hall(tract, *key));
-            let (Some(key), Some(ground)) = (key, tract.ground(at, place)) else {
+            let Some(key) = key else {
                 continue;
             };
+            let grounds = corners.iter().filter_map(|at| tract.ground(*at, place));
+            let (low, high) = grounds.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |all, at| {
+                (all.0.min(at), all.1.max(at))
+            });
+            // Between two corners a straight way bows out by no more than on a circle of the radius.
+            let bow_m = BOW * (high - low).length_squared() / tract.noise.radius_m;
+            let aside = DVec3::new(1.0, 0.0, 1.0) * (bow_m + reach_m);
             let wanted = Bounds {
-                low: ground - aside + DVec3::Y * (heights_m[0] - reach_m),
-                high: ground + aside + DVec3::Y * (heights_m[1] + reach_m),
+                low: low - aside + DVec3::Y * (heights_m[0] - reach_m),
+                high: high + aside + DVec3::Y * (heights_m[1] + reach_m),
             };
             let passages = self.passages(field, tracts, tract, (place, key));
             let met = passages.iter().filter(|it| it.bounds.meets(&wanted));

@@ -123,9 +123,8 @@ impl Factor {
             for j in 0..=i {
                 let term = |it: &Place| it.weight * it.powers[i] * it.powers[j];
                 let mut sum: f64 = places.iter().map(term).sum();
-                for k in 0..j {
-                    sum -= low[i][k] * low[j][k];
-                }
+                let known = low[i].iter().zip(&low[j]).take(j);
+                sum -= known.map(|(a, b)| a * b).sum::<f64>();
                 low[i][j] = if i == j { sum.sqrt() } else { sum / low[j][j] };
             }
         }

@@ -58,14 +58,13 @@ struct Corners {
 }
 
 impl Corners {
-    fn new(spot: &Spot, octave: Octave) -> Self {
-        let mut corners = Self::default();
+    /// Takes the place of those that were there.
+    fn set(&mut self, spot: &Spot, octave: Octave) {
         let (frequencies, half) = (octave.frequencies(), octave.half_m());
-        for (corner, lot) in corners.all.iter_mut().zip(spot.lots()) {
+        for (corner, lot) in self.all.iter_mut().zip(spot.lots()) {
             *corner = Corner::new(lot, frequencies, half);
         }
-        corners.count = spot.lots().len();
-        corners
+        self.count = spot.lots().len();
     }
 
     /// Rest and rise in a plane, by what gives the gradients of a corner.
@@ -96,7 +95,7 @@ pub(crate) fn fill(
         .collect();
     let open = [4 * rows.open[0], height.min(4 * rows.open[1])];
     let mut slab = [[Vec4::ZERO; crate::relief::VECTORS]; BLOCK];
-    let mut corners = [Corners::default(); BLOCK];
+    let mut corners = vec![Corners::default(); BLOCK];
     let columns = forms.chunks(depth.max(1)).zip(spots.chunks(depth.max(1)));
     for ((forms, spots), out) in columns.zip(out.chunks_exact_mut((height * depth).max(1))) {
         let is_felt = |n: usize| forms.iter().any(|form| form.waves[n] != 0.0);
@@ -107,7 +106,7 @@ pub(crate) fn fill(
                 continue;
             }
             for (corners, spot) in corners.iter_mut().zip(spots) {
-                *corners = Corners::new(spot, layer.octave);
+                corners.set(spot, layer.octave);
             }
             let corners = &corners[..depth.min(BLOCK)];
             layer.add_planes(open, shares, &mut slab, |y, plane| {
@@ -142,11 +141,12 @@ pub(crate) fn sum_at(
     height_m: f64,
 ) -> f32 {
     let mut sum = form.start(terrace_wave(height_m));
+    let mut corners = Corners::default();
     for (octave, wave) in octaves.iter().zip(form.waves.to_array()) {
         if wave == 0.0 {
             continue;
         }
-        let corners = Corners::new(spot, *octave);
+        corners.set(spot, *octave);
         let y = LatticeCoord::new(height_m * octave.frequencies().y);
         let half = octave.half_m();
         let plane = |y: u8| corners.plane(|it| lattice.around(it.low[0], y, it.low[1]));

@@ -101,7 +101,9 @@ fn shares(field: &Field, places: impl Iterator<Item = ChartPoint>) -> BTreeMap<&
         *counts.entry(field.biome_at(place).name()).or_insert(0.0) += 1.0;
         all += 1.0;
     }
-    counts.values_mut().for_each(|count| *count /= all);
+    for count in counts.values_mut() {
+        *count /= all;
+    }
     counts
 }
 

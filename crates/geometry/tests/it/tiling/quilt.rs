@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use antipode_geometry::tiling::quilt::{
-    MOST_PATCHES, Owner, PATCH_COSH, PATCHES, Quilt, Surroundings, tangents_in_patch,
+    MOST_PATCHES, Owner, PATCH_COSH, PATCHES, Patch, Quilt, Surroundings, tangents_in_patch,
 };
 use antipode_geometry::tiling::{EDGE_TANH, Frame, Side, cylindrical_chart, rings};
 use glam::{DVec2, DVec3, DVec4};
@@ -126,7 +126,7 @@ fn tiles_have_keys_of_their_own_and_know_those_about_them() {
     assert_eq!(surroundings.centres()[0], DVec3::Z);
     for frame in frames() {
         let quilt = Quilt::new(&frame).unwrap();
-        let own: HashSet<u64> = quilt.patches().iter().map(|it| it.key()).collect();
+        let own: HashSet<u64> = quilt.patches().iter().map(Patch::key).collect();
         let about: HashSet<u64> = quilt.patches()[0].keys_around(&surroundings).collect();
         assert_eq!(own, about);
     }
