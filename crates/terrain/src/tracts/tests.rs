@@ -249,10 +249,23 @@ fn noise_in_tiles_is_as_strong_as_that_of_flat_worlds() {
     }
     let humid: Vec<_> = climates.iter().map(|it| it[0]).collect();
     let high: Vec<_> = climates.iter().map(|it| it[1]).collect();
-    println!(
-        "{:.4?} {:.4?} {:.4?}",
-        spread(&octaves),
-        spread(&humid),
-        spread(&high)
-    );
+    let world = world(1);
+    let mut tiled: [Vec<f32>; 3] = Default::default();
+    for seed in 0..24 {
+        let tracts = Tracts::new(seed, !seed, &world).unwrap();
+        let lattice = Lattice::new(seed);
+        for chart in charts(200) {
+            let at = [3.0, 11.0];
+            tiled[0].push(noises(&world, &tracts, &lattice, chart, at, 7.7)[0]);
+            let here = Climate::at_spot(&tracts.spot(&world, chart, at));
+            tiled[1].push(here.y);
+            tiled[2].push(here.z);
+        }
+    }
+    for (tiled, flat) in tiled.iter().zip([&octaves, &humid, &high]) {
+        let [tiled, flat] = [tiled, flat].map(|it| spread(it));
+        println!("{tiled:.4?} {flat:.4?}");
+        let ratio = tiled[1] / flat[1];
+        assert!((0.85..1.15).contains(&ratio), "{tiled:?} {flat:?}");
+    }
 }
