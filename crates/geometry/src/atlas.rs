@@ -4,6 +4,7 @@ use std::fmt::Debug;
 
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
+use crate::tiling::quilt::Quilt;
 use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing, Globe};
 
 /// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
@@ -280,4 +281,37 @@ pub trait Atlas: Debug + Send + Sync {
             NoiseFrame::Radial { .. } | NoiseFrame::Upright => point.pos,
         }
     }
+
+    /// The patches that the noise of a chart is found in, of a world in tiles whose noise knows no centre. There it is not
+    /// sampled at [`Atlas::noise_point`], but in each patch, at the place in it.
+    fn quilt(&self, _chart: ChartId) -> Option<NoiseQuilt> {
+        None
+    }
 }
+
+/// The patches that the noise of a chart is found in.
+#[derive(Debug, Clone)]
+pub struct NoiseQuilt {
+    /// Metres of a radius of the world.
+    pub radius_m: f64,
+    /// The chart's tile and those about it.
+    pub quilt: Quilt,
+    /// The charts of [`Quilt::around`], in its order.
+    pub charts: Vec<Option<ChartId>>,
+}
+
+impl NoiseQuilt {
+    /// X/W at x of the chart, or Z/W at z, metres. What is no number counts as 0.
+    pub fn tangent(&self, along_m: f64) -> f64 {
+        let along = along_m / self.radius_m;
+        if along.is_nan() { 0.0 } else { along.tanh() }
+    }
+
+    /// X/W and Z/W by [`Self::tangent`] of each, drawn in to where the chart is written: nobody asks what lies farther out.
+    pub fn written(&self, at: DVec2) -> DVec2 {
+        at.clamp(DVec2::splat(-WRITTEN_TANH), DVec2::splat(WRITTEN_TANH))
+    }
+}
+
+/// X/W along an axis where a chart ends, a quarter of the width of its square past the edge.
+const WRITTEN_TANH: f64 = 0.661_770_042_700_383_5;

@@ -47,7 +47,7 @@ mod triangle;
 mod uniform;
 mod view_mode;
 
-pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, SquareFrame};
+pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, NoiseQuilt, SquareFrame};
 pub use body_chart::BodyChart;
 pub use chart::{ChartId, ParseChartError};
 pub use chunk::{CHUNK_CELLS, ChunkCoord};

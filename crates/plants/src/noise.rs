@@ -1,5 +1,7 @@
 //! Numbers by chance, and slow noise: both are whole numbers stirred, the same on every machine.
 
+use antipode_geometry::ChartPoint;
+use antipode_terrain::Field;
 use glam::{DVec3, IVec2, IVec3, Vec3};
 
 /// Groves and glades are about so wide, metres; and the finer of two waves.
@@ -45,10 +47,12 @@ impl Draw {
     }
 }
 
-/// How dense the groves are at a place of the space of the noise, 0 in glades to 1.
-pub(crate) fn grove(seed: u64, place: DVec3) -> f32 {
-    let [wide, fine] = GROVE_M.map(|wide_m| value_noise(seed ^ OTHER_SEED, place / wide_m));
-    let x = WIDE * wide + (1.0 - WIDE) * fine;
+/// How dense the groves are at a point, 0 in glades to 1.
+pub(crate) fn grove(seed: u64, field: &Field, point: ChartPoint) -> f32 {
+    let x = field.blended(point, 0.5, |place| {
+        let [wide, fine] = GROVE_M.map(|wide_m| value_noise(seed ^ OTHER_SEED, place / wide_m));
+        WIDE * wide + (1.0 - WIDE) * fine
+    });
     let share = ((x - EDGES.0) / (EDGES.1 - EDGES.0)).clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }

@@ -170,12 +170,9 @@ impl<'a> Plan<'a> {
         let by = self.frame.map_or(by, |frame| frame.turned_back(by));
         let asked = ChartPoint::new(self.chart, pos + by);
         let habitat = Habitat::of(self.field.biome_at(asked).name())?;
-        let place = self
-            .field
-            .strategy()
-            .noise_point(ChartPoint::new(self.chart, pos));
+        let point = ChartPoint::new(self.chart, pos);
         let (most, least) = habitat.trees;
-        let dense = least + (1.0 - least) * grove(self.field.seed(), place);
+        let dense = least + (1.0 - least) * grove(self.field.seed(), self.field, point);
         let age = age_of(draw.share());
         if draw.share() < most * dense {
             return Some((habitat.tree(draw.share())?, age));

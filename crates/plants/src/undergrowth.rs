@@ -120,11 +120,8 @@ impl<'a> Patch<'a> {
         let growth = if sky <= CAVE_SKY {
             Growth::in_cave(kind, is_level, draw)
         } else if is_level {
-            let noise = self
-                .field
-                .strategy()
-                .noise_point(ChartPoint::new(self.coord.chart, place));
-            let dense = || grove(self.field.seed().rotate_left(7), noise);
+            let point = ChartPoint::new(self.coord.chart, place);
+            let dense = || grove(self.field.seed().rotate_left(7), self.field, point);
             Growth::in_open(kind, self.biome(Vec2::new(root.x, root.z)), dense, draw)
         } else {
             None

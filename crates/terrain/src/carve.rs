@@ -11,6 +11,8 @@ use crate::field::{FIELD_BAND_M, Field};
 use crate::kind::{Kind, sky_left};
 use crate::lattice::{Cell, LatticeCoord, SCALE, blend, fade};
 
+mod tiled;
+
 /// Waves of the walls per metre.
 const WAVES_PER_M: f64 = 0.19;
 /// Within so much of a wall it strays, metres.
@@ -48,6 +50,9 @@ impl Field {
         let Some(caves) = self.caves() else {
             return;
         };
+        if let Some(tracts) = self.tracts() {
+            return self.carve_tiled(caves, tracts, (chart, first, step_m), counts, take);
+        }
         let [width, height, depth] = counts;
         let step_m = f64::from(step_m);
         let last = first
@@ -96,6 +101,10 @@ impl Field {
             return land;
         };
         let ChartPoint { chart, pos } = point;
+        if let Some(tracts) = self.tracts() {
+            let found = self.hollow_tiled(caves, tracts, point);
+            return found.map_or(land, |hollow| land.max(hollow.value));
+        }
         let place = self.risen(self.ground_place(chart, pos.x, pos.z), pos.y);
         let bounds = Bounds {
             low: place,
@@ -120,7 +129,10 @@ impl Field {
     /// Whether any sample of a block may lie in a cave.
     pub(crate) fn is_hollow(&self, chart: ChartId, first: DVec3, last: DVec3) -> bool {
         let mut any = false;
-        if let Some(caves) = self.caves() {
+        if let (Some(caves), Some(tracts)) = (self.caves(), self.tracts()) {
+            let dens = self.dens_about(caves, tracts, chart, [first, last], STRAY_M);
+            any = !dens.is_empty();
+        } else if let Some(caves) = self.caves() {
             let bounds = self.noise_bounds(chart, first, last);
             caves.near(self, &bounds, STRAY_M, |_| any = true);
         }

@@ -8,23 +8,28 @@
 //! Places are those of noise space; the height of a place is that of its column in the chart.
 
 mod hall;
+mod lay;
 mod layout;
 mod over_ground;
 mod stretch;
 #[cfg(test)]
 #[expect(clippy::expect_used, reason = "tests fail by panicking")]
 mod tests;
+mod tiled;
 
 use std::collections::HashMap;
 use std::sync::{Arc, RwLock};
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::field::Field;
 use crate::lattice::stirred;
+use crate::tracts::Tract;
 use layout::{Open, square_of};
 use stretch::Passage;
 pub(crate) use stretch::{Bounds, STRAY_M, Stretch};
+pub(crate) use tiled::Den;
+use tiled::Tiled;
 
 /// Open worlds have no caves beyond this, metres: nobody comes there, and squares have their numbers.
 const FARTHEST: DVec3 = DVec3::splat(1e9);
@@ -42,6 +47,8 @@ pub(crate) struct Caves {
     /// Of an open one's those that come into squares which somebody has asked for. Nobody waits for it: who finds it taken
     /// lays them out himself.
     squares: RwLock<HashMap<[i64; 2], Arc<[Passage]>>>,
+    /// Of worlds in tiles.
+    tiled: Tiled,
 }
 
 impl Caves {
@@ -54,7 +61,20 @@ impl Caves {
                 .closed_radius_m()
                 .map(|radius_m| layout::closed(seed, field, radius_m)),
             squares: RwLock::default(),
+            tiled: Tiled::new(seed),
         }
+    }
+
+    /// In a world in tiles, the caves that come within `reach_m` metres of a box of places of a tile, by X/W and Z/W of its
+    /// corners, and its heights.
+    pub(crate) fn dens(
+        &self,
+        field: &Field,
+        corners: (&Tract, &[DVec2]),
+        heights_m: [f64; 2],
+        reach_m: f64,
+    ) -> Vec<Den> {
+        self.tiled.near(field, corners, heights_m, reach_m)
     }
 
     /// Calls `take` with each stretch that comes within `reach_m` of a box.

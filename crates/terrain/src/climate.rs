@@ -7,6 +7,8 @@
 //! In a closed world climates are odd: what is warm here is as cold on the other side. So however small it is, each of its
 //! two or three biomes, which the seed chooses, has land.
 
+use std::sync::Arc;
+
 use antipode_geometry::{Atlas, ChartId, ChartPoint, NoiseFrame};
 use glam::{DVec3, Vec3, Vec4};
 
@@ -14,11 +16,16 @@ use crate::biome::Biome;
 use crate::content::BEND;
 use crate::form::Form;
 use crate::lattice::{Cell, Lattice, LatticeCoord, SCALE, blend, fade, table_seed};
+use crate::tracts::{Spot, Tracts};
 
 /// How far apart the lattice points of the slow noise are in open worlds, metres: of heat, humidity and how high land lies.
 const SPREADS_M: [f64; 3] = [520.0, 500.0, 480.0];
 /// The same in closed worlds, radii.
 const CLOSED_SPREAD: f64 = 1.2;
+/// How far apart they were if worlds in tiles had some, radii.
+const TILED_SPREAD: f64 = 3.0;
+/// Standard deviation of the slow noise in open worlds, which that of worlds in tiles has, too.
+const DEVIATION: f32 = 0.305;
 /// What the noise is multiplied by, so that climates range about from -0.5 to 0.5.
 const GAIN: f32 = 1.1;
 /// What high land is colder by, as a share of how high it lies.
@@ -52,6 +59,8 @@ pub(crate) struct Climate {
     /// Lattice points per metre.
     frequencies: [f64; 3],
     is_closed: bool,
+    /// Of a world in tiles, where the climates are in the spots.
+    tracts: Option<Arc<Tracts>>,
     lands: Vec<Land>,
 }
 
@@ -60,9 +69,13 @@ impl Climate {
     /// that one likes to go on from, and another biome in reach.
     pub(crate) fn new(seed: u64, space: &dyn Atlas) -> Self {
         let start = space.noise_point(ChartPoint::new(ChartId::FIRST, DVec3::ZERO));
-        let laid_out = |n: u64| Self::laid_out(seed.wrapping_add(n.wrapping_mul(ANEW)), space);
+        let laid_out =
+            |n: u64| Self::laid_out([seed, seed.wrapping_add(n.wrapping_mul(ANEW))], space);
         let mut all = (0..TRIES).map(laid_out);
-        let found = all.find(|it| it.begins_well(start));
+        let found = all.find(|it| match &it.tracts {
+            Some(tracts) => it.begins_well_in(tracts, space),
+            None => it.begins_well(start),
+        });
         found.unwrap_or_else(|| laid_out(0))
     }
 
@@ -79,7 +92,21 @@ impl Climate {
         self.lands[first].biome.begins && (self.is_closed || is_varied())
     }
 
-    fn laid_out(seed: u64, space: &dyn Atlas) -> Self {
+    /// Whether a world in tiles may begin in its first.
+    fn begins_well_in(&self, tracts: &Tracts, space: &dyn Atlas) -> bool {
+        let Some(tract) = tracts.tract(space, ChartId::FIRST) else {
+            return true;
+        };
+        let lands = || {
+            tract
+                .middles()
+                .map(|broad| self.nearest(Self::tiled(broad)))
+        };
+        let first = lands().next().unwrap_or(0);
+        self.lands[first].biome.begins && lands().any(|land| land != first)
+    }
+
+    fn laid_out([first_seed, seed]: [u64; 2], space: &dyn Atlas) -> Self {
         let closed_m = match space.noise_frame(ChartId::FIRST) {
             NoiseFrame::Radial { radius_m } => Some(radius_m),
             NoiseFrame::Square(_) | NoiseFrame::Upright => None,
@@ -90,8 +117,12 @@ impl Climate {
             || Biome::all().iter().map(Land::new).collect(),
             |radius_m| closed_lands(seed, radius_m),
         );
-        let spread_m = |n: usize| closed_m.map_or(SPREADS_M[n], |it| CLOSED_SPREAD * it);
+        let tracts = Tracts::new(first_seed, seed, space).map(Arc::new);
+        let tiled_m = tracts.as_ref().map(|it| TILED_SPREAD * it.radius_m());
+        let closed_m = closed_m.map(|it| CLOSED_SPREAD * it);
+        let spread_m = |n: usize| closed_m.or(tiled_m).unwrap_or(SPREADS_M[n]);
         Self {
+            tracts,
             lattice: Lattice::new(seed),
             frequencies: [0, 1, 2].map(|n| spread_m(n).recip()),
             is_closed: closed_m.is_some(),
@@ -114,8 +145,26 @@ impl Climate {
             let odd = |n: usize| GAIN * (self.noise(n, place) - self.noise(n, -place));
             return Vec4::new(odd(0), odd(1), 0.0, 0.0);
         }
-        let climate = self.uncooled(place);
+        Self::cooled(self.uncooled(place))
+    }
+
+    /// The climate at a spot of a world in tiles.
+    #[inline]
+    pub(crate) fn at_spot(spot: &Spot) -> Vec4 {
+        Self::tiled(spot.climate())
+    }
+
+    fn tiled(broad: Vec4) -> Vec4 {
+        Self::cooled(broad * (GAIN * DEVIATION))
+    }
+
+    fn cooled(climate: Vec4) -> Vec4 {
         climate - Vec4::X * (COOLS * climate.z.max(0.0))
+    }
+
+    /// The spots of a world in tiles.
+    pub(crate) fn tracts(&self) -> Option<&Arc<Tracts>> {
+        self.tracts.as_ref()
     }
 
     /// The climate of an open world's place, if high land were no colder.

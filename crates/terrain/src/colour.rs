@@ -140,8 +140,11 @@ impl<'a> Painter<'a> {
             (Some(sites), Some(climate)) => sites.at(self.field, climate, point),
             _ => self.paint,
         };
-        let place = places.at(self.field, point);
-        let [wander, mottle] = waves.at(self.field.lattice(), place);
+        let lattice = self.field.lattice();
+        let [wander, mottle] = match self.field.spot(point.chart, point.pos.x, point.pos.z) {
+            Some(spot) => waves.over(lattice, &spot, point.pos.y),
+            None => waves.at(lattice, places.at(self.field, point)),
+        };
         let height = ((point.pos.y - self.offset_m) * self.scale) as f32;
 
         let level = height + WANDER_M * wander;

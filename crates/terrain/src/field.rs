@@ -12,6 +12,7 @@
 //! and neither patience nor a bounded edit would ever catch up with it.
 
 mod land;
+mod tiled;
 
 use std::sync::Arc;
 
@@ -26,6 +27,7 @@ use crate::generator::Generator;
 use crate::lattice::Lattice;
 use crate::relief::{BLOCK, Ground, Relief};
 use crate::tilted::{self, Heights};
+use crate::tracts::Tracts;
 use crate::upright::{self, Grid};
 
 /// Field values lie within this of zero, metres.
@@ -48,6 +50,8 @@ pub struct Field {
     /// The biome of a world of one.
     alone: &'static Biome,
     climate: Option<Arc<Climate>>,
+    /// Where the noise of a world in tiles is found.
+    tracts: Option<Arc<Tracts>>,
     caves: Option<Arc<Caves>>,
     octaves: Vec<Octave>,
     relief: Relief,
@@ -81,9 +85,14 @@ impl Field {
                 land::LOWEST_M,
             ),
         };
+        let tracts = climate.as_ref().map_or_else(
+            || Tracts::new(seed, seed, &*strategy).map(Arc::new),
+            |climate| climate.tracts().cloned(),
+        );
         let mut field = Self {
             generator,
             seed,
+            tracts,
             lattice: Arc::new(Lattice::new(seed)),
             relief: Relief::new(sums_m, lowest_m, bounds),
             alone,
@@ -134,6 +143,9 @@ impl Field {
     /// [`Self::sample`] as if there were no caves.
     pub fn land(&self, point: ChartPoint) -> f32 {
         let ChartPoint { chart, pos } = point;
+        if let Some(spot) = self.spot(chart, pos.x, pos.z) {
+            return self.land_over(&spot, pos.y);
+        }
         let sum = match self.strategy.noise_frame(chart) {
             NoiseFrame::Square(frame) => return self.land_square(frame.placed(pos)),
             NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
@@ -177,6 +189,9 @@ impl Field {
             step_m: DVec3::splat(step_m),
             counts,
         };
+        if let Some(tracts) = &self.tracts {
+            return self.fill_tiled(tracts, chart, &grid, out);
+        }
         match self.strategy.noise_frame(chart) {
             NoiseFrame::Square(frame) => self.fill_square(frame, &grid, out),
             NoiseFrame::Radial { .. } | NoiseFrame::Upright => self.fill_tilted(chart, &grid, out),

@@ -180,6 +180,16 @@ impl Lattice {
         codes
     }
 
+    /// The gradients of the four corners `x + 2 z` of a cell in a lattice plane of constant y, by axis.
+    #[inline]
+    pub(crate) fn around(&self, x: u8, y: u8, z: u8) -> [Vec4; 3] {
+        let [a, b] = self.pair(x, y);
+        let [c, d] = [a, b].map(|column| Vec4::from(self.entry(column, z.wrapping_add(1))));
+        let [a, b] = [a, b].map(|column| Vec4::from(self.entry(column, z)));
+        let by_axis = Mat4::from_cols(a, b, c, d).transpose();
+        [by_axis.x_axis, by_axis.y_axis, by_axis.z_axis]
+    }
+
     /// The gradient at `z` in a column of [`Self::pair`].
     #[inline]
     pub(crate) fn gradient(&self, column: u8, z: u8) -> [f32; 3] {

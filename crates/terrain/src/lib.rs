@@ -45,6 +45,7 @@ mod tables;
 mod thing;
 mod tilted;
 mod tint;
+mod tracts;
 mod tuft;
 mod undo;
 mod upright;

@@ -5,7 +5,8 @@ use glam::{DVec3, Vec4};
 
 use crate::field::Field;
 use crate::fractal::AXIS_FREQUENCY;
-use crate::lattice::{Cell, Lattice, LatticeCoord, SCALE, blend, fades};
+use crate::lattice::{Cell, Lattice, LatticeCoord, SCALE, blend, fade, fades};
+use crate::tracts::Spot;
 
 /// Adding this to a small whole number leaves it in the low bits.
 const ROUNDS: f32 = 8_388_608.0;
@@ -66,7 +67,28 @@ impl Waves {
     }
 }
 
+impl Waves {
+    /// [`Self::at`] at a height over a spot of a world in tiles.
+    pub(crate) fn over(&mut self, lattice: &Lattice, spot: &Spot, y: f64) -> [f32; 2] {
+        let waves = self.waves.each_mut();
+        waves.map(|wave| {
+            spot.blended(y, |place| wave.noise(lattice, place))
+                .clamp(-1.0, 1.0)
+        })
+    }
+}
+
 impl Wave {
+    /// Noise, about -1 to 1, at a point of noise space, however far.
+    fn noise(&mut self, lattice: &Lattice, point: DVec3) -> f32 {
+        let at = (point * self.frequency).to_array();
+        let [x, y, z] = at.map(LatticeCoord::new);
+        let cell = self.cell(lattice, [x.low, y.low, z.low]);
+        let corners = cell.corners(x.part, y.part, z.part, fade(z.part));
+        let (u, v) = (Vec4::splat(fade(x.part)), Vec4::splat(fade(y.part)));
+        blend([corners; 4], u, v).x * SCALE
+    }
+
     fn new(frequency: f64) -> Self {
         let frequency = AXIS_FREQUENCY * frequency;
         Self {

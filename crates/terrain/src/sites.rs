@@ -151,7 +151,7 @@ impl<T: Site> Sites<T> {
             return self.found[at];
         }
         let [x, z] = key.map(|n| n as f64 * self.spacing_m);
-        let here = climate.at(field.ground_place(point.chart, x, z));
+        let here = field.climate_at(climate, point.chart, [x, z]);
         let site = T::at(&self.paints, climate, here);
         if self.found.is_empty() {
             self.found = vec![site; self.keys.len()];

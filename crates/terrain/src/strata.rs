@@ -205,6 +205,12 @@ impl<'a> Strata<'a> {
     }
 
     fn wave(&self, memo: &mut Memo, pos: DVec3) -> Node {
+        if let Some(spot) = self.field.spot(self.coord.chart, pos.x, pos.z) {
+            let lattice = self.field.lattice();
+            let [wander, patch] = memo.waves.over(lattice, &spot, pos.y);
+            let [a, b] = memo.veins.over(lattice, &spot, pos.y * VEIN_RISE);
+            return Vec4::new(wander, patch, a, b);
+        }
         let mut place = |y: f64| {
             let pos = DVec3::new(pos.x, y, pos.z);
             memo.places

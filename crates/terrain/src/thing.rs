@@ -49,7 +49,7 @@ impl Field {
     /// over a cave.
     pub fn footing(&self, chart: ChartId, x: f64, z: f64) -> Option<Footing> {
         let land = |x: f64, y: f64, z: f64| self.land(ChartPoint::new(chart, DVec3::new(x, y, z)));
-        let about_m = self.land_height(self.ground_place(chart, x, z));
+        let about_m = self.land_height_at(chart, x, z);
         let (mut ground_m, mut air_m) = (about_m - NEAR_M, about_m + NEAR_M);
         if land(x, ground_m, z) >= 0.0 || land(x, air_m, z) < 0.0 {
             return None;

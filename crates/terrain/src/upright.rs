@@ -17,7 +17,7 @@ use crate::relief::{BLOCK, Ground, Relief, Rows, VECTORS};
 const OCTAVES: usize = 4;
 
 /// Samples of constant x: rows of constant y, along z.
-type Slab = [[Vec4; VECTORS]; BLOCK];
+pub(crate) type Slab = [[Vec4; VECTORS]; BLOCK];
 
 /// The points of a grid along one axis of one octave.
 struct Axis {
@@ -27,14 +27,14 @@ struct Axis {
 }
 
 /// A lattice plane of constant y over a slab: noise is `rest + rise * (y - plane)`.
-struct Plane {
-    rest: [f32; BLOCK],
-    rise: [f32; BLOCK],
+pub(crate) struct Plane {
+    pub rest: [f32; BLOCK],
+    pub rise: [f32; BLOCK],
 }
 
 /// One octave over a grid, as far as it is the same for every slab.
-struct Layer {
-    octave: Octave,
+pub(crate) struct Layer {
+    pub octave: Octave,
     held_m: [f32; 2],
     ys: Axis,
     zs: Axis,
@@ -50,14 +50,14 @@ pub(crate) struct Grid {
 }
 
 /// What the columns of one slab make of the octaves, along z.
-struct Forms {
-    waves: [[Vec4; VECTORS]; OCTAVES],
+pub(crate) struct Forms {
+    pub waves: [[Vec4; VECTORS]; OCTAVES],
     fall_m: [Vec4; VECTORS],
     terraces: [Vec4; VECTORS],
 }
 
 impl Forms {
-    fn new(forms: &[Form]) -> Self {
+    pub(crate) fn new(forms: &[Form]) -> Self {
         let lane = |number: &dyn Fn(&Form) -> f32| {
             let mut lane = [0.0; BLOCK];
             for (out, form) in lane.iter_mut().zip(forms) {
@@ -69,6 +69,18 @@ impl Forms {
             waves: std::array::from_fn(|n| lane(&|form| form.waves[n])),
             fall_m: lane(&|form| form.fall_m),
             terraces: lane(&|form| form.terraces),
+        }
+    }
+
+    /// Begins the sums of rows from the first to before the second.
+    pub(crate) fn begin(&self, rows: &Rows, [from, to]: [usize; 2], slab: &mut Slab) {
+        for (row, sums) in slab.iter_mut().enumerate().take(to).skip(from) {
+            let wave = rows.waves[row / 4][row % 4];
+            for (sum, (&terraces, &fall_m)) in
+                sums.iter_mut().zip(self.terraces.iter().zip(&self.fall_m))
+            {
+                *sum = terraces * wave + fall_m;
+            }
         }
     }
 }
@@ -93,15 +105,7 @@ pub(crate) fn fill(
         let x = grid.first.x + i as f64 * grid.step_m.x;
         let open = [4 * rows.open[0], height.min(4 * rows.open[1])];
         let forms = Forms::new(&forms[i * depth..][..depth]);
-        for (row, sums) in slab.iter_mut().enumerate().take(open[1]).skip(open[0]) {
-            let wave = rows.waves[row / 4][row % 4];
-            for (sum, (&terraces, &fall_m)) in sums
-                .iter_mut()
-                .zip(forms.terraces.iter().zip(&forms.fall_m))
-            {
-                *sum = terraces * wave + fall_m;
-            }
-        }
+        forms.begin(rows, open, &mut slab);
         for (layer, shares) in layers.iter().zip(&forms.waves) {
             layer.add(lattice, x, open, shares, &mut slab);
         }
@@ -151,7 +155,7 @@ pub(crate) fn extremes(
 }
 
 /// Turns the sums of a slab into columns of the field.
-fn write(relief: &Relief, rows: &Rows, slab: &Slab, height: usize, out: &mut [f32]) {
+pub(crate) fn write(relief: &Relief, rows: &Rows, slab: &Slab, height: usize, out: &mut [f32]) {
     let height = height.max(1);
     let mut values = [rows.edge; 4];
     for (v, columns) in out.chunks_mut(4 * height).enumerate() {
@@ -189,7 +193,7 @@ impl Axis {
 }
 
 impl Layer {
-    fn new(octave: Octave, grid: &Grid) -> Self {
+    pub(crate) fn new(octave: Octave, grid: &Grid) -> Self {
         let Grid { first, step_m, .. } = *grid;
         let [_, height, depth] = grid.counts;
         let frequency = octave.frequencies();
@@ -213,6 +217,19 @@ impl Layer {
         slab: &mut Slab,
     ) {
         let place = LatticeCoord::new(x * self.octave.frequencies().x);
+        let plane = |y: u8, plane: &mut Plane| self.fill_plane(lattice, place, y, plane);
+        self.add_planes([from, to], shares, slab, plane);
+    }
+
+    /// Adds the octave to the rows `from..to` of a slab whose lattice planes `fill` fills, so many times of each column.
+    #[inline]
+    pub(crate) fn add_planes(
+        &self,
+        [from, to]: [usize; 2],
+        shares: &[Vec4; VECTORS],
+        slab: &mut Slab,
+        mut fill: impl FnMut(u8, &mut Plane),
+    ) {
         let [least, most] = self.held_m.map(Vec4::splat);
         let vectors = self.depth.div_ceil(4);
         let mut known = None;
@@ -223,9 +240,9 @@ impl Layer {
                 if known == Some(y.wrapping_sub(1)) {
                     std::mem::swap(&mut low, &mut high);
                 } else {
-                    self.fill_plane(lattice, place, y, &mut low);
+                    fill(y, &mut low);
                 }
-                self.fill_plane(lattice, place, y.wrapping_add(1), &mut high);
+                fill(y.wrapping_add(1), &mut high);
                 known = Some(y);
             }
             let (near, fade) = (self.ys.part[row], Vec4::splat(self.ys.fade[row]));

@@ -8,9 +8,10 @@ use super::chart::SquareChart;
 use super::tiles::Tiles;
 use crate::kernel::distance;
 use crate::tiling::APOTHEM;
+use crate::tiling::quilt::Quilt;
 use crate::{
     Atlas, CHUNK_CELLS, ChartId, ChartPoint, Crossing, Curvature, Domain, Eye, Map, Metric,
-    NoiseFrame, Viewer,
+    NoiseFrame, NoiseQuilt, Viewer,
 };
 
 /// How far past an edge a body goes before it changes charts, metres. What it goes past is carried exactly; this keeps a body on
@@ -205,13 +206,23 @@ impl Atlas for HyperbolicWorld {
     }
 
     /// The Poincare disc about the root, as large as the plane at its middle. Continuous it is, but the plane is crowded at the
-    /// disc's edge: noise fit for land is made tile by tile.
+    /// disc's edge: land goes by [`Atlas::quilt`].
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
         let level = self.level(point.pos);
         let at = self.tiles.way(point.chart, ChartId::FIRST);
         let at = at.map_or(level, |way| way * level);
         let scale = 2.0 * self.chart.radius_m / (1.0 + at.w);
         DVec3::new(at.x * scale, point.pos.y, at.z * scale)
+    }
+
+    fn quilt(&self, chart: ChartId) -> Option<NoiseQuilt> {
+        let quilt = Quilt::new(&self.tiles.frame(chart)?).ok()?;
+        let charts = quilt.around().iter().map(|it| self.tiles.chart(it.frame()));
+        Some(NoiseQuilt {
+            radius_m: self.chart.radius_m,
+            charts: charts.collect(),
+            quilt,
+        })
     }
 }
 

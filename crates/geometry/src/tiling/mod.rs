@@ -19,6 +19,7 @@ mod isometry;
 mod number;
 mod path;
 mod place;
+pub mod quilt;
 mod side;
 mod tile;
 mod wide;

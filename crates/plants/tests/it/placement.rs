@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use antipode_geometry::{
-    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy,
+    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Geometry, HyperbolicWorld, Strategy, strategy,
 };
 use antipode_plants::{Species, placed};
 use antipode_terrain::{Field, Generator, Thing};
@@ -188,4 +188,27 @@ fn what_stands_where_is_told_by_the_seed() {
             ][..]
         )
     );
+}
+
+#[test]
+fn as_much_stands_on_the_tiles_of_the_hyperbolic_world_as_on_flat_land() {
+    let world = Arc::new(HyperbolicWorld::new(HyperbolicWorld::RADII_M[1]));
+    let (mut plain, mut tiled) = (0, 0);
+    for seed in 1000..1004 {
+        let field = Field::new(seed, world.clone());
+        for chart in (0..24).map(|n| ChartId::new(n * 31)) {
+            for (place, _) in in_square(&field, chart, [-1, -1], 2) {
+                assert!(place.x.abs().max(place.z.abs()) <= SIDE, "{place}");
+                tiled += 1;
+            }
+        }
+        let field = Field::new(seed, flat());
+        for n in 0..24 {
+            let low = [n % 5 * 11 - 20, n / 5 * 11 - 20];
+            plain += in_square(&field, ChartId::FIRST, low, 2).len();
+        }
+    }
+    println!("{tiled} in tiles, {plain} on flat land");
+    let ratio = f64::from(tiled) / plain as f64;
+    assert!((0.6..1.6).contains(&ratio), "{tiled} {plain}");
 }

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
+use super::lay::Lay;
 use super::layout::{chance, either_way};
 use super::over_ground::{on_ground, sideways, sideways_of};
 use super::stretch::{FLOOR, Knot, Passage, STRAY_M, Stretch};
-use crate::field::Field;
 
 /// Of all halls these are great.
 const GREAT: f64 = 0.3;
@@ -36,7 +36,7 @@ pub(super) struct Hall {
 
 impl Hall {
     /// That of a place, if there is room for it.
-    pub(super) fn new(field: &Field, key: u64, ground: DVec3) -> Option<Self> {
+    pub(super) fn new(field: &Lay<'_>, key: u64, ground: DVec3) -> Option<Self> {
         let share = chance(key, 3);
         let radius_m = if chance(key, 4) < GREAT {
             9.0 + 5.0 * share
@@ -59,8 +59,15 @@ impl Hall {
         })
     }
 
+    /// The same hall, its place told otherwise.
+    pub(super) fn moved(mut self, ground: DVec3) -> Self {
+        self.ground = ground;
+        self.knot.ground = ground;
+        self
+    }
+
     /// The hall itself: longer than wide.
-    pub(super) fn hollow(&self, field: &Field) -> Passage {
+    pub(super) fn hollow(&self, field: &Lay<'_>) -> Passage {
         let turned = either_way(self.key, 6);
         let across = sideways(field, self.ground, turned) * (0.7 * self.knot.radius_m);
         let end = |sign: f64| {
@@ -85,7 +92,7 @@ impl Hall {
     }
 
     /// The way up to the surface, where that is lowest about.
-    pub(super) fn way_up(&self, field: &Field, length_m: f64) -> Passage {
+    pub(super) fn way_up(&self, field: &Lay<'_>, length_m: f64) -> Passage {
         let around = (0..8).map(|n| {
             let heading = sideways(field, self.ground, f64::from(n) / 4.0 - 1.0);
             (
@@ -130,7 +137,7 @@ impl Hall {
 }
 
 /// A tunnel from hall to hall.
-pub(super) fn tunnel(field: &Field, key: u64, [from, to]: [Hall; 2]) -> Passage {
+pub(super) fn tunnel(field: &Lay<'_>, key: u64, [from, to]: [Hall; 2]) -> Passage {
     let way = to.ground - from.ground;
     let side = sideways_of(field, from.ground, way);
     let length_m = way.length();
@@ -179,7 +186,7 @@ pub(super) fn tunnel(field: &Field, key: u64, [from, to]: [Hall; 2]) -> Passage 
 }
 
 /// How much solid land there is over caves at least, metres.
-fn cover_m(field: &Field) -> f64 {
+fn cover_m(field: &Lay<'_>) -> f64 {
     let closed_m = field
         .closed_radius_m()
         .map(|radius_m| COVER_SHARE * radius_m);
@@ -198,7 +205,7 @@ fn level_off(knots: &mut [Knot], apart_m: f64) {
 }
 
 /// The radius and height that a cave can have below land so high, as wide and as near the height as there is room for.
-fn fitted(field: &Field, surface_m: f64, radius_m: f64, height_m: f64) -> Option<(f64, f64)> {
+fn fitted(field: &Lay<'_>, surface_m: f64, radius_m: f64, height_m: f64) -> Option<(f64, f64)> {
     let Some(limits) = field.strategy().limits() else {
         return Some((radius_m, height_m));
     };

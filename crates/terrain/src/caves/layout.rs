@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::hall::{Hall, tunnel};
+use super::lay::Lay;
 use super::stretch::Passage;
 use crate::field::Field;
 use crate::lattice::stirred;
@@ -18,12 +19,12 @@ const TRIES: u64 = 12;
 const FARTHEST_M: f64 = 170.0;
 /// Of these parts of all squares there is a hall, of the halls a way up, of the pairs beside each other a tunnel.
 const HALLS: f64 = 0.95;
-const WAYS_UP: f64 = 0.65;
+pub(super) const WAYS_UP: f64 = 0.65;
 const TUNNELS: f64 = 0.75;
 /// Halls of closed worlds nearer than this to one with a way up have none of their own, metres.
 const WAYS_APART_M: f64 = 250.0;
 /// How far from its hall a way in begins, metres, and no further than that of the radius of closed worlds.
-const WAY_UP_M: f64 = 52.0;
+pub(super) const WAY_UP_M: f64 = 52.0;
 const WAY_UP_SHARE: f64 = 0.9;
 
 /// Chance by a key, each number another: 0 to 1.
@@ -74,7 +75,7 @@ impl Open<'_> {
 
     /// What belongs to a square: its hall, the way up from there, and tunnels to the next two squares' halls.
     pub(super) fn passages(&self, [i, k]: [i64; 2]) -> Vec<Passage> {
-        let field = self.field;
+        let field = &Lay::of_world(self.field);
         let hall = |i, k| {
             let (key, place) = self.place(i, k)?;
             Hall::new(field, key, place)
@@ -100,6 +101,7 @@ impl Open<'_> {
 /// All caves of a closed world.
 pub(super) fn closed(seed: u64, field: &Field, radius_m: f64) -> Vec<Passage> {
     let count = (4.0 * std::f64::consts::PI * radius_m * radius_m / CLOSED_M2).round() as usize;
+    let field = &Lay::of_world(field);
     let mut halls: Vec<Hall> = Vec::new();
     for n in 0..count.max(FEWEST) as u64 {
         let key = stirred(seed ^ n);

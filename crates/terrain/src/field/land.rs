@@ -25,7 +25,7 @@ pub(super) const LOWEST_M: f64 = 1.5;
 /// How many there are.
 const OCTAVES: i32 = 4;
 /// After so many tries of a height it is within centimetres of land's, where that is no cliff.
-const HEIGHT_TRIES: u32 = 5;
+pub(super) const HEIGHT_TRIES: u32 = 5;
 /// Room for the rounding of what is between forms, metres.
 const ROUNDING_M: f32 = 1e-3;
 
@@ -45,7 +45,7 @@ impl Field {
         let Some(climate) = &self.climate else {
             return self.alone;
         };
-        let here = climate.at(self.ground_place(point.chart, point.pos.x, point.pos.z));
+        let here = self.climate_at(climate, point.chart, [point.pos.x, point.pos.z]);
         climate.lands()[climate.nearest(here)].biome
     }
 
@@ -54,7 +54,7 @@ impl Field {
         let Some(climate) = &self.climate else {
             return self.alone.ground_colours();
         };
-        let here = climate.at(self.ground_place(point.chart, point.pos.x, point.pos.z));
+        let here = self.climate_at(climate, point.chart, [point.pos.x, point.pos.z]);
         let mut sums = [Vec4::ZERO; 3];
         climate.colour_shares(here, |n, share| {
             let colours = climate.lands()[n].biome.ground_colours();
@@ -66,6 +66,14 @@ impl Field {
             let [r, g, b, _] = LightTables::get().bytes(sum);
             [r, g, b]
         })
+    }
+
+    /// The climate over `(x, z)`.
+    pub(crate) fn climate_at(&self, climate: &Climate, chart: ChartId, [x, z]: [f64; 2]) -> Vec4 {
+        match self.spot(chart, x, z) {
+            Some(spot) => Climate::at_spot(&spot),
+            None => climate.at(self.ground_place(chart, x, z)),
+        }
     }
 
     /// The caves of a world that has some.
@@ -128,17 +136,7 @@ impl Field {
     /// height that its own noise asks for.
     pub(crate) fn land_height(&self, ground: DVec3) -> f64 {
         let column = self.column_over(ChartId::FIRST, ground);
-        let mut height_m = self.relief.middle_m();
-        for n in 0..HEIGHT_TRIES {
-            let sum = tilted::sum_at(&self.lattice, &self.octaves, &column, height_m);
-            let found_m = self.relief.height_m(sum);
-            height_m = if n == 0 {
-                found_m
-            } else {
-                f64::midpoint(height_m, found_m)
-            };
-        }
-        height_m
+        self.height_tried(|y| tilted::sum_at(&self.lattice, &self.octaves, &column, y))
     }
 
     /// What the column at a place of noise space on the ground makes of the octaves.

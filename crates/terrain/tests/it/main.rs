@@ -19,3 +19,4 @@ mod levels;
 mod mesh;
 mod seams;
 mod tiled;
+mod tiles;

@@ -238,6 +238,7 @@ const EXCUSED: &[(&str, &str)] = &[
         "Atlas::noise_point",
         "continuity over the equator is what counts: tests/it/space/crossing.rs",
     ),
+    ("Atlas::tangent", "a tangent of a ratio"),
     ("Optics::reference", "the eye or the pole"),
     ("Optics::sight_limit_m", "a constant times the radius"),
     ("Optics::trims", "a comparison: tests/it/space/horizon.rs"),

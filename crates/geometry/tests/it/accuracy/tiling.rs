@@ -14,6 +14,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("TilePath", include_str!("../../../src/tiling/path.rs")),
     ("number", include_str!("../../../src/tiling/number.rs")),
     ("tile_chart", include_str!("../../../src/tiling/chart.rs")),
+    ("Quilt", include_str!("../../../src/tiling/quilt.rs")),
 ];
 
 /// Held by the rows of tiling.json, in tests/it/tiling/reference.rs.
@@ -38,4 +39,9 @@ pub const EXCUSED: &[(&str, &str)] = &[
         "a whole number; every frame goes by it",
     ),
     ("place::place", "a decision: tests/it/tiling/places.rs"),
+    ("Quilt::new", "a bound of a list: tests/it/tiling/quilt.rs"),
+    (
+        "Quilt::each",
+        "that all who share a place find the same is what counts: tests/it/tiling/quilt.rs",
+    ),
 ];

@@ -6,4 +6,5 @@ mod frames;
 mod ground;
 mod paths;
 mod places;
+mod quilt;
 mod reference;
