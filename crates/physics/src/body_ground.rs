@@ -38,6 +38,11 @@ impl PhysicsWorld {
 }
 
 impl BodyGround<'_> {
+    /// Whether bodies move in frames of their own.
+    pub(crate) fn curved(&self) -> bool {
+        self.curved.is_some()
+    }
+
     /// What a body moves in at a place of the chart (m); none where that is the chart.
     pub(crate) fn frame(&self, at: DVec3) -> Option<BodyFrame<'_>> {
         let (space, chart) = self.curved?;

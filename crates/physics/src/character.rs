@@ -14,6 +14,13 @@ const LONGEST_MOVE_S: f64 = 0.25;
 /// How far around a move terrain is looked at, beyond the move itself (m).
 const REACH_M: f64 = 0.3;
 
+/// Where somebody is put down beside what is steeper in the space than in its chart, he comes to stand in so many steps of so many
+/// seconds, so near, metres: slopes that are too steep are as long.
+const SETTLES: (usize, f64, f64) = (300, 1.0 / 60.0, 8.0);
+
+/// How often a height is mended to which another length of a level metre belongs.
+const REFINEMENTS: usize = 3;
+
 /// Rises and drops of the feet in one move beyond the steepest slope, plus this (m), are stairs.
 const STAIR_SLACK_M: f64 = 0.02;
 
@@ -192,16 +199,38 @@ impl BodyGround<'_> {
         tuning: &CharacterTuning,
         most_m: f64,
     ) -> bool {
-        if !character.feet.is_finite() || !self.lower(character, tuning, [0.0, most_m]) {
+        if !character.feet.is_finite() {
             return false;
         }
-        if self.frame(character.feet).is_some() {
-            // Down there a level metre is another one: on a slope the ground is a little higher or lower for it.
-            self.lower(character, tuning, [tuning.step_height_m, tuning.snap_m]);
+        if !self.lower(character, tuning, [0.0, most_m]) {
+            return self.curved() && self.settle_down(character, tuning);
+        }
+        if self.curved() {
+            // Down there a level metre is another one: on a slope the ground is a little higher or lower for it, each time a
+            // hundredth of the time before.
+            for _ in 0..REFINEMENTS {
+                self.lower(character, tuning, [tuning.step_height_m, tuning.snap_m]);
+            }
         }
         character.velocity = DVec3::ZERO;
         character.grounded = true;
         true
+    }
+
+    /// Lets a character slide to where it stands, if that is near; whether it does.
+    fn settle_down(&self, character: &mut Character, tuning: &CharacterTuning) -> bool {
+        let (steps, step_s, near_m) = SETTLES;
+        let mut slid = Character::at(character.feet);
+        for _ in 0..steps {
+            self.move_character(&mut slid, tuning, &CharacterInput::default(), step_s);
+        }
+        let stands = slid.grounded && slid.feet.distance(character.feet) < near_m;
+        if stands {
+            character.feet = slid.feet;
+            character.velocity = DVec3::ZERO;
+            character.grounded = true;
+        }
+        stands
     }
 
     /// Puts the feet where they stand, no more than so far up and down; whether there is such a place.

