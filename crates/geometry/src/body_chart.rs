@@ -13,6 +13,7 @@
 
 use glam::{DVec3, DVec4};
 
+use crate::body_frame::plane_place;
 use crate::charts::cylindrical;
 use crate::scalar::{atan_k, cos_s, sinc_s};
 use crate::{ChartPoint, Crossing, Curvature, Eye, Strategy};
@@ -45,6 +46,14 @@ impl<'a> BodyChart<'a> {
             foot,
             curvature: space.curvature(),
         }
+    }
+
+    /// Where points on the plane y = 0 are in this chart: [`Self::pos`] of one after another, for which what depends on the foot
+    /// alone is worked out once.
+    pub(crate) fn plane_viewer(&self) -> impl Fn(ChartPoint) -> DVec3 + use<'_> {
+        let viewer = self.space.viewer(&self.foot);
+        let Curvature { sign, radius_m, .. } = self.curvature;
+        move |point| plane_place(&viewer, radius_m, sign, point)
     }
 
     /// How many metres of the space a level metre of the chart is at a height in metres, over the foot: `C(y/R)`, not

@@ -11,13 +11,14 @@
 //! the arithmetic that shaders mirror in [`kernel`]. A fourth space is a folder beside these, with its
 //! `ENTRY`, and a variant of [`Geometry`] (`kind.rs`). [`tiling`] is the hyperbolic plane in squares, in exact numbers, and
 //! [`HyperbolicWorld`] the space over it, of which the game makes no world yet. [`BodyChart`] is a chart about a body, in any
-//! space.
+//! space, and [`BodyFrame`] what the body moves in there.
 //!
 //! Conventions: column vectors; view coordinates are x right, y up, z back, with xyz in metres
 //! and w without unit, so that the flat limit is regular; the eye is at (0, 0, 0, 1).
 
 mod atlas;
 mod body_chart;
+mod body_frame;
 mod chart;
 pub mod charts;
 mod chunk;
@@ -49,6 +50,7 @@ mod view_mode;
 
 pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, NoiseQuilt, SquareFrame};
 pub use body_chart::BodyChart;
+pub use body_frame::BodyFrame;
 pub use chart::{ChartId, ParseChartError};
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
 pub use chunk_cube::ChunkCube;

@@ -80,6 +80,12 @@ pub trait Metric {
         distance::from_eye(it.sign, it.per_m, it.radius_m, view.to_array())
     }
 
+    /// Whether bodies move in the chart itself and know no other metre than its own: where space is flat, and where land is, seen
+    /// through a lens. Where it is not so, each moves in a chart of its own ([`crate::BodyFrame`]).
+    fn moves_in_chart(&self) -> bool {
+        true
+    }
+
     /// A velocity of the chart at a point in metres of the space along the axes of the chart's frame there. The same where
     /// bodies know no other metre than the chart's.
     fn in_frame(&self, _at: ChartPoint, velocity: DVec3) -> DVec3 {

@@ -4,7 +4,13 @@
 #[path = "../tests/it/common/mod.rs"]
 mod common;
 
-use antipode_physics::{Character, CharacterInput, CharacterTuning, ChartGround};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use antipode_geometry::{ChartId, Geometry, Strategy, strategy};
+use antipode_physics::{
+    Character, CharacterInput, CharacterTuning, ChartGround, PhysicsWorld, TerrainCollider,
+};
 use common::{STEP_S, Soup, bumps, coord};
 use divan::{Bencher, black_box};
 use glam::{DVec3, IVec3, Vec3};
@@ -32,9 +38,31 @@ fn cave() -> Soup {
     soup
 }
 
+/// With vertices that neighbours share, as those of the game's chunks are.
+fn welded(soup: &Soup) -> TerrainCollider {
+    let mut numbers = HashMap::new();
+    let mut positions = Vec::new();
+    let shared: Vec<u32> = soup
+        .positions
+        .iter()
+        .map(|at| {
+            *numbers.entry(at.map(f32::to_bits)).or_insert_with(|| {
+                positions.push(*at);
+                positions.len() as u32 - 1
+            })
+        })
+        .collect();
+    let triangles: Vec<_> = soup
+        .triangles
+        .iter()
+        .map(|corners| corners.map(|it| shared[it as usize]))
+        .collect();
+    TerrainCollider::build(&positions, &triangles).unwrap()
+}
+
 /// Nine chunks around the one in the middle.
 fn land() -> ChartGround {
-    let collider = cave().build();
+    let collider = welded(&cave());
     let mut world = ChartGround::new();
     for (x, z) in (-1..=1).flat_map(|x| (-1..=1).map(move |z| (x, z))) {
         let at = DVec3::new(f64::from(x), 0.0, f64::from(z)) * 32.0;
@@ -47,7 +75,7 @@ fn land() -> ChartGround {
 fn player(world: &ChartGround) -> Character {
     let mut character = Character::at(DVec3::new(16.0, 6.0, 16.0));
     for _ in 0..120 {
-        world.move_character(
+        world.in_chart().move_character(
             &mut character,
             &CharacterTuning::default(),
             &CharacterInput::default(),
@@ -86,7 +114,9 @@ fn sprint_one_step(bencher: Bencher<'_, '_>) {
             sprint: true,
             ..CharacterInput::default()
         };
-        world.move_character(&mut character, &tuning, &input, STEP_S);
+        world
+            .in_chart()
+            .move_character(&mut character, &tuning, &input, STEP_S);
     });
 }
 
@@ -95,7 +125,47 @@ fn stand_one_step(bencher: Bencher<'_, '_>) {
     let (world, tuning) = (land(), CharacterTuning::default());
     let mut character = player(&world);
     bencher.bench_local(|| {
-        world.move_character(&mut character, &tuning, &CharacterInput::default(), STEP_S);
+        world.in_chart().move_character(
+            &mut character,
+            &tuning,
+            &CharacterInput::default(),
+            STEP_S,
+        );
+    });
+}
+
+/// The same land about the middle of a closed world, where its metres are those of the space, and a character that rests there.
+fn closed() -> (Arc<dyn Strategy>, PhysicsWorld, Character) {
+    let mut world = PhysicsWorld::new();
+    let ground = world.chart_mut(ChartId::FIRST);
+    *ground = land();
+    let character = player(ground);
+    (strategy(Geometry::Spherical, 64.0), world, character)
+}
+
+#[divan::bench]
+fn sprint_one_step_in_a_closed_world(bencher: Bencher<'_, '_>) {
+    let ((space, world, mut character), tuning) = (closed(), CharacterTuning::default());
+    let mut step = 0.0_f64;
+    bencher.bench_local(|| {
+        step += 1.0;
+        let wish = DVec3::new((step * 0.02).cos(), 0.0, (step * 0.02).sin());
+        let input = CharacterInput {
+            wish,
+            sprint: true,
+            ..CharacterInput::default()
+        };
+        let ground = world.for_bodies(&*space, ChartId::FIRST);
+        ground.move_character(&mut character, &tuning, &input, STEP_S)
+    });
+}
+
+#[divan::bench]
+fn stand_one_step_in_a_closed_world(bencher: Bencher<'_, '_>) {
+    let ((space, world, mut character), tuning) = (closed(), CharacterTuning::default());
+    bencher.bench_local(|| {
+        let ground = world.for_bodies(&*space, ChartId::FIRST);
+        ground.move_character(&mut character, &tuning, &CharacterInput::default(), STEP_S)
     });
 }
 
@@ -106,7 +176,12 @@ fn fall_at_60_m_s(bencher: Bencher<'_, '_>) {
     bencher.bench(|| {
         let mut character = Character::at(rest.feet + DVec3::Y * 0.7);
         character.velocity.y = -60.0;
-        world.move_character(&mut character, &tuning, &CharacterInput::default(), STEP_S);
+        world.in_chart().move_character(
+            &mut character,
+            &tuning,
+            &CharacterInput::default(),
+            STEP_S,
+        );
         assert!(character.grounded);
         character
     });

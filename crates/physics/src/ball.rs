@@ -7,7 +7,8 @@ use rapier3d::parry::query::details::ShapeCastOptions;
 use rapier3d::parry::query::{DefaultQueryDispatcher, QueryDispatcher, Ray, RayCast, ShapeCastHit};
 use rapier3d::parry::shape::{Ball as BallShape, Capsule as CapsuleShape};
 
-use crate::ChartGround;
+use crate::body_ground::{arrival, turned};
+use crate::{BodyGround, ChartGround};
 
 /// A ball stays this far (m) off what it has touched, so that the next cast does not begin in it.
 const SKIN_M: f64 = 1e-3;
@@ -30,67 +31,106 @@ pub struct BallTuning {
 /// A ball in a chart.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
-    /// Its centre (m).
+    /// Its centre, metres of the chart.
     pub centre: DVec3,
-    /// Its velocity (m/s).
+    /// Its velocity (m/s of the space, along the axes of the chart's frame there).
     pub velocity: DVec3,
 }
 
 /// A touch of the terrain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
-    /// Where the ball's centre was (m).
+    /// Where the ball's centre was, metres of the chart.
     pub centre: DVec3,
-    /// Unit normal of the ground, towards the ball.
+    /// Unit normal of the ground, towards the ball, along the axes of the chart's frame there.
     pub normal: DVec3,
     /// Speed into the ground (m/s).
     pub speed_m_s: f64,
 }
 
+/// What a ball did in a move.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Thrown {
+    /// The first touch.
+    pub touch: Option<Touch>,
+    /// By how many radians its way has turned in the chart's frames, as the turn of a [`antipode_geometry::Crossing`]: its
+    /// velocity has taken it, and what else has a direction is to. 0 where bodies move in the chart.
+    pub turn_rad: f64,
+}
+
 impl Ball {
     /// Where the ball would be after `dt_s` seconds if nothing were in its way, and how fast.
+    /// In a chart in which bodies move.
     #[must_use]
     pub fn fallen(self, gravity_m_s2: f64, dt_s: f64) -> Self {
-        let fall = DVec3::NEG_Y * gravity_m_s2 * dt_s;
+        let (way, velocity) = self.falls(gravity_m_s2, dt_s);
         Self {
-            centre: self.centre + (self.velocity + 0.5 * fall) * dt_s,
-            velocity: self.velocity + fall,
+            centre: self.centre + way,
+            velocity,
         }
+    }
+
+    /// The way that it would make in `dt_s` seconds, and how fast it would be.
+    fn falls(self, gravity_m_s2: f64, dt_s: f64) -> (DVec3, DVec3) {
+        let fall = DVec3::NEG_Y * gravity_m_s2 * dt_s;
+        ((self.velocity + 0.5 * fall) * dt_s, self.velocity + fall)
     }
 }
 
-impl ChartGround {
-    /// Moves a ball by `dt_s` seconds of free fall, off all ground in its way. Returns the first touch.
+impl BodyGround<'_> {
+    /// Moves a ball by `dt_s` seconds of free fall, off all ground in its way.
     ///
     /// Each stretch between touches is followed along the chord of its parabola, which at 1/60 s strays from the arc
-    /// by `g dt^2 / 8`, a third of a millimetre.
-    pub fn throw_ball(&self, ball: &mut Ball, tuning: &BallTuning, dt_s: f64) -> Option<Touch> {
-        let mut first = None;
+    /// by `g dt^2 / 8`, a third of a millimetre; in a chart in which bodies do not move, the chord is straight in it between
+    /// its true ends, 1 cm off the true way over a metre and a half where R = 32 m. There the ball is as wide as so many metres
+    /// of the chart.
+    pub fn throw_ball(&self, ball: &mut Ball, tuning: &BallTuning, dt_s: f64) -> Thrown {
+        let mut thrown = Thrown::default();
         let mut left_s = dt_s;
         for _ in 0..MOST_TOUCHES {
-            let free = ball.fallen(tuning.gravity_m_s2, left_s);
+            let mut free = *ball;
+            let turn_rad = self.fall(&mut free, tuning.gravity_m_s2, left_s);
             let way = free.centre - ball.centre;
-            let Some((share, normal)) = self.ball_hit(ball.centre, way, tuning.radius_m) else {
+            let hit = self.ground.ball_hit(ball.centre, way, tuning.radius_m);
+            let Some((share, normal)) = hit else {
+                thrown.turn_rad += turn_rad;
                 *ball = free;
-                return first;
+                return thrown;
             };
-            *ball = ball.fallen(tuning.gravity_m_s2, share * left_s);
+            thrown.turn_rad += self.fall(ball, tuning.gravity_m_s2, share * left_s);
             ball.centre += normal * SKIN_M;
+            let normal = match self.frame(ball.centre) {
+                Some(frame) => frame.normal(normal),
+                None => normal,
+            };
             let into = -ball.velocity.dot(normal);
             if into > 0.0 {
                 let along = ball.velocity + normal * into;
                 ball.velocity = along * tuning.slide + normal * (into * tuning.bounce);
             }
-            first = first.or(Some(Touch {
+            thrown.touch = thrown.touch.or(Some(Touch {
                 centre: ball.centre,
                 normal,
                 speed_m_s: into.max(0.0),
             }));
             left_s *= 1.0 - share;
         }
-        first
+        thrown
     }
 
+    /// Moves a ball by `dt_s` seconds of free fall through whatever is there; returns by how many radians its way has turned, as
+    /// in [`Thrown`].
+    pub fn fall(&self, ball: &mut Ball, gravity_m_s2: f64, dt_s: f64) -> f64 {
+        let (way, velocity) = ball.falls(gravity_m_s2, dt_s);
+        let frame = self.frame(ball.centre);
+        let (centre, turn_rad) = arrival(frame.as_ref(), ball.centre, way);
+        let velocity = turned(velocity, turn_rad);
+        *ball = Ball { centre, velocity };
+        turn_rad
+    }
+}
+
+impl ChartGround {
     /// The share of `way` that a ball can go before it touches terrain, and the terrain's normal there.
     fn ball_hit(&self, centre: DVec3, way: DVec3, radius_m: f64) -> Option<(f64, DVec3)> {
         let length_m = way.length();
@@ -197,7 +237,10 @@ mod tests {
         };
         let world = ChartGround::new();
         for _ in 0..60 {
-            assert_eq!(world.throw_ball(&mut ball, &TUNING, 1.0 / 60.0), None);
+            assert_eq!(
+                world.in_chart().throw_ball(&mut ball, &TUNING, 1.0 / 60.0),
+                Thrown::default()
+            );
         }
         assert!((ball.centre - DVec3::new(3.0, 99.0, 0.0)).length() < 1e-9);
         assert!((ball.velocity - DVec3::new(3.0, -6.0, 0.0)).length() < 1e-9);
@@ -212,7 +255,13 @@ mod tests {
         };
         let (mut touches, mut lowest, mut highest_after) = (0, f64::MAX, f64::MIN);
         for _ in 0..600 {
-            touches += usize::from(world.throw_ball(&mut ball, &TUNING, 1.0 / 60.0).is_some());
+            touches += usize::from(
+                world
+                    .in_chart()
+                    .throw_ball(&mut ball, &TUNING, 1.0 / 60.0)
+                    .touch
+                    .is_some(),
+            );
             lowest = lowest.min(ball.centre.y);
             if touches > 0 {
                 highest_after = highest_after.max(ball.centre.y);
@@ -232,7 +281,11 @@ mod tests {
             centre: DVec3::new(8.0, 30.0, 8.0),
             velocity: DVec3::new(0.0, -4000.0, 0.0),
         };
-        let touch = world.throw_ball(&mut ball, &TUNING, 1.0 / 60.0).unwrap();
+        let touch = world
+            .in_chart()
+            .throw_ball(&mut ball, &TUNING, 1.0 / 60.0)
+            .touch
+            .unwrap();
         assert!((touch.normal - DVec3::Y).length() < 1e-3, "{touch:?}");
         assert!(ball.centre.y > 4.1 && ball.velocity.y > 0.0, "{ball:?}");
     }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::patch::{Capsule, Patch};
-use crate::{Character, CharacterTuning, ChartGround};
+use crate::{BodyGround, Character, CharacterTuning};
 
 /// How far up a free place is looked for.
 const HIGHEST_LIFT_M: f64 = 64.0;
@@ -23,7 +23,7 @@ const TOUCH_M: f64 = 1e-3;
 /// Spacing of the points of the axis that are asked whether they are in solid ground.
 const POINT_SPACING_M: f64 = 0.3;
 
-impl ChartGround {
+impl BodyGround<'_> {
     /// Raises a character that is stuck in the ground to the first free place above, up to 64 m:
     /// `inside` says whether a point of the chart is in solid ground, and there the capsule
     /// must be neither inside nor overlap terrain. A fall is stopped. Returns whether the character
@@ -84,6 +84,9 @@ impl ChartGround {
             return false;
         }
         let (min, max) = capsule.bounds(feet);
-        Patch::gather(self, feet, min, max).depth_any_side(capsule, DVec3::ZERO) <= depth_m
+        let frame = self.frame(feet);
+        Patch::gather(self.ground, frame.as_ref(), feet, min, max)
+            .depth_any_side(capsule, DVec3::ZERO)
+            <= depth_m
     }
 }

@@ -3,6 +3,7 @@
 //! Coordinates are metres from an anchor near the character, in `f64`: neither the place in the
 //! world nor the floating origin changes a bit of what a move computes.
 
+use antipode_geometry::BodyFrame;
 use glam::{DVec3, Vec3Swizzles as _};
 use rapier3d::parry::bounding_volume::Aabb;
 
@@ -61,14 +62,41 @@ pub(crate) struct Contact {
     pub depth: f64,
 }
 
+/// Vertices of a mesh that were carried into a body's frame of late: each is a corner of about six triangles.
+struct Carried([Option<(u32, DVec3)>; CARRIED]);
+
+/// So many of them are kept, each at a place that its number gives.
+const CARRIED: usize = 64;
+
+impl Carried {
+    const NONE: Self = Self([None; CARRIED]);
+
+    fn of(&mut self, index: u32, carry: impl FnOnce() -> DVec3) -> DVec3 {
+        let kept = &mut self.0[index as usize % CARRIED];
+        match *kept {
+            Some((known, at)) if known == index => at,
+            _ => kept.insert((index, carry())).1,
+        }
+    }
+}
+
 /// Triangles near a character, relative to `anchor`.
 pub(crate) struct Patch {
     triangles: Vec<Triangle>,
 }
 
 impl Patch {
-    /// Takes the triangles that touch a box of the chart.
-    pub fn gather(world: &ChartGround, anchor: DVec3, min: DVec3, max: DVec3) -> Self {
+    /// Takes the triangles that touch a box about a place of the chart, where a body is: the box is metres of the space from
+    /// there, and told as if they were the chart's.
+    pub fn gather(
+        world: &ChartGround,
+        frame: Option<&BodyFrame<'_>>,
+        anchor: DVec3,
+        min: DVec3,
+        max: DVec3,
+    ) -> Self {
+        let (min, max) = frame.map_or((min, max), |it| it.chart_box(min - anchor, max - anchor));
+        let offsets = frame.map(BodyFrame::offsets);
         let skin = DVec3::splat(BOX_SKIN_M);
         let mut triangles = Vec::new();
         let mut found: Vec<u32> = Vec::new();
@@ -85,17 +113,25 @@ impl Patch {
             found.sort_unstable();
             let (vertices, indices, offset) =
                 (mesh.vertices(), mesh.indices(), ground.origin - anchor);
+            let mut carried = Carried::NONE;
             triangles.extend(found.iter().filter_map(|&id| {
-                let corners = indices
-                    .get(id as usize)?
-                    .map(|index| vertices[index as usize].as_dvec3() + offset);
+                let corners = indices.get(id as usize)?.map(|index| {
+                    let vertex = vertices[index as usize].as_dvec3();
+                    match &offsets {
+                        Some(offsets) => carried.of(index, || offsets(vertex + ground.origin)),
+                        None => vertex + offset,
+                    }
+                });
                 Triangle::new(corners)
             }));
         }
         let solid = world.obstacles_in(min - skin, max + skin);
-        triangles.extend(
-            solid.filter_map(|corners| Triangle::new(corners.map(|corner| corner - anchor))),
-        );
+        triangles.extend(solid.filter_map(|corners| {
+            Triangle::new(corners.map(|corner| match &offsets {
+                Some(offsets) => offsets(corner),
+                None => corner - anchor,
+            }))
+        }));
         Self { triangles }
     }
 

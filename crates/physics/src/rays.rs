@@ -6,8 +6,8 @@ use rapier3d::parry::query::Ray;
 use rapier3d::parry::query::details::ShapeCastOptions;
 use rapier3d::parry::shape::Ball;
 
-use crate::ChartGround;
 use crate::patch::{Capsule, Patch};
+use crate::{BodyGround, ChartGround};
 
 /// Overlaps shallower than this (m) are touches: standing on the ground is no overlap.
 const TOUCH_M: f64 = 1e-3;
@@ -67,7 +67,9 @@ impl ChartGround {
             .cast_shape(&from, direction.as_vec3(), &ball, options)?;
         Some(f64::from(hit.time_of_impact).clamp(0.0, max_m))
     }
+}
 
+impl BodyGround<'_> {
     /// Whether an upright capsule that stands with its feet at `feet` (m) cuts into terrain, by
     /// more than a millimetre and from either side. A capsule wholly inside the ground cuts nothing.
     pub fn overlaps_capsule(&self, feet: DVec3, height_m: f64, radius_m: f64) -> bool {
@@ -76,7 +78,10 @@ impl ChartGround {
         }
         let capsule = Capsule::new(height_m, radius_m);
         let (min, max) = capsule.bounds(feet);
-        Patch::gather(self, feet, min, max).depth_any_side(&capsule, DVec3::ZERO) > TOUCH_M
+        let frame = self.frame(feet);
+        Patch::gather(self.ground, frame.as_ref(), feet, min, max)
+            .depth_any_side(&capsule, DVec3::ZERO)
+            > TOUCH_M
     }
 }
 

@@ -1,29 +1,23 @@
 //! Aims a shot so that it goes from the muzzle through a given point.
 
-use antipode_geometry::{ChartPoint, Strategy};
-use antipode_physics::Ball;
-use glam::{DVec2, DVec3};
+use antipode_geometry::{BodyFrame, ChartPoint, Strategy};
+use glam::DVec3;
 
-use crate::pick::over;
 use crate::tuning::STEP_S;
 
-/// Rounds of Newton's method over the equator; three suffice where the first guess is near.
-const ROUNDS: usize = 12;
+/// Rounds in which the elevation is mended where lengths differ with the height; three suffice within thirty metres.
+const ROUNDS: usize = 6;
 /// A shot that passes this near (m) is good.
-const NEAR_M: f64 = 0.005;
-/// By how much (rad) a direction is turned to see how the miss changes.
-const NUDGE_RAD: f64 = 1e-4;
-/// Largest turn (rad) of one round.
-const LARGEST_TURN_RAD: f64 = 0.3;
+const NEAR_M: f64 = 0.001;
 /// Longest flight (s) that is looked at.
 const LONGEST_S: f64 = 3.0;
 
 /// The velocity in m/s, of length `speed_m_s`, with which a ball that falls at `gravity_m_s2` leaves `from` to go
 /// through `to`. Where it cannot reach that far it goes straight at it.
 ///
-/// Within one chart the lower of the two arcs solves `g x^2 t^2 - 2 v^2 x t + g x^2 + 2 v^2 y = 0` for the tangent t of
-/// the elevation, x being the level distance and y the rise. Over the equator the arc continues in the other chart;
-/// the solution of the chart it began in is mended by Newton's method on the miss.
+/// A flight keeps to the shortest level way. The lower of the two arcs solves `g x^2 t^2 - 2 v^2 x t + g x^2 + 2 v^2 y = 0` for
+/// the tangent t of the elevation, x being the level distance and y the rise. Where a level metre is another one higher up, what
+/// that shot passes over or under its target is aimed lower or higher, until it goes through.
 pub fn aim(
     strategy: &dyn Strategy,
     from: ChartPoint,
@@ -31,18 +25,49 @@ pub fn aim(
     speed_m_s: f64,
     gravity_m_s2: f64,
 ) -> DVec3 {
-    let way = over(strategy, from, to).pos - from.pos;
+    let way = BodyFrame::way(strategy, from, to);
     let first = lower_arc(way, speed_m_s, gravity_m_s2);
-    if from.chart == to.chart {
+    let Some(frame) = BodyFrame::of(strategy, from) else {
         return first;
-    }
-    let shot = Shot {
-        strategy,
-        from,
-        to,
-        gravity_m_s2,
     };
-    shot.mend(first)
+    let mut aimed = way;
+    for _ in 0..ROUNDS {
+        let velocity = lower_arc(aimed, speed_m_s, gravity_m_s2);
+        let passes = passes_over_m(&frame, velocity, way, gravity_m_s2);
+        let Some(over_m) = passes.filter(|it| it.abs() > NEAR_M) else {
+            break;
+        };
+        aimed.y -= over_m;
+    }
+    lower_arc(aimed, speed_m_s, gravity_m_s2)
+}
+
+/// How far a shot passes over a target, metres, by the steps in which it will fly; none if it does not come so far.
+fn passes_over_m(
+    frame: &BodyFrame<'_>,
+    velocity: DVec3,
+    target: DVec3,
+    gravity_m_s2: f64,
+) -> Option<f64> {
+    let level = velocity.with_y(0.0).length();
+    let (mut gone_m, mut y, mut rise_m_s) = (0.0, 0.0, velocity.y);
+    let goal_m = target.with_y(0.0).length();
+    for _ in 0..(LONGEST_S / STEP_S) as usize {
+        let step_m = level * STEP_S * frame.level_share(y);
+        let up_m = (rise_m_s - 0.5 * gravity_m_s2 * STEP_S) * STEP_S;
+        if gone_m + step_m >= goal_m {
+            let share = if step_m > 0.0 {
+                (goal_m - gone_m) / step_m
+            } else {
+                0.0
+            };
+            return Some(y + up_m * share - target.y);
+        }
+        gone_m += step_m;
+        y += up_m;
+        rise_m_s -= gravity_m_s2 * STEP_S;
+    }
+    None
 }
 
 fn lower_arc(way: DVec3, speed_m_s: f64, gravity_m_s2: f64) -> DVec3 {
@@ -58,80 +83,10 @@ fn lower_arc(way: DVec3, speed_m_s: f64, gravity_m_s2: f64) -> DVec3 {
     (level / x + DVec3::Y * tangent).normalize() * speed_m_s
 }
 
-/// A shot over the equator.
-struct Shot<'a> {
-    strategy: &'a dyn Strategy,
-    from: ChartPoint,
-    to: ChartPoint,
-    gravity_m_s2: f64,
-}
-
-impl Shot<'_> {
-    fn mend(&self, first: DVec3) -> DVec3 {
-        let mut best = (f64::INFINITY, first);
-        let mut velocity = first;
-        for _ in 0..ROUNDS {
-            let miss = self.miss(velocity);
-            if miss.length() < best.0 {
-                best = (miss.length(), velocity);
-            }
-            if miss.length() < NEAR_M {
-                break;
-            }
-            let right = velocity.cross(DVec3::Y).normalize_or(DVec3::X);
-            let up = right.cross(velocity).normalize();
-            let speed = velocity.length();
-            let turned = |turn: DVec2| {
-                (velocity + (right * turn.x + up * turn.y) * speed).normalize() * speed
-            };
-            let by_right = (self.miss(turned(DVec2::X * NUDGE_RAD)) - miss) / NUDGE_RAD;
-            let by_up = (self.miss(turned(DVec2::Y * NUDGE_RAD)) - miss) / NUDGE_RAD;
-            let determinant = by_right.perp_dot(by_up);
-            if determinant.abs() < 1e-9 {
-                break;
-            }
-            let turn = DVec2::new(-miss.perp_dot(by_up), -by_right.perp_dot(miss)) / determinant;
-            velocity = turned(turn.clamp_length_max(LARGEST_TURN_RAD));
-        }
-        best.1
-    }
-
-    /// How far (m) the flight passes from the target, across its way and upwards.
-    fn miss(&self, velocity: DVec3) -> DVec2 {
-        let mut point = self.from;
-        let mut ball = Ball {
-            centre: point.pos,
-            velocity,
-        };
-        let mut nearest = (f64::INFINITY, DVec2::ZERO);
-        for _ in 0..(LONGEST_S / STEP_S) as usize {
-            let after = ball.fallen(self.gravity_m_s2, STEP_S);
-            let target = over(self.strategy, point, self.to).pos;
-            let way = after.centre - ball.centre;
-            let share = ((target - ball.centre).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-            let off = ball.centre + way * share - target;
-            if off.length() < nearest.0 {
-                let across = way.cross(DVec3::Y).normalize_or(DVec3::X);
-                let up = across.cross(way).normalize_or(DVec3::Y);
-                nearest = (off.length(), DVec2::new(off.dot(across), off.dot(up)));
-            }
-            ball = after;
-            point.pos = ball.centre;
-            if let Some(crossing) = self.strategy.cross(point) {
-                point = crossing.point;
-                ball = Ball {
-                    centre: point.pos,
-                    velocity: crossing.turn_vector(ball.velocity),
-                };
-            }
-        }
-        nearest.1
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use antipode_geometry::{ChartId, Geometry, strategy};
+    use antipode_physics::{Ball, PhysicsWorld};
     use proptest::{prop_assert, proptest};
 
     use super::*;
@@ -143,13 +98,26 @@ mod tests {
     fn passes(space: &dyn Strategy, from: ChartPoint, to: ChartPoint) -> f64 {
         let velocity = aim(space, from, to, SPEED_M_S, GRAVITY_M_S2);
         assert!((velocity.length() - SPEED_M_S).abs() < 1e-9);
-        let shot = Shot {
-            strategy: space,
-            from,
-            to,
-            gravity_m_s2: GRAVITY_M_S2,
-        };
-        shot.miss(velocity).length()
+        let nothing = PhysicsWorld::new();
+        let (mut at, mut velocity) = (from, velocity);
+        let mut nearest_m = f64::INFINITY;
+        for _ in 0..180 {
+            let mut ball = Ball {
+                centre: at.pos,
+                velocity,
+            };
+            let ground = nothing.for_bodies(space, at.chart);
+            ground.fall(&mut ball, GRAVITY_M_S2, STEP_S);
+            let next = ChartPoint::new(at.chart, ball.centre);
+            let [way, there] = [next, to].map(|it| BodyFrame::way(space, at, it));
+            let share = (there.dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            nearest_m = nearest_m.min(there.distance(way * share));
+            (at, velocity) = (next, ball.velocity);
+            if let Some(crossing) = space.cross(at) {
+                (at, velocity) = (crossing.point, crossing.turn_vector(velocity));
+            }
+        }
+        nearest_m
     }
 
     proptest! {
@@ -160,6 +128,22 @@ mod tests {
             let space = strategy(Geometry::Euclidean, 0.0);
             let from = ChartPoint::a(DVec3::new(100.0, 20.0, -7.0));
             let to = from.moved(DVec3::new(level * yaw.cos(), rise, level * yaw.sin()));
+            prop_assert!(passes(&*space, from, to) < 0.02, "{}", passes(&*space, from, to));
+        }
+
+        /// Anywhere on a sphere, over the equator too.
+        #[test]
+        fn on_a_sphere_too(
+            around in 0.0f64..std::f64::consts::TAU, far in 0.0f64..1.0, yaw in 0.0f64..std::f64::consts::TAU,
+            radius_m in 16.0f64..200.0, level in 2.0f64..27.0, rise in -3.0f64..3.0,
+        ) {
+            let space = strategy(Geometry::Spherical, radius_m);
+            let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap_or(0.0);
+            let level_m = far * rim_m;
+            let from = ChartPoint::a(DVec3::new(level_m * around.cos(), 0.3 * radius_m, level_m * around.sin()));
+            let way = DVec3::new(yaw.cos(), 0.0, yaw.sin()) * level;
+            let to = BodyFrame::step(&*space, from, way.with_y(rise)).point;
+            let to = space.cross(to).map_or(to, |it| it.point);
             prop_assert!(passes(&*space, from, to) < 0.02, "{}", passes(&*space, from, to));
         }
 

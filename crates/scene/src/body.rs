@@ -94,7 +94,7 @@ pub(crate) fn lift_out(world: &World, actors: &mut Actors, player: &Player) -> b
     body.0.feet = position.0.pos;
     let lifted = world
         .physics
-        .chart(chart)
+        .for_bodies(&*world.strategy, chart)
         .lift_out_sized(&mut body.0, &actors.tuning, &solid);
     if lifted {
         position.0.pos = body.0.feet;
@@ -140,11 +140,8 @@ fn set_down(world: &World, actors: &mut Actors) {
         return;
     }
     body.0.feet = position.0.pos;
-    let lands =
-        world
-            .physics
-            .chart(position.0.chart)
-            .set_down(&mut body.0, &actors.tuning, SET_DOWN_M);
+    let ground = world.physics.for_bodies(&*world.strategy, position.0.chart);
+    let lands = ground.set_down(&mut body.0, &actors.tuning, SET_DOWN_M);
     if lands {
         position.0.pos = body.0.feet;
     }

@@ -5,7 +5,7 @@
 //! view is level on the other side at once.
 
 use antipode_geometry::doorway::{HALF_WIDTH_M, HEIGHT_M};
-use antipode_geometry::{Atlas, ChartPoint, Crossing, Doorway, Eye, Leaf, Passing, Strategy, pace};
+use antipode_geometry::{Atlas, ChartPoint, Crossing, Doorway, Eye, Leaf, Passing, Strategy};
 use antipode_items::Item;
 use antipode_terrain::{Gate, Part, Shape, Stroke};
 use glam::DVec3;
@@ -13,7 +13,7 @@ use glam::DVec3;
 use crate::actors::Actors;
 use crate::fixture::{self, Fixture};
 use crate::ground::height_below;
-use crate::player::{Body, Look, Position, wrap_angle};
+use crate::player::{Body, Look, Position};
 use crate::world::World;
 
 /// Ground on the other side is looked for from so far above a foot, and so far below it, metres.
@@ -49,17 +49,10 @@ impl World {
         Some((doors, by))
     }
 
-    /// How a thing that flew from one place to another is to be carried on, and its velocity, if the way led through a door.
+    /// How a thing that flew from one place to another is to be carried on, if the way led through a door.
     /// It goes on as high over the ground as before, where there is ground at hand.
-    pub fn through_door(
-        &self,
-        from: ChartPoint,
-        to: ChartPoint,
-        velocity: DVec3,
-    ) -> Option<(Crossing, DVec3)> {
-        let (crossing, _) = self.led_through(from, to)?;
-        let velocity = pace::carried(&*self.strategy, to, &crossing, velocity);
-        Some((crossing, velocity))
+    pub fn through_door(&self, from: ChartPoint, to: ChartPoint) -> Option<Crossing> {
+        Some(self.led_through(from, to)?.0)
     }
 
     /// Where somebody who is so near to a leaf that he may reach through it would be on the other side.
@@ -185,10 +178,9 @@ pub(crate) fn pass(
     body: &mut Body,
 ) -> Option<f64> {
     let (crossing, lifted_m) = world.led_through(before, position.0)?;
-    let pace = pace::share(&*world.strategy, position.0, &crossing, body.0.velocity);
     position.0 = crossing.point;
     body.0.feet = crossing.point.pos;
-    look.yaw = wrap_angle(look.yaw - crossing.turn_rad);
-    body.0.velocity = crossing.turn_vector(body.0.velocity) * pace;
+    look.follow(crossing.turn_rad);
+    body.0.velocity = crossing.turn_vector(body.0.velocity);
     Some(lifted_m)
 }

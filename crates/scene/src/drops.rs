@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_geometry::{Atlas, ChartPoint, Eye};
-use antipode_physics::{Ball, BallTuning};
+use antipode_physics::{Ball, BallTuning, Thrown};
 use glam::{DQuat, DVec3};
 
 use crate::actors::{Actors, retain};
@@ -214,13 +214,12 @@ impl Drop {
             velocity: self.velocity,
         };
         let before = self.point;
-        let touch =
-            world
-                .physics
-                .chart(self.point.chart)
-                .throw_ball(&mut ball, &self.tuning(), STEP_S);
+        let ground = world.physics.for_bodies(&*world.strategy, self.point.chart);
+        let Thrown { touch, turn_rad } = ground.throw_ball(&mut ball, &self.tuning(), STEP_S);
         self.point.pos = ball.centre;
         self.velocity = ball.velocity;
+        // Its axis is told by the angle from z to x.
+        self.yaw_rad += turn_rad;
         if let Some(radius_m) = self.stack.item.rolls_m() {
             let axis = self.axis();
             if let Some(touch) = touch {
@@ -239,15 +238,11 @@ impl Drop {
         if self.rests {
             self.velocity = DVec3::ZERO;
         }
-        let door = world.through_door(before, self.point, self.velocity);
+        let door = world.through_door(before, self.point);
         let along = self.axis();
-        let crossed = door.or_else(|| {
-            let crossing = world.strategy.cross(self.point)?;
-            Some((crossing, crossing.turn_vector(self.velocity)))
-        });
-        if let Some((crossing, velocity)) = crossed {
+        if let Some(crossing) = door.or_else(|| world.strategy.cross(self.point)) {
             self.point = crossing.point;
-            self.velocity = velocity;
+            self.velocity = crossing.turn_vector(self.velocity);
             let along = crossing.turn_vector(along);
             self.yaw_rad = along.x.atan2(along.z);
         }

@@ -121,6 +121,13 @@ impl Look {
         self.pitch = (self.pitch + pitch).clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD);
     }
 
+    /// Turns with a way or into another chart, as every direction does, by the turn of a [`antipode_geometry::Crossing`].
+    pub fn follow(&mut self, turn_rad: f64) {
+        if turn_rad != 0.0 {
+            self.yaw = wrap_angle(self.yaw - turn_rad);
+        }
+    }
+
     /// The unit ground direction of the heading.
     pub fn heading(&self) -> DVec3 {
         DVec3::new(self.yaw.cos(), 0.0, self.yaw.sin())
@@ -168,7 +175,7 @@ pub fn components(point: ChartPoint, look: Look) -> (Position, Look, Body, Healt
     )
 }
 
-/// The unit-or-shorter ground direction the player wants to go, in the chart.
+/// The unit-or-shorter ground direction the player wants to go, in the chart's frame.
 pub fn wish(actions: &Actions, look: &Look) -> DVec3 {
     let ahead = look.heading();
     let right = DVec3::new(-ahead.z, 0.0, ahead.x);
@@ -187,7 +194,7 @@ pub fn cross(
         return false;
     };
     position.0 = crossing.point;
-    look.yaw = wrap_angle(look.yaw - crossing.turn_rad);
+    look.follow(crossing.turn_rad);
     body.0.velocity = crossing.turn_vector(body.0.velocity);
     true
 }

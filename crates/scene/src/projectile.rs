@@ -2,7 +2,9 @@
 //! strike. A bullet disappears some time after it has met something. A falling one meets ground sooner or later, even
 //! where none is loaded, and one that follows a geodesic disappears after a certain distance.
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Doorway, Eye, Map, Strategy, pace};
+use antipode_geometry::{
+    Atlas, BodyFrame, ChartId, ChartPoint, Crossing, Doorway, Eye, Map, Strategy,
+};
 use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, VehiclePart, meets_capsule};
 use glam::DVec3;
 use hecs::Entity;
@@ -22,7 +24,7 @@ const BEYOND_EDGE_M: f64 = 3.0;
 /// What keeps a bullet on its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Path {
-    /// It falls along the parabola of its chart.
+    /// It falls along the parabola over the level.
     Falls,
     /// It follows a geodesic of the space as it was seen when the shot was fired.
     Geodesic {
@@ -42,7 +44,7 @@ enum Path {
 pub struct Projectile {
     /// Where its centre is.
     pub point: ChartPoint,
-    /// Its velocity in its chart, m/s.
+    /// Its velocity, m/s along the axes of its chart's frame.
     pub velocity: DVec3,
     /// How long ago it was fired, seconds.
     pub age_s: f64,
@@ -175,10 +177,8 @@ impl Projectile {
             gravity_m_s2,
             ..BULLET
         };
-        let touch = air
-            .physics
-            .chart(before.chart)
-            .throw_ball(&mut ball, &tuning, dt_s);
+        let ground = air.physics.for_bodies(air.strategy, before.chart);
+        let touch = ground.throw_ball(&mut ball, &tuning, dt_s).touch;
         if let Some(touch) = touch.filter(|touch| touch.speed_m_s >= BULLET_DAMAGES_FROM_M_S) {
             let at = ChartPoint::new(before.chart, touch.centre);
             hits.grounds.push((at, touch.normal, touch.speed_m_s));
@@ -205,7 +205,9 @@ impl Projectile {
         let (ball, goal) = self.start(air, before.pos, STEP_S);
         self.path = path;
         let end = goal.unwrap_or_else(|| {
-            let fallen = ball.fallen(BULLET.gravity_m_s2, STEP_S);
+            let mut fallen = ball;
+            let ground = air.physics.for_bodies(air.strategy, before.chart);
+            ground.fall(&mut fallen, BULLET.gravity_m_s2, STEP_S);
             ChartPoint::new(before.chart, fallen.centre)
         });
         let met = air.doors.and_then(|doors| {
@@ -240,8 +242,7 @@ impl Projectile {
         } else {
             self.velocity.y -= BULLET.gravity_m_s2 * gone_s;
         }
-        let sill = ChartPoint::new(before.chart, sill);
-        self.velocity = pace::carried(air.strategy, sill, &out, self.velocity);
+        self.velocity = out.turn_vector(self.velocity);
         self.point = out.point;
         STEP_S - gone_s
     }
@@ -307,7 +308,7 @@ impl Projectile {
         };
         *gone_m += *speed_m_s * dt_s;
         let goal = air.pictured.along(eye, *way, *gone_m);
-        let step = over(air.strategy, self.point, goal).pos - self.point.pos;
+        let step = BodyFrame::way(air.strategy, self.point, goal);
         self.velocity = step / dt_s.max(1e-6);
         (
             Ball {
@@ -343,10 +344,8 @@ impl Projectile {
             point: self.point,
             ..*eye
         };
-        let ahead = ChartPoint::new(
-            self.point.chart,
-            self.point.pos + self.velocity.normalize_or(DVec3::Y) * 1e-3,
-        );
+        let way_on = self.velocity.normalize_or(DVec3::Y) * 1e-3;
+        let ahead = self.point.moved(air.strategy.in_chart(self.point, way_on));
         *way = air
             .pictured
             .view_point(eye, ahead)

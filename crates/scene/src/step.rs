@@ -235,13 +235,10 @@ fn walk(
     let strategy = &*world.strategy;
     let before = position.0;
     body.0.feet = position.0.pos;
-    world.physics.chart(position.0.chart).move_character(
-        &mut body.0,
-        &actors.tuning,
-        &input,
-        STEP_S,
-    );
+    let ground = world.physics.for_bodies(strategy, position.0.chart);
+    let turn_rad = ground.move_character(&mut body.0, &actors.tuning, &input, STEP_S);
     position.0.pos = body.0.feet;
+    look.follow(turn_rad);
     if let Some(limits) = strategy.limits() {
         let y = position.0.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
         if y != position.0.pos.y {

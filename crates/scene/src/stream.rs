@@ -316,9 +316,10 @@ impl Scene {
 
 /// Where the ground must be solid: around the player, and around others and what flies.
 fn reaches(world: &World, actors: &Actors) -> Vec<Reach> {
-    let velocity = actors.player_body().velocity;
-    let mut reaches = reach::of_body(&*world.strategy, actors.feet(), velocity);
-    let bullets = actors.map(|_, it: &Projectile| (it.point, it.velocity));
+    let in_chart = |at: ChartPoint, velocity| (at, world.strategy.in_chart(at, velocity));
+    let (feet, velocity) = in_chart(actors.feet(), actors.player_body().velocity);
+    let mut reaches = reach::of_body(&*world.strategy, feet, velocity);
+    let bullets = actors.map(|_, it: &Projectile| in_chart(it.point, it.velocity));
     let cars = actors.car_views().into_iter();
     let cars = cars.map(|it| (it.point, it.velocity));
     // Each for themselves: the ground under cars is not to be lost to a hail of bullets.

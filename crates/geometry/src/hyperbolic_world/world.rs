@@ -310,6 +310,10 @@ impl Metric for HyperbolicWorld {
         self.chart.radius_m * distance::hyperbolic_far(a, b)
     }
 
+    fn moves_in_chart(&self) -> bool {
+        false
+    }
+
     fn in_frame(&self, at: ChartPoint, velocity: DVec3) -> DVec3 {
         self.chart.in_frame(at.pos, velocity)
     }

@@ -1,5 +1,6 @@
 //! The three-sphere.
 
+mod foot;
 mod globe;
 mod sphere;
 
@@ -8,6 +9,7 @@ use std::sync::Arc;
 
 use crate::kind::{Entry, Radii};
 
+pub(crate) use foot::Foot;
 pub use globe::Globe;
 pub use sphere::Spherical;
 

@@ -259,6 +259,10 @@ impl Metric for Spherical {
         self.radius_m * distance::spherical(a.to_array(), b.to_array())
     }
 
+    fn moves_in_chart(&self) -> bool {
+        false
+    }
+
     fn in_frame(&self, at: ChartPoint, velocity: DVec3) -> DVec3 {
         let (out, [along, across]) = self.level_lengths(at);
         scaled(out, [along, across], velocity)

@@ -32,7 +32,7 @@ fn a_jump_is_as_high_at_other_rates() {
         let mut character = Walker::at(&world, 0.0, 0.1, 0.0).rested().character;
         let mut apex = 0.0_f64;
         for _ in 0..rate as usize {
-            world.move_character(
+            world.in_chart().move_character(
                 &mut character,
                 &CharacterTuning::default(),
                 &jump(),
@@ -236,16 +236,19 @@ fn a_hill_built_over_someone_lifts_them_onto_it() {
     let inside = |at: DVec3| at.y < hill(at.x, at.z);
     let mut character = Character::at(DVec3::new(0.7, 0.0, 0.2));
     character.velocity = DVec3::new(1.0, -3.0, 0.0);
-    assert!(world.lift_out(&mut character, &inside));
+    assert!(world.in_chart().lift_out(&mut character, &inside));
     assert!(character.velocity.y >= 0.0);
-    assert!(!world.overlaps_capsule(character.feet, 1.8, 0.35));
+    assert!(!world.in_chart().overlaps_capsule(character.feet, 1.8, 0.35));
     assert!(
         (character.feet.y - hill(0.7, 0.2)).abs() < 0.25,
         "{character:?}"
     );
     assert_eq!((character.feet.x, character.feet.z), (0.7, 0.2));
     let lifted = character.clone();
-    assert!(!world.lift_out(&mut character, &inside), "once is enough");
+    assert!(
+        !world.in_chart().lift_out(&mut character, &inside),
+        "once is enough"
+    );
     assert_eq!(character, lifted);
 }
 
@@ -253,13 +256,17 @@ fn a_hill_built_over_someone_lifts_them_onto_it() {
 fn someone_on_the_ground_is_not_lifted() {
     let world = plain().world();
     let mut walker = Walker::at(&world, 0.0, 0.1, 0.0).rested();
-    assert!(!world.lift_out(&mut walker.character, &|at| at.y < 0.0));
+    assert!(
+        !world
+            .in_chart()
+            .lift_out(&mut walker.character, &|at| at.y < 0.0)
+    );
 }
 
 #[test]
 fn too_deep_in_the_ground_for_a_lift_nothing_moves() {
     let world = plain().world();
     let mut character = Character::at(DVec3::new(0.0, -80.0, 0.0));
-    assert!(!world.lift_out(&mut character, &|at| at.y < 0.0));
+    assert!(!world.in_chart().lift_out(&mut character, &|at| at.y < 0.0));
     assert_eq!(character, Character::at(DVec3::new(0.0, -80.0, 0.0)));
 }

@@ -308,8 +308,16 @@ fn what_characters_meet_is_its_body() {
     let mut world = plain().charts_at(DVec3::ZERO);
     world.set_obstacles(vec![whole.obstacle()]);
     let ground = world.chart(motion.chart);
-    assert!(ground.overlaps_capsule(DVec3::new(1.7, 0.01, 0.0), 1.8, 0.35));
-    assert!(!ground.overlaps_capsule(DVec3::new(2.1, 0.01, 0.0), 1.8, 0.35));
+    assert!(
+        ground
+            .in_chart()
+            .overlaps_capsule(DVec3::new(1.7, 0.01, 0.0), 1.8, 0.35)
+    );
+    assert!(
+        !ground
+            .in_chart()
+            .overlaps_capsule(DVec3::new(2.1, 0.01, 0.0), 1.8, 0.35)
+    );
     let mut walker = crate::common::Walker::at(ground, 5.0, 0.0, 0.0);
     walker.steps(180, crate::common::go(-1.0, 0.0));
     assert!((1.7..2.2).contains(&walker.feet().x), "{}", walker.feet());

@@ -353,7 +353,7 @@ fn removing_the_ground_drops_whoever_stands_on_it() {
     world.set_terrain(crate::common::coord(0, 0, 0), DVec3::ZERO, None);
     assert!(!world.has_terrain(crate::common::coord(0, 0, 0)));
     for _ in 0..60 {
-        world.move_character(
+        world.in_chart().move_character(
             &mut character,
             &CharacterTuning::default(),
             &still(),

@@ -27,7 +27,9 @@ fn ramble(world: &mut ChartGround, from: DVec3, recentre: bool) -> Vec<Character
             if recentre {
                 world.recentre(character.feet);
             }
-            world.move_character(&mut character, &tuning, &input, STEP_S);
+            world
+                .in_chart()
+                .move_character(&mut character, &tuning, &input, STEP_S);
             character.clone()
         })
         .collect()
@@ -95,7 +97,7 @@ fn a_ball_on_the_border_of_chunks_does_not_tell_which_came_first() {
         }; 2];
         for step in 0..240 {
             for (ball, world) in balls.iter_mut().zip(&worlds) {
-                world.throw_ball(ball, &tuning, STEP_S);
+                world.in_chart().throw_ball(ball, &tuning, STEP_S);
             }
             assert_eq!(balls[0], balls[1], "ball {n}, step {step}");
             borders += usize::from(balls[0].centre.x.abs() < tuning.radius_m);
@@ -224,15 +226,27 @@ fn a_ball_stops_its_radius_before_the_wall() {
 fn capsules_overlap_what_they_cut() {
     let world = plain().world();
     assert!(
-        !world.overlaps_capsule(DVec3::new(0.0, 0.0, 0.0), 1.8, 0.35),
+        !world
+            .in_chart()
+            .overlaps_capsule(DVec3::new(0.0, 0.0, 0.0), 1.8, 0.35),
         "standing is no overlap"
     );
-    assert!(world.overlaps_capsule(DVec3::new(0.0, -0.05, 0.0), 1.8, 0.35));
     assert!(
-        world.overlaps_capsule(DVec3::new(0.0, -1.7, 0.0), 1.8, 0.35),
+        world
+            .in_chart()
+            .overlaps_capsule(DVec3::new(0.0, -0.05, 0.0), 1.8, 0.35)
+    );
+    assert!(
+        world
+            .in_chart()
+            .overlaps_capsule(DVec3::new(0.0, -1.7, 0.0), 1.8, 0.35),
         "from below as well"
     );
-    assert!(!world.overlaps_capsule(DVec3::new(0.0, -2.0, 0.0), 1.8, 0.35));
+    assert!(
+        !world
+            .in_chart()
+            .overlaps_capsule(DVec3::new(0.0, -2.0, 0.0), 1.8, 0.35)
+    );
 }
 
 #[test]

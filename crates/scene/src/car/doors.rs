@@ -99,7 +99,7 @@ fn enter_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
     player.gaze.camera = CameraMode::Third;
     outbox.sounds.push(SoundEvent::CarDoor);
     outbox.hints.push(Hint::AtTheWheel);
-    drive::seat_driver(actors, player, outbox, &Actions::default());
+    drive::seat_driver(world, actors, player, outbox, &Actions::default());
 }
 
 /// Puts the player at the wheel of a car; `camera_before` is from where the world is seen again on foot.
@@ -137,7 +137,8 @@ fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
         return;
     };
     get_out(actors, &mut player.gaze);
-    body::place(world, actors, player, spot, car.velocity, false);
+    let velocity = world.strategy.in_frame(car.point, car.velocity);
+    body::place(world, actors, player, spot, velocity, false);
     outbox.sounds.push(SoundEvent::CarDoor);
     let damage = fall_damage(
         car.velocity.length() * JUMPED_OFF_SHARE,
@@ -160,6 +161,7 @@ pub(crate) fn get_out(actors: &mut Actors, gaze: &mut Gaze) {
 fn free_spot(world: &World, tuning: &CharacterTuning, car: &CarView) -> Option<ChartPoint> {
     let chart = car.point.chart;
     let physics = world.physics.chart(chart);
+    let bodies = world.physics.for_bodies(&*world.strategy, chart);
     let level = DQuat::from_rotation_y(-car.yaw());
     let inside = car.middle().pos;
     let (height_m, radius_m) = (tuning.height_m, tuning.radius_m);
@@ -182,7 +184,7 @@ fn free_spot(world: &World, tuning: &CharacterTuning, car: &CarView) -> Option<C
         };
         let feet = from - DVec3::Y * (down_m + radius_m - CLEARANCE_M);
         let is_free = (on_roof || !is_within(tuning, car, feet))
-            && !physics.overlaps_capsule(feet, height_m, radius_m)
+            && !bodies.overlaps_capsule(feet, height_m, radius_m)
             && !is_rock(world, feet + DVec3::Y * (0.5 * height_m), car);
         let spot = ChartPoint::new(chart, feet);
         is_free.then(|| body::within_world(&*world.strategy, spot))

@@ -59,7 +59,7 @@ pub(crate) fn step(
     }
     bushes::go_through(world, actors, outbox);
     run_over(world, actors, player, outbox);
-    seat_driver(actors, player, outbox, actions);
+    seat_driver(world, actors, player, outbox, actions);
 }
 
 impl Car {
@@ -143,6 +143,7 @@ impl Car {
 
 /// The player goes with the car that he sits in, and feels what it runs into.
 pub(super) fn seat_driver(
+    world: &World,
     actors: &mut Actors,
     player: &mut Player,
     outbox: &mut Outbox,
@@ -164,7 +165,7 @@ pub(super) fn seat_driver(
     {
         position.0 = seat;
         body.0.feet = seat.pos;
-        body.0.velocity = car.velocity;
+        body.0.velocity = world.strategy.in_frame(car.point, car.velocity);
         body.0.grounded = true;
     }
     actors.set_look(yaw, pitch);

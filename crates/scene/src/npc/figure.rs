@@ -1,6 +1,6 @@
 //! One figure in one step: it takes in what happened, thinks when it is its turn, and moves.
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{BodyFrame, ChartPoint};
 use antipode_items::Item;
 use antipode_physics::CharacterInput;
 use glam::DVec3;
@@ -224,8 +224,7 @@ impl Npc<'_> {
         let Some(spot) = self.mind.spot else {
             return DVec3::ZERO;
         };
-        let off = over(around.strategy(), self.position.0, spot).pos - self.position.0.pos;
-        let off = off.with_y(0.0);
+        let off = BodyFrame::way(around.strategy(), self.position.0, spot).with_y(0.0);
         let pace = if self.mind.state == State::Sit {
             STROLL_PACE
         } else {
@@ -366,13 +365,14 @@ impl Npc<'_> {
         }
         let chart = self.position.0.chart;
         self.body.0.feet = self.position.0.pos;
-        let physics = world.physics.chart(chart);
+        let physics = world.physics.for_bodies(around.strategy(), chart);
         if self.is_buried(around) {
             let ground = &world.ground;
             let solid = |at: DVec3| ground.is_solid(ChartPoint::new(chart, at));
             physics.lift_out_sized(&mut self.body.0, around.tuning, &solid);
         }
-        physics.move_character(&mut self.body.0, around.tuning, input, STEP_S);
+        let turn_rad = physics.move_character(&mut self.body.0, around.tuning, input, STEP_S);
         self.position.0.pos = self.body.0.feet;
+        self.look.follow(turn_rad);
     }
 }

@@ -1,6 +1,6 @@
 //! Shots at the player: led by its way, only where nothing is between, and never quite exact.
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{BodyFrame, ChartPoint};
 use antipode_physics::{Ball, meets_capsule};
 use glam::DVec3;
 use hecs::Entity;
@@ -94,12 +94,12 @@ impl Npc<'_> {
         let mut velocity = aimed(middle);
         let mut target = middle;
         for _ in 0..LEAD_ROUNDS {
-            // Bullets go by the metres of the chart, which near the equator are more than those of the space.
-            let level = over(strategy, muzzle, target).pos - muzzle.pos;
+            let level = BodyFrame::way(strategy, muzzle, target);
             let speed_m_s = velocity.with_y(0.0).length().max(1.0);
             let flight_s = level.with_y(0.0).length() / speed_m_s;
             // A fall or a jump is not led: who is in the air is soon down again.
-            let led = middle.moved(quarry.velocity.with_y(0.0) * flight_s);
+            let gone = quarry.velocity.with_y(0.0) * flight_s;
+            let led = BodyFrame::step(strategy, middle, gone).point;
             target = strategy.cross(led).map_or(led, |over| over.point);
             velocity = aimed(target);
         }
@@ -117,9 +117,11 @@ impl Npc<'_> {
         };
         let mut gone_m = 0.0;
         while gone_m + LAST_M < away_m {
-            let after = ball.fallen(BULLET.gravity_m_s2, TESTED_S);
+            let mut after = ball;
+            let ground = around.world.physics.for_bodies(strategy, at.chart);
+            ground.fall(&mut after, BULLET.gravity_m_s2, TESTED_S);
             let next = ChartPoint::new(at.chart, after.centre);
-            gone_m += (after.centre - ball.centre).length();
+            gone_m += BodyFrame::way(strategy, at, next).length();
             if segment_hit(strategy, &around.world.physics, at, next).is_some()
                 || self.meets_friend(around, at, next)
             {

@@ -67,12 +67,12 @@ impl Particle {
             radius_m: 0.6 * self.radius_m[0],
             ..CHIP
         };
+        let ground = world.physics.for_bodies(&*world.strategy, self.point.chart);
         let touch = if density > NEAR_M + self.velocity.length() * STEP_S {
-            ball = ball.fallen(tuning.gravity_m_s2, STEP_S);
+            ground.fall(&mut ball, tuning.gravity_m_s2, STEP_S);
             None
         } else {
-            let ground = world.physics.chart(self.point.chart);
-            ground.throw_ball(&mut ball, &tuning, STEP_S)
+            ground.throw_ball(&mut ball, &tuning, STEP_S).touch
         };
         self.point.pos = ball.centre;
         self.velocity = ball.velocity;
@@ -91,7 +91,8 @@ impl Particle {
         let kept = (-DRAG_PER_S * STEP_S).exp();
         let wind = DVec3::Y * RISES_M_S;
         self.velocity = wind + (self.velocity - wind) * kept;
-        self.point.pos += self.velocity * STEP_S;
+        let velocity = world.strategy.in_chart(self.point, self.velocity);
+        self.point.pos += velocity * STEP_S;
         self.height_m = density(world, self.point);
         let rides_m = RIDES * self.radius_m[0];
         if self.height_m < rides_m {

@@ -42,6 +42,7 @@ mod restoring;
 mod round;
 mod saving;
 mod sounds;
+mod straight;
 mod survey;
 mod tiled;
 mod view;

@@ -90,10 +90,6 @@ const EXCUSED: &[(&str, &str)] = &[
         "the scale along each axis of the frame: src/pace.rs has speeds through doors",
     ),
     ("Metric::in_chart", "its inverse: src/pace.rs"),
-    (
-        "pace::carried",
-        "a turn between the two: a property of src/pace.rs",
-    ),
     ("pace::share", "a ratio of lengths of the same: src/pace.rs"),
     (
         "triangle::equilateral_angle_sum_rad",

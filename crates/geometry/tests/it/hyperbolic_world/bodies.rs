@@ -3,7 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use antipode_geometry::{
-    Atlas, BodyChart, ChartId, ChartPoint, Euclidean, Eye, Map, Metric, Spherical, Strategy,
+    Atlas, BodyChart, BodyFrame, ChartId, ChartPoint, Euclidean, Eye, Map, Metric, Spherical,
+    Strategy,
 };
 use glam::{DVec3, DVec4};
 use proptest::prelude::{prop_assert, proptest};
@@ -67,6 +68,43 @@ proptest! {
             let ratio = true_m / told_m;
             let bounds = [ends[0].min(ends[1]), ends[0].max(ends[1])];
             prop_assert!(a.distance(b) < 1e-5 || (bounds[0] - 1e-6..bounds[1] + 1e-6).contains(&ratio), "{space:?} {ratio} {bounds:?}");
+        }
+    }
+
+    #[test]
+    fn a_bodys_frame_has_metres_of_the_space_and_leads_there_and_back(
+        chart in charts(), share in vector(1.2), way in vector(2.0), normal in vector(1.0), corner in 0..8_u8,
+    ) {
+        for (space, body) in bodies(chart, share) {
+            let Some(frame) = BodyFrame::of(&*space, body) else {
+                prop_assert!(space.curvature().sign == 0.0, "{space:?}");
+                prop_assert!(BodyFrame::way(&*space, body, body.moved(way)).distance(way) < 1e-12);
+                continue;
+            };
+            let arrival = frame.arrival(way);
+            prop_assert!(arrival.point.chart == body.chart && arrival.point.pos.y == body.pos.y + way.y);
+            prop_assert!(frame.offsets()(arrival.point.pos).distance(way) < 1e-10, "{space:?}");
+            prop_assert!(frame.arrival(way.with_y(0.0) * 0.0).point == body, "to the bit");
+            // Near the body it is the chart's frame, which the world's metric knows by itself.
+            let near = frame.offsets()(body.pos + space.in_chart(body, way) * 1e-6) * 1e6;
+            prop_assert!(near.distance(way) < 1e-5, "{space:?} {near} {way}");
+            // A step is that of the body's chart.
+            let step = BodyChart::step(&*space, body, way.with_y(0.0));
+            let own = frame.arrival(way.with_y(0.0));
+            let same = space.carry(step.point, body.chart).unwrap();
+            prop_assert!(same.point.pos.distance(own.point.pos) < 1e-10);
+            let turned_rad = own.turn_rad - step.turn_rad - same.turn_rad;
+            prop_assert!(turned_rad.sin().abs() < 1e-9, "{space:?} {turned_rad}");
+            // A box holds what is in it.
+            let high = way.abs() + 0.2;
+            let sign = |bit: u8| if corner & bit == 0 { -1.0 } else { 1.0 };
+            let at = frame.arrival(high * DVec3::new(sign(1), sign(2), sign(4))).point.pos;
+            let (min, max) = frame.chart_box(-high, high);
+            prop_assert!(at.cmpge(min - 0.05).all() && at.cmple(max + 0.05).all(), "{space:?} {at} in {min} to {max}");
+            // What is square to a normal stays so.
+            let plane = normal.cross(way);
+            let told = frame.normal(normal).dot(space.in_frame(body, plane));
+            prop_assert!(told.abs() < 1e-9 * (1.0 + plane.length() * 10.0));
         }
     }
 

@@ -202,6 +202,7 @@ impl<'a> Walker<'a> {
 
     pub fn step(&mut self, input: CharacterInput) {
         self.world
+            .in_chart()
             .move_character(&mut self.character, &self.tuning, &input, STEP_S);
     }
 
