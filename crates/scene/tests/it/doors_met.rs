@@ -5,7 +5,7 @@ use antipode_scene::{Actions, NpcMode, Scene};
 use glam::DVec3;
 
 use crate::common::doors::{ahead, car_at, ground, level_pair, local, still};
-use crate::common::{LIMIT, scene, steps};
+use crate::common::{LIMIT, roomy_scene, scene, steps};
 use crate::doors_driven::{on, take_the_wheel};
 
 /// The middle of the car that stands in a door is there in the axes of the leaf, and its nose 1.5 m farther on.
@@ -13,7 +13,7 @@ const MIDDLE_M: f64 = -0.6;
 
 /// A world of a pair with a parked car in its first leaf, which looks through it.
 fn with_car_in_a_door(geometry: Geometry) -> (Scene, [Leaf; 2]) {
-    let mut scene = scene(geometry);
+    let mut scene = roomy_scene(geometry);
     scene.set_npcs(NpcMode::Still);
     let leaves = level_pair(&mut scene, 6.0).leaves;
     car_at(&mut scene, &leaves[0], MIDDLE_M, 0.0);

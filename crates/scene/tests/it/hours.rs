@@ -1,7 +1,7 @@
 //! What goes by the hour of a place, which in a closed world is not everywhere the same.
 
 use crate::common::figures::{SECOND, beside, bot, pass};
-use crate::common::{scene, steps};
+use crate::common::{roomy_scene, steps};
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::tuning::DAY_S;
 use antipode_scene::{Actions, Scene, State};
@@ -10,7 +10,7 @@ use glam::DVec3;
 /// A world with the player at its middle, or at the far one of a closed world, and when its sun sets there, in seconds
 /// of the time of day.
 fn world(geometry: Geometry) -> (Scene, f64) {
-    let mut scene = scene(geometry);
+    let mut scene = roomy_scene(geometry);
     let sunset_s = if geometry == Geometry::Spherical {
         let field = scene.field().clone();
         let y = field.surface_height(ChartId::SECOND, 1.0, 0.0) + 0.2;

@@ -122,7 +122,9 @@ fn it_comes_bit_by_bit_and_is_not_made_anew_where_nobody_moves() {
 #[test]
 fn north_is_where_the_stars_turn_and_keeps_its_place_over_the_equator() {
     for geometry in Geometry::ALL {
-        let scene = scene(geometry);
+        let mut scene = scene(geometry);
+        // At the pole of a closed world the ground may be too steep to stand on.
+        scene.teleport(ChartPoint::a(DVec3::Y * 15.0));
         let bearings = scene.bearings();
         assert!((bearings.north_rad.abs() - std::f64::consts::PI).abs() < 1e-9);
         assert_eq!(bearings.equator.is_some(), geometry == Geometry::Spherical);

@@ -4,6 +4,8 @@
 /// Sources of `src/hyperbolic_world`, and of bodies' charts, by module name.
 pub const SOURCES: &[(&str, &str)] = &[
     ("BodyChart", include_str!("../../../src/body_chart.rs")),
+    ("BodyFrame", include_str!("../../../src/body_frame.rs")),
+    ("Foot", include_str!("../../../src/spherical/foot.rs")),
     (
         "cache",
         include_str!("../../../src/hyperbolic_world/cache.rs"),
@@ -50,6 +52,42 @@ pub const EXCUSED: &[(&str, &str)] = &[
     (
         "BodyChart::step",
         "held to great circles, geodesics and speeds: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::of",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::way",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::step",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::level_share",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::chart_box",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::in_chart",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::normal",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::arrival",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
+    ),
+    (
+        "BodyFrame::plane_place",
+        "held to BodyChart, and to its own inverse: tests/it/hyperbolic_world/bodies.rs",
     ),
     ("SquareChart::is_written", "a comparison"),
     (

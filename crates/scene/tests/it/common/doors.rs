@@ -5,7 +5,7 @@ use antipode_items::Item;
 use antipode_scene::{Actions, NpcMode, Scene};
 use glam::DVec3;
 
-use super::{LIMIT, scene, steps};
+use super::{LIMIT, roomy_scene, steps};
 
 /// Nothing is done.
 pub fn still() -> Actions {
@@ -122,7 +122,7 @@ pub fn car_at(scene: &mut Scene, leaf: &Leaf, x: f64, turn_rad: f64) {
 /// One leaf two metres before the player, who looks along its front and through it; the other elsewhere, on a globe beyond the
 /// equator, and higher or lower.
 pub fn before_the_player(geometry: Geometry) -> (Scene, Doorway) {
-    let mut scene = scene(geometry);
+    let mut scene = roomy_scene(geometry);
     scene.set_npcs(NpcMode::Still);
     let (at, yaw) = level_strip(&scene, scene.feet(), 8.0, 2.5);
     let near = Leaf { foot: at, yaw };

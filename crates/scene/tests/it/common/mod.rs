@@ -35,7 +35,24 @@ pub fn setup(geometry: Geometry) -> WorldSetup {
 
 /// A world that is not kept, its ground loaded.
 pub fn scene(geometry: Geometry) -> Scene {
-    let mut scene = Scene::open(setup(geometry), None).unwrap();
+    opened(setup(geometry))
+}
+
+/// One in whose middle there is room for doors and paths, in a closed world, too: slopes are steeper there than in its charts.
+pub fn roomy_scene(geometry: Geometry) -> Scene {
+    let usual = setup(geometry);
+    opened(WorldSetup {
+        seed: if geometry == Geometry::Spherical {
+            1
+        } else {
+            usual.seed
+        },
+        ..usual
+    })
+}
+
+fn opened(setup: WorldSetup) -> Scene {
+    let mut scene = Scene::open(setup, None).unwrap();
     assert!(scene.wait_for_step(LIMIT));
     scene
 }
