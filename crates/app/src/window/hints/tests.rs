@@ -148,7 +148,7 @@ fn what_a_world_has_not_is_not_told_and_not_counted() {
 }
 
 #[test]
-fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_over_the_equator_until_one_is_home() {
+fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_straight_on_until_one_is_home() {
     let mut hints = Hints::default();
     for lesson in [Lesson::Look, Lesson::Walk, Lesson::Jump] {
         hints.finish(lesson);
@@ -167,7 +167,7 @@ fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_over_the_equator_until_o
         }
     }
     hints.rest_s = 0.0;
-    assert!(told(&hints, CLOSED).starts_with("Walk to the equator"));
+    assert!(told(&hints, CLOSED).starts_with("Walk straight on"));
     for _ in 0..(1.1 * READ_S / STEP_S) as u32 {
         hints.step(&Actions::default(), CLOSED);
     }

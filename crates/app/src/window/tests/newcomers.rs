@@ -50,7 +50,7 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         mode: antipode_scene::Mode::Gathering,
         start: Beginning::Middle,
     })));
-    for words in ["Look up", "You build with", "Walk to the equator"] {
+    for words in ["Look up", "You build with", "Walk straight on"] {
         tick_until(&mut game, |game| told(game).starts_with(words));
         input(&mut game, KEY_N, true);
         input(&mut game, KEY_N, false);

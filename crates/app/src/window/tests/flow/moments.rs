@@ -20,7 +20,8 @@ fn a_turn_is_seen_in_the_next_frame_and_the_next_step_turns_as_far() {
         }
         film.at(240);
         let start = film.picture().view.eye;
-        input(&mut film.game, AHEAD, true);
+        // Who walks in a closed world is turned by his way, too.
+        input(&mut film.game, AHEAD, geometry == Geometry::Euclidean);
         let rad_per_px = film
             .game
             .options
@@ -167,7 +168,8 @@ fn a_paused_world_stands_still_in_the_middle_of_a_step_and_goes_on_from_there() 
         input(&mut film.game, AHEAD, true);
         let next = film.shoot(1).remove(0);
         assert!(next.view.eye.point.pos.distance(last.view.eye.point.pos) < 0.05);
-        assert!((next.view.eye.yaw - last.view.eye.yaw).abs() < 1e-9);
+        // Two centimetres of a way turn a look by less; what the mouse had turned is a hundred times that.
+        assert!((next.view.eye.yaw - last.view.eye.yaw).abs() < 1e-3);
     }
 }
 
