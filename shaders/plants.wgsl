@@ -197,7 +197,16 @@ fn fragment_plant(in: PlantOut) -> @location(0) vec4<f32> {
     return plant_colour(in, pixel);
 }
 
-// Each fragment with its own depth, and what may be close to the eye.
+// What may be close to the eye, with a card.
+@fragment
+fn fragment_close_plant(in: PlantOut) -> @location(0) vec4<f32> {
+    let pixel = plant_pixel(in);
+    if gives_way(in) || is_cut(in.view) {
+        discard;
+    }
+    return plant_colour(in, pixel);
+}
+
 @fragment
 fn fragment_deep_plant(in: PlantOut) -> DeepOut {
     let pixel = plant_pixel(in);

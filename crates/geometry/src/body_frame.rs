@@ -93,7 +93,7 @@ impl<'a> BodyFrame<'a> {
         let [x, z] = [DVec3::X, DVec3::Z].map(|axis| self.in_chart(axis));
         let [middle, half] = [0.5 * (low + high), 0.5 * (high - low)];
         let centre = self.at.pos + x * middle.x + z * middle.z;
-        let farthest = low.abs().max(high.abs()).with_y(0.0).length();
+        let farthest = low.abs().max(high.abs()).with_y(0.0).length() / self.stretch;
         let level = x.abs() * half.x + z.abs() * half.z;
         let bend = farthest * farthest / self.radius_m;
         let reach = DVec3::new(level.x + bend, half.y, level.z + bend);

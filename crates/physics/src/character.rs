@@ -203,7 +203,9 @@ impl BodyGround<'_> {
             return false;
         }
         if !self.lower(character, tuning, [0.0, most_m]) {
-            return self.curved() && self.settle_down(character, tuning);
+            return self.curved()
+                && self.is_over_a_slope(character, tuning, most_m)
+                && self.settle_down(character, tuning);
         }
         if self.curved() {
             // Down there a level metre is another one: on a slope the ground is a little higher or lower for it, each time a
@@ -215,6 +217,21 @@ impl BodyGround<'_> {
         character.velocity = DVec3::ZERO;
         character.grounded = true;
         true
+    }
+
+    /// Whether a character hangs no more than so far over ground, however steep.
+    fn is_over_a_slope(
+        &self,
+        character: &Character,
+        tuning: &CharacterTuning,
+        most_m: f64,
+    ) -> bool {
+        let climber = CharacterTuning {
+            max_slope_rad: std::f64::consts::FRAC_PI_2,
+            ..*tuning
+        };
+        let mut lowered = Character::at(character.feet);
+        self.lower(&mut lowered, &climber, [0.0, most_m])
     }
 
     /// Lets a character slide to where it stands, if that is near; whether it does.

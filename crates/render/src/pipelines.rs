@@ -156,7 +156,7 @@ pub(crate) struct Maker<'a> {
     pub(crate) map: &'static MapShader,
     samples: u32,
     pub(crate) shadows: ShadowQuality,
-    preset: Preset,
+    pub(crate) preset: Preset,
     by_figures: bool,
     /// Whether lamps or beams may light what is drawn.
     lit: bool,

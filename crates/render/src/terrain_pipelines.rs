@@ -61,6 +61,8 @@ struct Set {
     framed_blending: RenderPipeline,
     /// What grows on land, ported by vertex.
     plant: RenderPipeline,
+    /// The same close to the eye, where leaves give way; software has none.
+    close_plant: Option<RenderPipeline>,
     /// The same, each fragment with its own depth.
     deep_plant: RenderPipeline,
     /// The same, ported as a whole.
@@ -129,8 +131,8 @@ impl TerrainPipelines {
         Self::number_of(way, reach, lights)
     }
 
-    /// The same of what grows on the land of a choice. What may be close to the eye is drawn as what finds its own depth by
-    /// fragment is: only there leaves give way, as a shader that may discard a fragment is run for those, too, that are hidden.
+    /// The same of what grows on the land of a choice. Only what may be close to the eye has leaves that give way, as a shader
+    /// that may discard a fragment is run for those, too, that are hidden.
     pub fn number_of_plants(
         choice: &ChunkChoice,
         preset: Preset,
@@ -139,9 +141,9 @@ impl TerrainPipelines {
     ) -> u8 {
         let is_close = preset == Preset::Card && choice.distance_m < GIVES_WAY_M;
         let way = match (&choice.port, choice.depth) {
-            _ if is_close => 9,
+            (_, DepthMethod::Fragment) => 9,
+            _ if is_close => 11,
             (Port::Frame(_), _) => 10,
-            (Port::Vertex, DepthMethod::Fragment) => 9,
             (Port::Vertex, _) => 0,
         };
         Self::number_of(way, reach, lights)
@@ -178,7 +180,8 @@ impl TerrainPipelines {
             (_, 4) => &all.deep_blending,
             (_, 5) => &all.framed_blending,
             (_, 6) => &all.deep_plant,
-            _ => &all.framed_plant,
+            (_, 7) => &all.framed_plant,
+            _ => all.close_plant.as_ref().unwrap_or(&all.plant),
         }
     }
 }
@@ -190,6 +193,7 @@ impl Set {
         buffers: &[VertexBufferLayout<'_>],
     ) -> Self {
         let terrain = |vertex, fragment| maker.make(module, [vertex, fragment], buffers, SOLID);
+        let has_close = maker.preset == Preset::Card;
         Self {
             plain: terrain("vertex", "fragment"),
             rim: terrain("vertex", "fragment_rim"),
@@ -200,6 +204,7 @@ impl Set {
             deep_blending: terrain("vertex", "fragment_deep_blending"),
             framed_blending: terrain("vertex_framed", "fragment_blending"),
             plant: terrain("vertex_plant", "fragment_plant"),
+            close_plant: has_close.then(|| terrain("vertex_plant", "fragment_close_plant")),
             deep_plant: terrain("vertex_plant", "fragment_deep_plant"),
             framed_plant: terrain("vertex_plant_framed", "fragment_plant"),
         }

@@ -247,7 +247,7 @@ impl Scene {
         let mut marks: Vec<_> = particles.prints(at_s).collect();
         contact::add(world, eye.point, figures, &mut marks);
         Dust {
-            particles: particles.seen(before_s),
+            particles: particles.seen(&*world.strategy, before_s),
             marks,
         }
     }

@@ -221,7 +221,8 @@ impl Scene {
     }
 
     /// Puts a bullet in flight that nobody's gun has fired: it harms everyone but the player, as the player's own do at
-    /// first. `point` is its middle, `velocity` in metres a second of the chart.
+    /// first. `point` is its middle, `velocity` in metres of the space a second, along the
+    /// axes of the chart's frame.
     pub fn throw_bullet(&mut self, point: ChartPoint, velocity: DVec3) {
         let by = self.sim.actors.player;
         projectile::fire(&mut self.sim.actors, point, velocity, by);

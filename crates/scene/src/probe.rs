@@ -89,7 +89,7 @@ pub struct Probe {
 pub struct PlayerProbe {
     /// Feet, metres.
     pub pos: [f64; 3],
-    /// Velocity, metres per second.
+    /// Velocity, metres of the space per second, along the axes of the chart's frame.
     pub vel: [f64; 3],
     /// Heading, degrees.
     pub yaw: f64,
@@ -142,7 +142,7 @@ pub struct CameraProbe {
 pub struct CarProbe {
     /// The ground below its middle, when it stands on level ground, metres.
     pub pos: [f64; 3],
-    /// Velocity, metres per second.
+    /// Velocity, metres of the chart per second.
     pub vel: [f64; 3],
     /// Heading, degrees.
     pub yaw: f64,

@@ -126,6 +126,23 @@ fn a_bush_gives_way_to_what_is_beside_it_and_lies_flat_under_it() {
     }
 }
 
+/// Each hemisphere has its own map to the view, by which depth has to go, too.
+#[test]
+fn what_grows_about_the_eye_is_seen_in_both_hemispheres() {
+    let Some(mut studio) = Studio::for_card(SIZE) else {
+        return;
+    };
+    let pixels = [ChartId::FIRST, ChartId::SECOND].map(|chart| {
+        let coord = ChunkCoord::new(chart, glam::IVec3::ZERO);
+        let (frame, _) = planted(Geometry::Spherical, coord, Some(Species::Bush));
+        green(&studio.picture(&frame)).0
+    });
+    assert!(
+        pixels[0] > 800 && pixels[0].abs_diff(pixels[1]) < 80,
+        "{pixels:?}"
+    );
+}
+
 #[test]
 fn grass_bends_and_trunks_and_boulders_do_not() {
     let Some(mut studio) = Studio::new(SIZE) else {

@@ -141,7 +141,7 @@ fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
     body::place(world, actors, player, spot, velocity, false);
     outbox.sounds.push(SoundEvent::CarDoor);
     let damage = fall_damage(
-        car.velocity.length() * JUMPED_OFF_SHARE,
+        velocity.length() * JUMPED_OFF_SHARE,
         actors.tuning.gravity_m_s2,
     );
     hurt_player(actors, player, outbox, damage, DamageKind::Fall, None);

@@ -49,7 +49,7 @@ pub(crate) struct Quarry {
     pub head: Eye,
     /// Where the feet are.
     pub feet: ChartPoint,
-    /// Velocity in the chart of the feet, m/s.
+    /// Velocity in metres of the space along the axes of the feet's chart, m/s.
     pub velocity: DVec3,
 }
 

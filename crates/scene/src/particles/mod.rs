@@ -12,7 +12,7 @@ mod surface;
 mod tests;
 mod tracks;
 
-use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_geometry::{ChartPoint, ChunkCoord, Strategy};
 use glam::DVec3;
 
 use crate::frame;
@@ -79,7 +79,7 @@ pub(crate) enum Sort {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Particle {
     pub point: ChartPoint,
-    /// In its chart, m/s.
+    /// In metres of the space along the axes of its chart's frame, m/s.
     pub velocity: DVec3,
     pub sort: Sort,
     pub age_s: f64,
@@ -176,8 +176,9 @@ impl Particles {
     }
 
     /// What a picture shows of them that is taken so many seconds before the last step's end.
-    pub fn seen(&self, before_s: f64) -> Vec<frame::Particle> {
-        self.pool.iter().map(|it| it.seen(before_s)).collect()
+    pub fn seen(&self, space: &dyn Strategy, before_s: f64) -> Vec<frame::Particle> {
+        let seen = |it: &Particle| it.seen(space, before_s);
+        self.pool.iter().map(seen).collect()
     }
 }
 
@@ -190,7 +191,7 @@ const COMES_S: f64 = 0.07;
 const GOES_S: f64 = 0.8;
 
 impl Particle {
-    fn seen(&self, before_s: f64) -> frame::Particle {
+    fn seen(&self, space: &dyn Strategy, before_s: f64) -> frame::Particle {
         let age_s = (self.age_s - before_s).max(0.0);
         let share = (age_s / self.life_s).min(1.0);
         let [from, to] = self.radius_m;
@@ -211,7 +212,9 @@ impl Particle {
             }
         };
         frame::Particle {
-            point: self.point.moved(self.velocity * -before_s),
+            point: self
+                .point
+                .moved(space.in_chart(self.point, self.velocity) * -before_s),
             look: match self.sort {
                 Sort::Dust => frame::Look::Dust,
                 Sort::Spray => frame::Look::Spray,

@@ -108,3 +108,18 @@ fn a_heading_is_kept_over_a_quarter_of_the_world() {
         );
     }
 }
+
+/// Who hangs in the air and flies no more falls, as anywhere.
+#[test]
+fn who_stops_flying_falls_and_is_not_put_down() {
+    let mut scene = scene(Geometry::Spherical);
+    scene.set_flying(true);
+    let start = scene.feet().moved(DVec3::Y * 5.0);
+    scene.teleport(start);
+    assert!(scene.wait_for_step(LIMIT));
+    steps(&mut scene, 10, &Actions::default());
+    scene.set_flying(false);
+    steps(&mut scene, 2, &Actions::default());
+    assert!(start.pos.y - scene.feet().pos.y < 0.1, "{:?}", scene.feet());
+    assert!(!scene.probe().player.grounded);
+}

@@ -69,6 +69,18 @@ impl Studio {
         )
     }
 
+    /// As pictures are made for graphics cards.
+    pub fn for_card(size: (u32, u32)) -> Option<Self> {
+        let options = Options {
+            samples: 1,
+            scale: 1.0,
+            output_format: PLAIN,
+            shadows: ShadowQuality::Off,
+            preset: Preset::Card,
+        };
+        Self::made(size, options)
+    }
+
     /// With shadows of a quality.
     pub fn shadowed(size: (u32, u32), shadows: ShadowQuality) -> Option<Self> {
         Self::sampled(size, shadows, 1)
