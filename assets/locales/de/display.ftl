@@ -21,7 +21,8 @@ dial-bend-hyperbolic = Biegung, hyperbolisch
 dial-bend-spherical = Biegung, sphärisch
 dial-bend-flat = Biegung, flach
 
-space-hyperbolic = hyperbolisch
+space-hyperbolic = hyperbolische Linse
+space-hyperbolic-world = hyperbolische Welt
 space-euclidean = euklidisch
 space-spherical = sphärisch
 

@@ -25,7 +25,8 @@ dial-bend-spherical = Bend, spherical
 dial-bend-flat = Bend, flat
 
 # The kind of space, among other words.
-space-hyperbolic = hyperbolic
+space-hyperbolic = hyperbolic lens
+space-hyperbolic-world = hyperbolic world
 space-euclidean = euclidean
 space-spherical = spherical
 

@@ -21,7 +21,8 @@ dial-bend-hyperbolic = Flexión, hiperbólica
 dial-bend-spherical = Flexión, esférica
 dial-bend-flat = Flexión, plana
 
-space-hyperbolic = hiperbólico
+space-hyperbolic = lente hiperbólica
+space-hyperbolic-world = mundo hiperbólico
 space-euclidean = euclídeo
 space-spherical = esférico
 

@@ -24,7 +24,8 @@ dial-bend-spherical = Zgięcie, sferyczne
 dial-bend-flat = Zgięcie, płasko
 
 # Rodzaj przestrzeni, wśród innych słów.
-space-hyperbolic = hiperboliczna
+space-hyperbolic = hiperboliczna soczewka
+space-hyperbolic-world = świat hiperboliczny
 space-euclidean = euklidesowa
 space-spherical = sferyczna
 

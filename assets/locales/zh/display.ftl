@@ -21,7 +21,8 @@ dial-bend-hyperbolic = 弯曲，双曲
 dial-bend-spherical = 弯曲，球面
 dial-bend-flat = 弯曲，平直
 
-space-hyperbolic = 双曲
+space-hyperbolic = 双曲透镜
+space-hyperbolic-world = 双曲世界
 space-euclidean = 欧几里得
 space-spherical = 球面
 

@@ -39,7 +39,7 @@ pub struct Cli {
     /// Name of the new world.
     #[arg(long, requires = "geometry")]
     pub name: Option<String>,
-    /// Radius of the new spherical world in metres, 16 to 256.
+    /// Radius of the new spherical world in metres, 16 to 256, or of the new hyperbolic-world, 30 to 121.
     #[arg(long, requires = "geometry", value_name = "METRES")]
     pub radius: Option<f64>,
     /// What building costs in the new world: nothing (creative), or what was dug (gathering).

@@ -238,7 +238,8 @@ mod tests {
             ("tele", "teleport "),
             ("give pickaxe-i", "give pickaxe-iron "),
             ("give p", "give pickaxe-"),
-            ("new H", "new hyperbolic "),
+            ("new H", "new hyperbolic"),
+            ("new hyperbolic-", "new hyperbolic-world "),
             ("new spherical r", "new spherical radius="),
             (
                 "new spherical radius=20 se",

@@ -27,7 +27,7 @@ pub struct NewWorld {
     pub name: Option<String>,
     /// Its seed; random when left out.
     pub seed: Option<u64>,
-    /// Radius of a spherical world in metres.
+    /// Radius of a spherical or hyperbolic world in metres.
     pub radius_m: Option<f64>,
     /// What makes its land; the newest when left out.
     pub generator: Option<Generator>,
@@ -285,7 +285,7 @@ pub fn radius_m(geometry: Geometry, wanted_m: Option<f64>) -> Result<f64, Failur
             range.start(),
             range.end()
         ),
-        None => "Only a spherical world has a radius to choose".to_owned(),
+        None => "Only a spherical world and a hyperbolic-world have a radius to choose".to_owned(),
     };
     Err(Failure::Usage(refused))
 }

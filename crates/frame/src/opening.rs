@@ -113,7 +113,11 @@ mod tests {
     #[test]
     fn what_lies_beyond_the_other_leaf_is_shown_and_what_lies_before_it_is_cut_off() {
         for geometry in Geometry::ALL {
-            let space = strategy(geometry, 32.0);
+            let radius_m = match geometry {
+                Geometry::HyperbolicWorld => 60.305,
+                _ => 32.0,
+            };
+            let space = strategy(geometry, radius_m);
             let second = if geometry == Geometry::Spherical {
                 ChartId::SECOND
             } else {

@@ -237,13 +237,16 @@ mod tests {
         }
     }
 
-    /// A leaf of a space: on a sphere in either hemisphere, up to the equator.
+    /// A leaf of a space: on a sphere in either hemisphere, up to the equator; of squares in the first or the next.
     fn leaf(geometry: Geometry, [far, angle, y, yaw]: [f64; 4], second: bool) -> Leaf {
-        let closed = geometry == Geometry::Spherical;
-        let rim_m = 0.5 * PI * RADIUS_M;
-        let level_m = far * if closed { rim_m } else { 200.0 };
+        let (farthest_m, has_second) = match geometry {
+            Geometry::Euclidean | Geometry::Hyperbolic => (200.0, false),
+            Geometry::Spherical => (0.5 * PI * RADIUS_M, true),
+            Geometry::HyperbolicWorld => (15.0, true),
+        };
+        let level_m = far * farthest_m;
         let height_m = RADIUS_M * (0.15 + 0.35 * y);
-        let chart = if second && closed {
+        let chart = if second && has_second {
             ChartId::SECOND
         } else {
             ChartId::FIRST

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Strategy, ViewMode, flat, hyperbolic, spherical};
+use crate::{Strategy, ViewMode, flat, hyperbolic, hyperbolic_world, spherical};
 
 /// Radii of curvature of the worlds of a space, in metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,21 +57,30 @@ pub fn picture(
 pub enum Geometry {
     /// Flat space, curvature 0.
     Euclidean,
-    /// Hyperbolic space, curvature -1/R^2.
+    /// Flat land seen in hyperbolic space, curvature -1/R^2: the hyperbolic lens.
     Hyperbolic,
     /// The three-sphere, curvature +1/R^2.
     Spherical,
+    /// Hyperbolic space over a plane in squares, five about a corner, curvature -1/R^2.
+    #[serde(rename = "hyperbolic-world")]
+    HyperbolicWorld,
 }
 
 impl Geometry {
     /// All of them, each at the place of its variant.
-    pub const ALL: [Self; 3] = [Self::Euclidean, Self::Hyperbolic, Self::Spherical];
+    pub const ALL: [Self; 4] = [
+        Self::Euclidean,
+        Self::Hyperbolic,
+        Self::Spherical,
+        Self::HyperbolicWorld,
+    ];
 
     fn entry(self) -> &'static Entry {
         match self {
             Self::Euclidean => &flat::ENTRY,
             Self::Hyperbolic => &hyperbolic::ENTRY,
             Self::Spherical => &spherical::ENTRY,
+            Self::HyperbolicWorld => &hyperbolic_world::ENTRY,
         }
     }
 
@@ -92,9 +101,9 @@ impl fmt::Display for Geometry {
     }
 }
 
-/// A word that names none of the three spaces.
+/// A word that names none of the spaces.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("\"{0}\" is not a geometry; choose euclidean, hyperbolic or spherical")]
+#[error("\"{0}\" is not a geometry; choose euclidean, hyperbolic, spherical or hyperbolic-world")]
 pub struct ParseGeometryError(String);
 
 impl FromStr for Geometry {

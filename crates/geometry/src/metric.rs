@@ -48,7 +48,7 @@ impl Curvature {
         self.sign * self.radius_m.powi(-2)
     }
 
-    /// Which of the three spaces has it.
+    /// Which of the three oldest spaces has it.
     fn geometry(self) -> Geometry {
         if self.sign < 0.0 {
             Geometry::Hyperbolic
@@ -107,7 +107,7 @@ pub trait Metric {
         self.curvature_at(eye).radius_m
     }
 
-    /// Which of the three spaces this is.
+    /// Which of the spaces this is: that of its curvature alone, unless it says another.
     fn geometry(&self) -> Geometry {
         self.curvature().geometry()
     }

@@ -27,9 +27,19 @@ pub mod svg;
 pub mod terrain;
 pub mod text;
 
+use antipode_geometry::Geometry;
+
 pub use error::LabError;
 pub use machine::made_on;
 pub use report::{Axis, Cell, Picture, Plot, Report, Scale, Section, Series, Table};
+
+/// The spaces that the tables compare, in the order of their frames. The lands compared are of one kind, of which worlds in
+/// tiles have none.
+const SPACES: [Geometry; 3] = [
+    Geometry::Euclidean,
+    Geometry::Hyperbolic,
+    Geometry::Spherical,
+];
 
 /// How thoroughly to measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

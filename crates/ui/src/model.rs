@@ -9,9 +9,11 @@ use crate::worlds::{WorldFiles, WorldsIntent};
 /// The space a new world is made in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum GeometryChoice {
-    /// Constant negative curvature.
+    /// Flat land, seen in a space of constant negative curvature.
     #[default]
     Hyperbolic,
+    /// Constant negative curvature: land in squares, five about a corner.
+    HyperbolicWorld,
     /// No curvature.
     Euclidean,
     /// Constant positive curvature: a finite world of two hemispheres.
@@ -20,7 +22,12 @@ pub enum GeometryChoice {
 
 impl GeometryChoice {
     /// Every choice, in the order in which the cards stand.
-    pub const ALL: [Self; 3] = [Self::Hyperbolic, Self::Euclidean, Self::Spherical];
+    pub const ALL: [Self; 4] = [
+        Self::Hyperbolic,
+        Self::HyperbolicWorld,
+        Self::Euclidean,
+        Self::Spherical,
+    ];
 
     /// The name on the card.
     pub fn label(self, texts: &Texts) -> String {
@@ -31,6 +38,7 @@ impl GeometryChoice {
     pub fn id(self) -> &'static str {
         match self {
             Self::Hyperbolic => "hyperbolic",
+            Self::HyperbolicWorld => "hyperbolic-world",
             Self::Euclidean => "euclidean",
             Self::Spherical => "spherical",
         }

@@ -2,6 +2,7 @@
 
 mod cards;
 mod radius;
+mod squares;
 
 use antipode_language::Texts;
 use egui::text::{CCursor, CCursorRange};
@@ -32,7 +33,10 @@ pub(crate) struct NewGameForm {
     geometry: GeometryChoice,
     mode: ModeChoice,
     seed: String,
+    /// Radius of a closed world, metres.
     radius_m: f64,
+    /// That of a hyperbolic world, metres.
+    squares_radius_m: f64,
     /// Whether the name is the player's own.
     touched: bool,
 }
@@ -62,6 +66,7 @@ impl Default for NewGameForm {
             mode: ModeChoice::default(),
             seed: String::new(),
             radius_m: radius::DEFAULT_M,
+            squares_radius_m: squares::DEFAULT_RADIUS_M,
             touched: false,
         }
     }
@@ -93,10 +98,7 @@ impl NewGameForm {
             self.mode(ui, texts, stops);
             let seed = self.seed_field(ui, texts, seed);
             stops.add(&seed);
-            let spherical = self.geometry == GeometryChoice::Spherical;
-            let walk_m_s = pass.model.walk_m_s;
-            let radius =
-                spherical.then(|| radius::choose(ui, texts, &mut self.radius_m, walk_m_s, stops));
+            let radius = self.size(ui, texts, pass.model.walk_m_s, stops);
             Fields { name, seed, radius }
         };
         let fields = pane(ui, regions.pane, &texts.say("menu-new-game"), body, |ui| {
@@ -146,13 +148,38 @@ impl NewGameForm {
     }
 
     fn intent(&self, seed: Option<u64>) -> Intent {
-        let spherical = self.geometry == GeometryChoice::Spherical;
+        let radius_m = match self.geometry {
+            GeometryChoice::Spherical => Some(self.radius_m),
+            GeometryChoice::HyperbolicWorld => Some(self.squares_radius_m),
+            GeometryChoice::Hyperbolic | GeometryChoice::Euclidean => None,
+        };
         Intent::NewGame {
             name: self.name.trim().to_owned(),
             geometry: self.geometry,
             mode: self.mode,
             seed,
-            radius_m: spherical.then_some(self.radius_m),
+            radius_m,
+        }
+    }
+
+    /// The size of a world whose space has one; returns the field in which Enter makes the world.
+    fn size(
+        &mut self,
+        ui: &mut Ui,
+        texts: &Texts,
+        walk_m_s: f64,
+        stops: &mut Stops,
+    ) -> Option<Response> {
+        match self.geometry {
+            GeometryChoice::Spherical => {
+                let radius_m = &mut self.radius_m;
+                Some(radius::choose(ui, texts, radius_m, walk_m_s, stops))
+            }
+            GeometryChoice::HyperbolicWorld => {
+                squares::choose(ui, texts, &mut self.squares_radius_m, stops);
+                None
+            }
+            GeometryChoice::Hyperbolic | GeometryChoice::Euclidean => None,
         }
     }
 

@@ -4,7 +4,7 @@
 /// What a word after a command can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Argument {
-    /// A space: `euclidean`, `hyperbolic`, `spherical`.
+    /// A space: `euclidean`, `hyperbolic`, `spherical`, `hyperbolic-world`.
     Geometry,
     /// `seed=`, `name=`, `radius=`, `generator=` or `mode=`.
     Option,

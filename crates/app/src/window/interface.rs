@@ -195,6 +195,7 @@ fn mode_of(choice: ModeChoice) -> Mode {
 fn geometry_of(choice: GeometryChoice) -> Geometry {
     match choice {
         GeometryChoice::Hyperbolic => Geometry::Hyperbolic,
+        GeometryChoice::HyperbolicWorld => Geometry::HyperbolicWorld,
         GeometryChoice::Euclidean => Geometry::Euclidean,
         GeometryChoice::Spherical => Geometry::Spherical,
     }

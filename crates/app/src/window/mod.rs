@@ -83,7 +83,7 @@ pub enum Start {
         seed: Option<u64>,
         /// Its name; a free one when left out.
         name: Option<String>,
-        /// Its radius, for a spherical world.
+        /// Its radius, for a spherical or hyperbolic world.
         radius_m: Option<f64>,
         /// What building costs.
         mode: Mode,

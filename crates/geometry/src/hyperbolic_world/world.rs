@@ -10,8 +10,8 @@ use crate::kernel::distance;
 use crate::tiling::APOTHEM;
 use crate::tiling::quilt::Quilt;
 use crate::{
-    Atlas, CHUNK_CELLS, ChartId, ChartPoint, Crossing, Curvature, Domain, Eye, Map, Metric,
-    NoiseFrame, NoiseQuilt, Viewer,
+    Atlas, CHUNK_CELLS, ChartId, ChartPoint, Crossing, Curvature, Domain, Eye, Geometry, Map,
+    Metric, NoiseFrame, NoiseQuilt, Viewer,
 };
 
 /// How far past an edge a body goes before it changes charts, metres. What it goes past is carried exactly; this keeps a body on
@@ -308,6 +308,10 @@ impl Metric for HyperbolicWorld {
         let (a, b) = (self.chart.point(a.pos), way * self.chart.point(b.pos));
         let [a, b] = [a, b].map(|it| it.truncate().to_array());
         self.chart.radius_m * distance::hyperbolic_far(a, b)
+    }
+
+    fn geometry(&self) -> Geometry {
+        Geometry::HyperbolicWorld
     }
 
     fn moves_in_chart(&self) -> bool {

@@ -171,7 +171,7 @@ pub fn short(costs: &[Found], spreads: &[Spread], rest: &[(&str, Tally)]) -> Sec
     let mut columns = vec!["space".to_owned()];
     columns.extend(["a million triangles", "a million pixels"].map(str::to_owned));
     columns.extend(sizes.iter().map(|it| format!("{}, p50", size(*it))));
-    let names = antipode_geometry::Geometry::ALL.map(antipode_geometry::Geometry::name);
+    let names = crate::SPACES.map(antipode_geometry::Geometry::name);
     let rows = names.into_iter().map(|space| {
         let fit = costs.iter().find(|it| it.space == space);
         let fit = fit.and_then(|it| it.fit.as_ref());

@@ -3,8 +3,8 @@
 use antipode_geometry::Geometry;
 use antipode_scene::frame::Frame;
 
-use crate::LabError;
 use crate::speed::scenes::made;
+use crate::{LabError, SPACES};
 
 /// Width to height of every picture here.
 const ASPECT: f64 = 16.0 / 9.0;
@@ -30,7 +30,7 @@ impl World {
 /// # Errors
 /// When a world cannot be opened, or its land is not made in time.
 pub fn all(view_distance: u32) -> Result<Vec<World>, LabError> {
-    let worlds = Geometry::ALL.into_iter().map(|geometry| {
+    let worlds = SPACES.into_iter().map(|geometry| {
         let frame = made(geometry, ASPECT, view_distance)?.with_view(|view| {
             view.hand = None;
             view.shows_marks = false;

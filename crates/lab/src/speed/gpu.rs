@@ -1,13 +1,12 @@
 //! The section of the adapter's figures: frame times of the fixed scene and of the same triangles in every space.
 
-use antipode_geometry::Geometry;
 use antipode_render::{AdapterChoice, Gpu};
 use antipode_scene::frame::{Frame, Quality, View};
 
 use crate::speed::scenes::{Look, Order, fixed, keep_common, looks, sphere_looks};
 use crate::speed::stage::{Taken, race};
 use crate::speed::{equal, lamps, quality, shadows, vertex_stage};
-use crate::{Cell, Effort, LabError, Section, Table};
+use crate::{Cell, Effort, LabError, SPACES, Section, Table};
 
 /// Size of the pictures that the bar on cost is for.
 const BAR_SIZE: (u32, u32) = (1280, 720);
@@ -25,7 +24,7 @@ pub fn gpu_section(effort: Effort, adapter: AdapterChoice) -> Result<Section, La
     let (width, height) = size(effort);
     let aspect = f64::from(width) / f64::from(height);
     let mut frames = Vec::new();
-    for geometry in Geometry::ALL {
+    for geometry in SPACES {
         frames.push(fixed(geometry, aspect)?);
     }
     let mut tables = vec![scene_table(&gpu, &frames, effort)?];
@@ -65,7 +64,7 @@ const METHOD: [&str; 5] = [
 fn scene_table(gpu: &Gpu, frames: &[Frame], effort: Effort) -> Result<Table, LabError> {
     let (_, taken) = race(gpu, size(effort), frames.to_vec(), effort)?;
     let flat = taken.first().copied().unwrap_or_default();
-    let rows = Geometry::ALL.iter().zip(&taken).map(|(geometry, own)| {
+    let rows = SPACES.iter().zip(&taken).map(|(geometry, own)| {
         let mut row = vec![Cell::text(geometry.name())];
         row.extend(costs(own, &flat));
         row

@@ -3,13 +3,12 @@
 
 use std::f64::consts::{FRAC_PI_3, SQRT_2};
 
-use antipode_geometry::Geometry;
 use antipode_render::Gpu;
 use antipode_scene::frame::{Frame, LampLight, Lights};
 use glam::DVec3;
 
 use crate::speed::stage::{Taken, race};
-use crate::{Cell, Effort, LabError, Table};
+use crate::{Cell, Effort, LabError, SPACES, Table};
 
 /// Lamps that a picture shows at most, and what a frame with them may cost of one without.
 const MOST: usize = 64;
@@ -70,7 +69,7 @@ fn level_m(frame: &Frame, flat2: f64) -> f64 {
 /// When the adapter fails.
 pub fn table(gpu: &Gpu, frames: &[Frame], effort: Effort) -> Result<Table, LabError> {
     let mut rows = Vec::new();
-    for (geometry, frame) in Geometry::ALL.iter().zip(frames) {
+    for (geometry, frame) in SPACES.iter().zip(frames) {
         let pair = vec![lit(frame, 0), lit(frame, MOST)];
         let (_, taken) = race(gpu, SIZE, pair, effort)?;
         rows.push(row(geometry.name(), &taken));

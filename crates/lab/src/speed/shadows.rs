@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use crate::speed::clock::median;
 use crate::speed::stage::{Drawn, Stage};
-use crate::{Cell, Effort, LabError, Table};
+use crate::{Cell, Effort, LabError, SPACES, Table};
 
 /// Size of the pictures that the bar is for.
 const SIZE: (u32, u32) = (640, 360);
@@ -123,7 +123,7 @@ pub fn quality(gpu: &Gpu) -> ShadowQuality {
 /// When the adapter fails.
 pub fn table(gpu: &Gpu, frames: &[Frame], effort: Effort) -> Result<Table, LabError> {
     let mut rows = Vec::new();
-    for (geometry, frame) in Geometry::ALL.into_iter().zip(frames) {
+    for (geometry, frame) in SPACES.into_iter().zip(frames) {
         rows.push(row(geometry, walks(gpu, frame, effort)?));
     }
     let columns = [

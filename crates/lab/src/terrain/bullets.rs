@@ -10,7 +10,7 @@ use glam::DVec3;
 use super::clock::{Spread, ThreadClock};
 use super::engine::{name, open};
 use super::row::{Bar, Judged, Row, table};
-use crate::{Effort, LabError, Section};
+use crate::{Effort, LabError, SPACES, Section};
 
 /// Bullets in flight.
 const BULLETS: usize = 500;
@@ -39,7 +39,7 @@ const VIEW_DISTANCE: u32 = 3;
 pub fn section(effort: Effort) -> Result<Section, LabError> {
     let seconds = SECONDS[usize::from(effort.quick)];
     let mut rows = Vec::new();
-    for geometry in Geometry::ALL {
+    for geometry in SPACES {
         // Memory does not ask which space it is.
         let long = geometry == Geometry::Euclidean || effort.quick;
         rows.extend(rows_of(

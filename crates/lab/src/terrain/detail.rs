@@ -14,7 +14,7 @@ use glam::{DVec3, IVec3};
 use super::engine::{name, open, settle};
 use super::row::{Bar, Judged, Row, table};
 use crate::speed::stage::Stage;
-use crate::{Effort, LabError, Section};
+use crate::{Effort, LabError, SPACES, Section};
 
 /// The view distances compared, chunks.
 const NEAR: u32 = 6;
@@ -50,7 +50,7 @@ struct View {
 /// When a world cannot be opened or its land is not made, or the adapter fails.
 pub fn section(effort: Effort, gpu: Option<&Gpu>) -> Result<Section, LabError> {
     let mut rows = Vec::new();
-    for geometry in Geometry::ALL {
+    for geometry in SPACES {
         let near = look(open(geometry, NEAR, None)?, gpu)?;
         rows.extend(rows_of(&case(geometry, NEAR), &near));
         if !effort.quick {

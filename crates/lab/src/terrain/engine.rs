@@ -23,6 +23,7 @@ pub fn name(geometry: Geometry) -> &'static str {
         Geometry::Euclidean => "Euclidean",
         Geometry::Hyperbolic => "hyperbolic",
         Geometry::Spherical => "spherical",
+        Geometry::HyperbolicWorld => "hyperbolic world",
     }
 }
 

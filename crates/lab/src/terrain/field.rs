@@ -9,7 +9,7 @@ use super::clock::{Rival, race};
 use super::engine::{SEED, field, name, space, surface_chunk};
 use super::row::{Bar, Judged, Row, table};
 use super::versus::{Least, versus};
-use crate::{Effort, Section};
+use crate::{Effort, SPACES, Section};
 
 /// Samples of a chunk's block.
 const BLOCK: usize = SAMPLES * SAMPLES * SAMPLES;
@@ -52,7 +52,7 @@ pub fn field_section(effort: Effort) -> Section {
         bar("the same of four octaves", ns[0]),
         bar("the same of four octaves, spherical", ns[1]),
     ];
-    for geometry in Geometry::ALL {
+    for geometry in SPACES {
         rows.extend(content_rows(geometry, effort));
     }
     Section::new(
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn no_chunk_with_a_surface_is_called_bare() {
-        for geometry in Geometry::ALL {
+        for geometry in SPACES {
             let field = field(geometry);
             for coord in around(geometry, Effort { quick: true }) {
                 let surface = has_surface(&field, coord);

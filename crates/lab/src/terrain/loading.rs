@@ -6,7 +6,7 @@ use antipode_geometry::Geometry;
 
 use super::engine::{name, open};
 use super::row::{Bar, Judged, Row, table};
-use crate::{Effort, LabError, Section};
+use crate::{Effort, LabError, SPACES, Section};
 
 /// View distance in chunks: 343 chunks around the player.
 const VIEW_DISTANCE: u32 = 3;
@@ -35,7 +35,7 @@ struct Loaded {
 /// When a world cannot be opened.
 pub fn section(effort: Effort) -> Result<Section, LabError> {
     let mut rows = Vec::new();
-    for geometry in Geometry::ALL {
+    for geometry in SPACES {
         rows.extend(rows_of(geometry, effort)?);
     }
     Ok(Section::new(

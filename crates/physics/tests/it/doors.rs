@@ -45,14 +45,14 @@ struct Site {
 
 impl Site {
     fn new(geometry: Geometry, walls_m: [&[f64]; 2]) -> Self {
-        let is_closed = geometry == Geometry::Spherical;
-        let other = if is_closed {
+        let has_second = matches!(geometry, Geometry::Spherical | Geometry::HyperbolicWorld);
+        let other = if has_second {
             ChartId::SECOND
         } else {
             ChartId::FIRST
         };
         // In one chart they lie apart.
-        let apart = if is_closed {
+        let apart = if has_second {
             DVec3::ZERO
         } else {
             DVec3::X * 64.0

@@ -12,8 +12,10 @@ use crate::npc::place_ahead;
 use crate::player::{Look, wrap_angle};
 use crate::spawn::standing_at;
 
-/// Widest that places are looked for about the middle, in metres, and as a share of the way to the equator.
+/// Widest that places are looked for about the middle, in metres, and as a share of the way to the edge of the chart: that to
+/// an equator, past which land looks down on where one is, and any other.
 const SEARCH: (f64, f64) = (96.0, 0.4);
+const SEARCH_SQUARE: f64 = 0.9;
 /// Rings of places, and places on each.
 const RINGS: (u32, u32) = (8, 16);
 /// The same farther out, where none of those has so much far land, in metres: an open world always has some.
@@ -93,7 +95,7 @@ impl Search<'_> {
         let mut land = Land::new(self.field);
         let mut places = self.surveyed(&mut land, edge_m, 0..=RINGS.0);
         let has_far_land = places.iter().any(|it| it.far_m >= ENOUGH_M);
-        if !has_far_land && SEARCH.0 <= SEARCH.1 * edge_m {
+        if !has_far_land && SEARCH.0 <= self.search_share() * edge_m {
             places.extend(self.surveyed(&mut land, edge_m, RINGS.0 + 1..=WIDE_RINGS.0));
         }
         places.sort_by(|a, b| b.worth_m().total_cmp(&a.worth_m()));
@@ -107,9 +109,17 @@ impl Search<'_> {
         stood_on.take(MOST_VIEWS).collect()
     }
 
+    /// How far places are looked for, as a share of the way to the edge of the chart.
+    fn search_share(&self) -> f64 {
+        match self.strategy().globe() {
+            Some(_) => SEARCH.1,
+            None => SEARCH_SQUARE,
+        }
+    }
+
     /// The places on rings about the middle.
     fn surveyed(&self, land: &mut Land<'_>, edge_m: f64, rings: RangeInclusive<u32>) -> Vec<Place> {
-        let reach_m = (SEARCH.1 * edge_m).min(SEARCH.0);
+        let reach_m = (self.search_share() * edge_m).min(SEARCH.0);
         let about_m = (ABOUT.1 * edge_m).min(ABOUT.0);
         let mut places = Vec::new();
         for ring in rings {

@@ -16,10 +16,10 @@ const PAST_M: f64 = 7.0;
 const CLEAR_M: f64 = 3.2;
 
 fn open(geometry: Geometry, generator: Generator) -> Scene {
-    let radius_m = if geometry == Geometry::Spherical {
-        64.0
-    } else {
-        20.0
+    let radius_m = match geometry {
+        Geometry::Euclidean | Geometry::Hyperbolic => 20.0,
+        Geometry::Spherical => 64.0,
+        Geometry::HyperbolicWorld => 120.61,
     };
     let setup = WorldSetup {
         generator,
@@ -56,8 +56,8 @@ impl Aim {
 fn clear_way(scene: &Scene, is_wanted: impl Fn(Species, Age) -> bool) -> Aim {
     let field = scene.field();
     let middle = ChartPoint::new(ChartId::FIRST, DVec3::ZERO);
-    let within_m = scene.strategy().domain(ChartId::FIRST).radius_m();
-    let within_m = within_m.map_or(160.0, |rim_m| rim_m - RUN_M - 4.0);
+    let rim_m = scene.strategy().domain(ChartId::FIRST).half_width_m();
+    let within_m = (rim_m - RUN_M - 4.0).min(160.0);
     let all: Vec<_> = placed_near(field, middle, within_m + RUN_M).collect();
     let height = |at: DVec3| field.surface_height(ChartId::FIRST, at.x, at.z);
     let mut best: Option<(f64, Aim)> = None;

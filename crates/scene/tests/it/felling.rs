@@ -16,10 +16,10 @@ fn planted(geometry: Geometry) -> WorldSetup {
     WorldSetup {
         generator: Generator::Planted,
         mode: Mode::Gathering,
-        radius_m: if geometry == Geometry::Spherical {
-            64.0
-        } else {
-            20.0
+        radius_m: match geometry {
+            Geometry::Euclidean | Geometry::Hyperbolic => 20.0,
+            Geometry::Spherical => 64.0,
+            Geometry::HyperbolicWorld => 120.61,
         },
         seed: 7,
         ..setup(geometry)
@@ -77,11 +77,10 @@ fn wood_m3(scene: &Scene) -> f64 {
 fn gather(scene: &mut Scene) {
     // Some roll on for a while.
     for _ in 0..40 {
-        let Some(drop) = scene.probe().drops.into_iter().next() else {
+        let Some(drop) = scene.drops().into_iter().next() else {
             return;
         };
-        let [x, y, z] = drop.pos;
-        scene.teleport(ChartPoint::new(ChartId::FIRST, DVec3::new(x, y + 0.3, z)));
+        scene.teleport(drop.point.moved(DVec3::Y * 0.3));
         assert!(scene.settle(LIMIT));
         steps(scene, 70, &Actions::default());
     }

@@ -32,6 +32,7 @@ mod gun;
 mod hidden;
 mod hit_shapes;
 mod hours;
+mod hyperbolic_world;
 mod logs;
 mod npc;
 mod npc_peace;

@@ -213,6 +213,7 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
                 } => match geometry {
                     Geometry::Euclidean => assert_eq!(lower_decidegrees, 0),
                     Geometry::Hyperbolic => assert!(lower_decidegrees > 50),
+                    Geometry::HyperbolicWorld => assert!(lower_decidegrees > 0),
                     Geometry::Spherical => assert_ne!(lower_decidegrees, 0),
                 },
                 Line::Home { there_m, round_m } => {

@@ -23,10 +23,10 @@ fn planted(geometry: Geometry) -> Scene {
 fn planted_setup(geometry: Geometry) -> WorldSetup {
     WorldSetup {
         generator: Generator::Planted,
-        radius_m: if geometry == Geometry::Spherical {
-            64.0
-        } else {
-            20.0
+        radius_m: match geometry {
+            Geometry::Euclidean | Geometry::Hyperbolic => 20.0,
+            Geometry::Spherical => 64.0,
+            Geometry::HyperbolicWorld => 120.61,
         },
         seed: 7,
         ..setup(geometry)
@@ -41,9 +41,9 @@ fn alone(
     is_wanted: impl Fn(Species, Age) -> bool,
 ) -> Vec<(ChartPoint, f64)> {
     let field = scene.field();
-    let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m();
-    let middle = ChartPoint::a(DVec3::ZERO);
-    let mut all: Vec<_> = placed_near(field, middle, rim_m.unwrap_or(140.0))
+    let domain = scene.strategy().domain(ChartId::FIRST);
+    let (rim_m, middle) = (domain.radius_m(), ChartPoint::a(DVec3::ZERO));
+    let mut all: Vec<_> = placed_near(field, middle, domain.half_width_m().min(140.0))
         .filter(|(_, species, age)| is_wanted(*species, *age))
         .filter(|(root, ..)| placed_near(field, *root, room_m).count() == 1)
         .filter_map(|(root, species, age)| Some((root, species.trunk(age)?.radius_m)))

@@ -77,6 +77,11 @@ fn a_hyperbolic_world_is_the_same_however_it_is_seen() {
 }
 
 #[test]
+fn a_world_in_squares_is_the_same_however_it_is_seen() {
+    is_the_same_however_it_is_seen(Geometry::HyperbolicWorld);
+}
+
+#[test]
 fn a_closed_world_is_the_same_however_it_is_seen() {
     is_the_same_however_it_is_seen(Geometry::Spherical);
 }
@@ -88,7 +93,7 @@ fn show_otherwise(scene: &mut Scene) {
         Geometry::Hyperbolic => {
             assert!(scene.set_map(HyperbolicMap::Horizon) && scene.set_curvature(17.0));
         }
-        Geometry::Spherical => {}
+        Geometry::Spherical | Geometry::HyperbolicWorld => {}
     }
 }
 

@@ -118,9 +118,25 @@ impl Card {
     }
 }
 
+/// Five squares about a corner in lines.
+fn about_a_corner(rect: Rect, stroke: Stroke) -> Vec<Shape> {
+    let at = |tenths: i32, far: f32| -> Pos2 {
+        let (sine, cosine) = (tenths as f32 * 0.2 * std::f32::consts::PI).sin_cos();
+        rect.center() + vec2(sine, -cosine) * (far * 0.5 * rect.width())
+    };
+    let sides = (0..5).flat_map(|n| {
+        let (side, corner, next) = (at(2 * n, 0.72), at(2 * n + 1, 1.0), at(2 * n + 2, 0.72));
+        [[rect.center(), side], [side, corner], [corner, next]]
+    });
+    sides
+        .map(|ends| Shape::line_segment(ends, stroke))
+        .collect()
+}
+
 /// A patch of each space in lines: geodesics that part, stay apart, or meet.
 fn icon_shapes(choice: GeometryChoice, rect: Rect, stroke: Stroke) -> Vec<Shape> {
     let bend = match choice {
+        GeometryChoice::HyperbolicWorld => return about_a_corner(rect, stroke),
         GeometryChoice::Hyperbolic => -0.45,
         GeometryChoice::Euclidean => 0.0,
         GeometryChoice::Spherical => 1.0,

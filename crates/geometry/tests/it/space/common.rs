@@ -27,21 +27,15 @@ pub fn projection() -> Projection {
     Projection::new(1.2, 16.0 / 9.0, 0.05)
 }
 
-/// Each space at its default size.
+/// The spaces that worlds are of one or two charts in, at their default sizes.
 pub fn spaces() -> Vec<Arc<dyn Strategy>> {
-    Geometry::ALL
-        .into_iter()
-        .map(|geometry| {
-            strategy(
-                geometry,
-                if geometry == Geometry::Spherical {
-                    32.0
-                } else {
-                    20.0
-                },
-            )
-        })
-        .collect()
+    let spaces = [
+        (Geometry::Euclidean, 20.0),
+        (Geometry::Hyperbolic, 20.0),
+        (Geometry::Spherical, 32.0),
+    ];
+    let made = |(geometry, radius_m)| strategy(geometry, radius_m);
+    spaces.into_iter().map(made).collect()
 }
 
 /// The same, and the hyperbolic world in each of its sizes.

@@ -139,7 +139,7 @@ fn level_slack(dial: f64, pos: DVec3, eye: DVec3) -> f64 {
 fn slack(geometry: Geometry, radius_m: f64, pos: DVec3, eye: DVec3) -> f64 {
     let input = 1e-15 * (pos.length() + eye.length());
     match geometry {
-        Geometry::Hyperbolic => {
+        Geometry::Hyperbolic | Geometry::HyperbolicWorld => {
             let d = ((pos - eye).length() + 20.0) / radius_m;
             (input + 1e-15 * radius_m) * d.sinh().max(1.0) * d.max(4.0)
         }

@@ -17,10 +17,10 @@ pub const LIMIT: Duration = Duration::from_mins(2);
 
 /// What a test world is.
 pub fn setup(geometry: Geometry) -> WorldSetup {
-    let radius_m = if geometry == Geometry::Spherical {
-        32.0
-    } else {
-        20.0
+    let radius_m = match geometry {
+        Geometry::Euclidean | Geometry::Hyperbolic => 20.0,
+        Geometry::Spherical => 32.0,
+        Geometry::HyperbolicWorld => 60.305,
     };
     WorldSetup {
         name: "Test".to_owned(),
