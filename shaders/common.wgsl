@@ -1,5 +1,5 @@
 // What every pass over the scene shares: the light and sky of the moment, haze, and value noise.
-// Follows the text of a map. Colours are linear light; directions are unit vectors in the axes of `in_common_axes`.
+// Follows the text of a map. Colours are linear light; directions are unit vectors in the axes of `in_sky_axes`.
 
 // Figures whose shade on the ground is drawn: the nearest ones.
 const SHADES: u32 = 8u;
@@ -62,10 +62,12 @@ struct Presser {
 // The chart of what is drawn.
 struct Chart {
     view: mat4x4<f32>,      // from its ported points, xyz in metres and w without unit, to view coordinates
-    home: mat4x4<f32>,      // to the model of the first chart
+    home: mat4x4<f32>,      // to the model in which light is told, that of the first chart or of the eye's
     fraction: vec3<f32>,    // the reference from the whole metres that its chunks are measured from
     domain_low: vec2<f32>,  // a rectangle past which other charts draw the land: least x and z from the reference,
     domain_high: vec2<f32>, // and greatest
+    origin: vec4<f32>,      // where the reference lies in the chart, as the map tells it: `Space`
+    north: vec4<f32>,       // xy: towards the ideal point in the north, a unit vector of x and z at the chart's middle
     pressers: array<Presser, PRESSERS>,
 }
 
@@ -134,6 +136,7 @@ fn is_cut(view: vec4<f32>) -> bool {
 fn space_of_chart() -> Space {
     var space = scene.space;
     space.view = chart.view;
+    space.origin = chart.origin;
     return space;
 }
 

@@ -76,7 +76,7 @@ fn vertex_particle(in: ParticleIn) -> ParticleOut {
     out.view = vec4<f32>(middle.xyz + away, middle.w);
     out.clip = select(clip_from_view(space, out.view), NOWHERE, is_spared(in));
     out.rises = vec2<f32>(in.ground.w / max(radius, 1e-4) + rise, rise);
-    out.normal = in_common_axes(chart_normal);
+    out.normal = in_sky_axes(p, chart_normal);
     out.place = in_common_axes(p);
     out.middle = middle;
     out.frame_normal = frame_normal;

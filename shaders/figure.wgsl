@@ -155,7 +155,7 @@ fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
     let chart_normal = port_normal(space, p, normalize(stance.normal));
-    out.normal = in_common_axes(chart_normal);
+    out.normal = in_sky_axes(p, chart_normal);
     out.albedo = vec4<f32>(figure_colour(in), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze_before(view) * fog, 1.0 - fog);

@@ -14,7 +14,7 @@
 //   eye_distance(space, v)     distance from the eye in the space, in metres
 //   curvature_of(space)        its sign, 1 where flat, and its root per metre
 //
-// None knows of charts: `space.view` is that of the chart whose points it is asked about. Every other name but the struct's
+// None knows of charts: `space.view` and `space.origin` are those of the chart whose points it is asked about. Every other name but the struct's
 // and those of the functions here begins with `geo_`. Sines, cosines and their kin are those of trigonometry.wgsl, which
 // stands in front. View coordinates are x right, y up, z back in metres and w without unit.
 
@@ -36,6 +36,8 @@ struct Space {
     upright_m: f32,
     k_per_m: f32,       // root of |kappa|
     padding: f32,
+    // Where the reference lies in its chart, for maps that depend on it: of squares X/W and Z/W, and W on the ground.
+    origin: vec4<f32>,
 }
 
 // Squares of lengths between this and its reciprocal neither overflow nor vanish.

@@ -7,6 +7,8 @@
 //
 //   in_common_axes(v)                 a vector of the chart in the axes in which all that is drawn tells light and places from
 //                                     the reference: those of the first chart, or where charts have none in common its own
+//   in_sky_axes(p, v)                 a vector of the chart's frame at a place, metres from the reference, in the axes in which the
+//                                     light from a sky is told
 //   grain_point(wrapped, p)           where grain is read: a place that is wrapped as grain repeats, or one from p, metres
 //                                     from the reference in the chart
 //   grain_up(grain)                   which way is up where grain is read

@@ -89,7 +89,7 @@ fn plant_at(in: VertexIn, rest: vec3<f32>, p: vec3<f32>, rest_view: vec4<f32>, v
     let space = space_of_chart();
     let fog = fog_at(eye_distance(space, view));
     let chart_normal = port_normal(space, p, authored);
-    let normal = in_common_axes(chart_normal);
+    let normal = in_sky_axes(p, chart_normal);
     var out: PlantOut;
     out.clip = clip_from_view(space, view);
     out.albedo = to_linear(in.colour.rgb) + 0.014;

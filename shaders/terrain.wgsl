@@ -84,7 +84,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
     let chart_normal = port_normal(space, p, authored);
-    let normal = in_common_axes(chart_normal);
+    let normal = in_sky_axes(p, chart_normal);
     let place = in_common_axes(p);
     // No ground is blacker than basalt, so that overhangs keep their shape.
     let own = to_linear(in.colour.rgb) + 0.014;

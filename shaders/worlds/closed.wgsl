@@ -28,6 +28,10 @@ fn in_common_axes(v: vec3<f32>) -> vec3<f32> {
     return v;
 }
 
+fn in_sky_axes(p: vec3<f32>, v: vec3<f32>) -> vec3<f32> {
+    return v;
+}
+
 // The place on the sphere, since two charts agree at the equator there alone. Their places are not wrapped: p is one, from
 // the chart's middle.
 fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {

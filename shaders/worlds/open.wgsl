@@ -1,6 +1,5 @@
-// Worlds under a sky: sun and moon light all of it from one direction, far off, and so shadows are told in the axes of the
-// first chart, against which others are turned about the upright.
-// What the functions are for, lights.wgsl says.
+// Charts whose axes are those of the first one but for a turn about the upright: the sky's axes are these, and shadows are told
+// in them.
 
 // About the upright only x and z turn.
 fn in_common_axes(v: vec3<f32>) -> vec3<f32> {
@@ -8,12 +7,12 @@ fn in_common_axes(v: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(turned.x, v.y, turned.y);
 }
 
-fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
-    return wrapped;
+fn in_sky_axes(p: vec3<f32>, v: vec3<f32>) -> vec3<f32> {
+    return in_common_axes(v);
 }
 
-fn grain_up(grain: vec3<f32>) -> vec3<f32> {
-    return vec3<f32>(0.0, 1.0, 0.0);
+fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
+    return wrapped;
 }
 
 // The grain's axes are the common ones. Lamps see the ground as it is without its slope.
@@ -22,45 +21,8 @@ fn tilted(normal: vec3<f32>, model_normal: vec4<f32>, slope: vec3<f32>, steps: S
     return Tilted(normalize(normal - along), model_normal);
 }
 
-fn haze_before(view: vec4<f32>) -> vec3<f32> {
-    return haze(direction_of(view.xyz));
-}
-
-fn daylight_on(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, share: f32, sky: f32) -> vec3<f32> {
-    return light_on(normal, share, sky);
-}
-
-fn wants_model_normal(lights: vec3<u32>) -> bool {
-    return any_lit(lights);
-}
-
-// The normal, and what is left of the sky: a fixed direction's light is worked out at each point.
-fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albedo: vec3<f32>, sky: f32) -> LandLight {
-    return LandLight(normal, vec3<f32>(sky));
-}
-
-fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
-    return albedo * light_on(normalize(light.facing), share, light.dark.x);
-}
-
-fn land_sky(light: LandLight) -> f32 {
-    return light.dark.x;
-}
-
-fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {
-    return is_unlit(view, normalize(light.facing), model_normal);
-}
-
-fn seen_normal(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> vec3<f32> {
-    return normal;
-}
-
 fn from_ring(place: vec3<f32>, view: vec4<f32>) -> vec3<f32> {
     return place - scene.ring_centre.xyz;
-}
-
-fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool {
-    return dot(normal, scene.key_direction) <= 0.0;
 }
 
 fn caster_point(p: vec3<f32>) -> vec4<f32> {
@@ -88,19 +50,4 @@ fn shadow_away(point: Shaded, number: u32) -> f32 {
 
 fn on_map(c: vec4<f32>, x: vec4<f32>, y: vec4<f32>) -> OnMap {
     return OnMap(c.xyz, x.xyz, y.xyz, 1.0);
-}
-
-// By cascades round the eye.
-fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
-    let near_end = shadow_end(shadow_away(point, 0u));
-    if SHADOWS == 2u {
-        let past_near = near_end >= 1.0;
-        let end = select(near_end, shadow_end(shadow_away(point, 1u)), past_near);
-        let read = either(point, cascade(select(0u, 1u, past_near)), cascade(select(1u, 2u, past_near)), end);
-        return mix(read, point.open, shadow_end(shadow_away(point, 2u)));
-    }
-    let noise = shadow_noise(pixel);
-    let past_middle = shadow_end(shadow_away(point, 1u)) > noise;
-    let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), near_end > noise)));
-    return mix(read, point.open, shadow_end(shadow_away(point, 2u)));
 }

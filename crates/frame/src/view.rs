@@ -98,7 +98,7 @@ impl View {
         self.strategy.in_common_axes(chart, v)
     }
 
-    /// The directions at the eye that are to the right, upwards and into the picture, in the common axes. They turn with the
+    /// The directions at the eye that are to the right, upwards and into the picture, in the axes of the sky. They turn with the
     /// isometry as its part of three by three does: exactly where it keeps the eye in its place or the space is flat.
     pub fn axes(&self) -> [DVec3; 3] {
         let eye = &self.eye;
@@ -108,7 +108,7 @@ impl View {
         } else {
             [eye.right(), eye.up(), eye.front()]
         };
-        axes.map(|axis| self.in_common_axes(eye.point.chart, axis))
+        axes.map(|axis| self.strategy.in_sky_axes(eye.point, axis))
     }
 
     /// What is applied to a ported point of a chart to have view coordinates, after the isometry.

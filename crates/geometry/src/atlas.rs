@@ -274,6 +274,19 @@ pub trait Atlas: Debug + Send + Sync {
         }
     }
 
+    /// A vector of the chart's frame at a point in the axes in which the light from a sky is told: y up, and north is -x. They
+    /// are the common ones, but where charts have none under a sky: there they turn from place to place, smoothly over all
+    /// edges.
+    fn in_sky_axes(&self, point: ChartPoint, v: DVec3) -> DVec3 {
+        self.in_common_axes(point.chart, v)
+    }
+
+    /// Towards the ideal point in the north from the middle of a chart, a unit vector of x and z, where the axes of
+    /// [`Atlas::in_sky_axes`] are told by one; else 0.
+    fn ideal_north(&self, _chart: ChartId) -> DVec2 {
+        DVec2::ZERO
+    }
+
     /// Where the terrain noise is sampled, in metres: continuous over the whole space.
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
         match self.noise_frame(point.chart) {

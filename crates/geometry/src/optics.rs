@@ -14,7 +14,7 @@ use crate::{
 ///
 /// The law that joins this to [`crate::Map`]: for every eye and point, `view_point(eye, p)` is `chart_matrix(eye, p.chart)`
 /// applied to `port(p.pos - reference(eye, p.chart))`, where `port` is the function of that name in the text of
-/// [`Optics::shader`]. So a space in which the way to a place depends on where the eye is cannot be drawn.
+/// [`Optics::shader`], told of [`Optics::port_origin`]. So a space in which the way to a place depends on where the eye is cannot be drawn.
 pub trait Optics {
     /// Whether sight lines can miss the ground for ever, so that a sky is seen. It goes with the daylight of
     /// [`Optics::shader`]: that of a sky, or that of orbs among the land.
@@ -86,7 +86,8 @@ pub trait Optics {
     /// A point of the picture: clip coordinates of a point in view coordinates.
     fn clip_from_view(&self, eye: &Eye, projection: &Projection, view: DVec4) -> DVec4;
 
-    /// What is applied to the ported point, xyz in metres and w without unit, to have view coordinates.
+    /// What is applied to the ported point, xyz in metres and w without unit, to have view coordinates. Where
+    /// [`Optics::port_origin`] matters, to a point of the model about the middle of the eye's chart.
     fn view_matrix(&self, eye: &Eye) -> DMat4;
 
     /// The isometry, applied after the port, that takes the model of a chart to that of the first one; xyz in metres and
@@ -101,6 +102,24 @@ pub trait Optics {
     /// What is applied to a ported point of a chart to have view coordinates: [`Optics::view_matrix`] of that chart.
     fn chart_matrix(&self, eye: &Eye, chart: ChartId) -> DMat4 {
         self.view_matrix(eye) * self.home_matrix(chart)
+    }
+
+    /// What is applied to a ported point of a chart to have it in the model in which the light of the day is told: that of the
+    /// first chart or, where [`crate::shader::Daylight::has_axes`] does not hold and there is a sky, that about the middle of
+    /// the eye's chart, xyz in metres.
+    fn light_matrix(&self, _eye: &Eye, chart: ChartId) -> DMat4 {
+        self.home_matrix(chart)
+    }
+
+    /// From the model about the middle of a chart to that of another, as [`Optics::light_matrix`] has them: the identity where
+    /// all charts have one model.
+    fn between(&self, _from: ChartId, _to: ChartId) -> DMat4 {
+        DMat4::IDENTITY
+    }
+
+    /// Where [`Optics::reference`] lies in its chart, as the text of the map asks for it: `Space` of `shaders/geometry.wgsl`.
+    fn port_origin(&self, _eye: &Eye, _chart: ChartId) -> DVec4 {
+        DVec4::ZERO
     }
 
     /// What the shaders of its map are.

@@ -11,8 +11,9 @@ pub const MAP_FUNCTIONS: [&str; 6] = [
 ];
 
 /// The functions that the text of every kind of daylight defines; what they are for, `shaders/lights.wgsl` says.
-pub const DAYLIGHT_FUNCTIONS: [&str; 20] = [
+pub const DAYLIGHT_FUNCTIONS: [&str; 21] = [
     "in_common_axes",
+    "in_sky_axes",
     "grain_point",
     "grain_up",
     "tilted",
@@ -44,6 +45,8 @@ pub struct Daylight {
     /// Whether much land lies where no shadow map shows it and where charts end, so that it is worth pipelines of its
     /// own.
     pub is_round: bool,
+    /// Whether charts have axes in common, in which places near the eye are told; else they are told in view coordinates.
+    pub has_axes: bool,
 }
 
 /// A map as the shaders know it.
@@ -64,8 +67,23 @@ pub struct MapShader {
 /// Under a sky.
 pub static OPEN: Daylight = Daylight {
     name: "open",
-    text: include_str!("../../../shaders/worlds/open.wgsl"),
+    text: concat!(
+        include_str!("../../../shaders/worlds/under_sky.wgsl"),
+        include_str!("../../../shaders/worlds/open.wgsl")
+    ),
     is_round: false,
+    has_axes: true,
+};
+
+/// Under a sky, where directions turn from place to place.
+pub static TURNING: Daylight = Daylight {
+    name: "turning",
+    text: concat!(
+        include_str!("../../../shaders/worlds/under_sky.wgsl"),
+        include_str!("../../../shaders/worlds/turning.wgsl")
+    ),
+    is_round: false,
+    has_axes: false,
 };
 
 /// In a closed world.
@@ -73,6 +91,7 @@ pub static CLOSED: Daylight = Daylight {
     name: "closed",
     text: include_str!("../../../shaders/worlds/closed.wgsl"),
     is_round: true,
+    has_axes: false,
 };
 
 /// Flat space.
@@ -111,8 +130,17 @@ pub static HORIZON: MapShader = MapShader {
     turns_to: None,
 };
 
+/// The hyperbolic world in squares.
+pub static SQUARES: MapShader = MapShader {
+    name: "squares",
+    text: include_str!("../../../shaders/spaces/squares.wgsl"),
+    daylight: &TURNING,
+    bends_depth: false,
+    turns_to: None,
+};
+
 /// The maps of the game.
-pub static MAPS: [&MapShader; 4] = [&FLAT, &RAISED, &SPHERE, &HORIZON];
+pub static MAPS: [&MapShader; 5] = [&FLAT, &RAISED, &SPHERE, &HORIZON, &SQUARES];
 
 /// The first of some functions that a text does not define.
 fn lacking(text: &str, functions: &[&'static str]) -> Option<&'static str> {

@@ -48,6 +48,8 @@ pub struct SpaceUniform {
     pub k_per_m: f32,
     /// A multiple of 16 bytes is asked for.
     pub padding: f32,
+    /// Where the reference lies in its chart, for maps that depend on it; all zero of others.
+    pub origin: [f32; 4],
 }
 
 impl SpaceUniform {
@@ -78,6 +80,7 @@ impl SpaceUniform {
             upright_m: UNLIMITED_M,
             k_per_m: k as f32,
             padding: 0.0,
+            origin: [0.0; 4],
         }
     }
 

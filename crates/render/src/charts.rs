@@ -31,7 +31,7 @@ const FIRST_ROOM: usize = 2;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct ChartUniform {
-    /// What is applied to ported points to have view coordinates, and to have them in the model of the first chart.
+    /// What is applied to ported points to have view coordinates, and to have them in the model in which light is told.
     pub view: [[f32; 4]; 4],
     /// See above.
     pub home: [[f32; 4]; 4],
@@ -42,6 +42,10 @@ pub struct ChartUniform {
     pub domain_low: [f32; 2],
     /// See above.
     pub domain_high: [f32; 2],
+    /// Where the reference lies in the chart, as the map tells it.
+    pub origin: [f32; 4],
+    /// Towards the ideal point in the north, x and z, where light goes by one.
+    pub north: [f32; 4],
     /// What bends what grows there.
     pub pressers: [PresserUniform; PRESSERS],
 }
@@ -49,10 +53,11 @@ pub struct ChartUniform {
 impl ChartUniform {
     fn new(frame: &Frame, chart: ChartId, pressers: &Pressers) -> Self {
         let columns = |matrix: DMat4| matrix.as_mat4().to_cols_array_2d();
-        let reference = frame.view.strategy.reference(&frame.view.eye, chart);
+        let (strategy, eye) = (&*frame.view.strategy, &frame.view.eye);
+        let reference = strategy.reference(eye, chart);
         let fraction = reference - whole_reference(frame, chart);
         // The shaders know of an edge that is a circle from the space.
-        let [low, high] = match frame.view.strategy.domain(chart) {
+        let [low, high] = match strategy.domain(chart) {
             Domain::Rectangle { low, high } => [low - reference.xz(), high - reference.xz()],
             Domain::Everywhere | Domain::Disc { .. } => [DVec2::NEG_INFINITY, DVec2::INFINITY],
         };
@@ -61,11 +66,18 @@ impl ChartUniform {
         let [low, high] = [low, high].map(|side| within(side).as_vec2());
         Self {
             view: columns(frame.view.chart_matrix(chart)),
-            home: columns(frame.view.strategy.home_matrix(chart)),
+            home: columns(strategy.light_matrix(eye, chart)),
             fraction: fraction.as_vec3().into(),
             padding: 0.0,
             domain_low: low.into(),
             domain_high: high.into(),
+            origin: strategy.port_origin(eye, chart).as_vec4().into(),
+            north: strategy
+                .ideal_north(chart)
+                .as_vec2()
+                .extend(0.0)
+                .extend(0.0)
+                .into(),
             pressers: pressers.uniforms(frame, chart),
         }
     }

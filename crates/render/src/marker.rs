@@ -117,7 +117,7 @@ fn light_of(frame: &Frame) -> f32 {
 /// The ring about what is dug or built, as the shaders are told of it; all zero where there is none.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Ring {
-    /// Its middle: metres from the reference in the common axes, or in a closed world view coordinates.
+    /// Its middle: metres from the reference in the common axes, or where charts have no axes in common view coordinates.
     pub centre: [f32; 4],
     /// Its light.
     pub light: [f32; 3],
@@ -127,7 +127,7 @@ pub struct Ring {
     pub edges: f32,
     /// As what the land within it is shown: the linear light of a kind and its number; all zero as it is.
     pub ground: [f32; 4],
-    /// In a closed world, metres of the chart along x, y and z for a difference in view coordinates.
+    /// There, metres of the chart along x, y and z for a difference in view coordinates.
     pub axes: [[f32; 4]; 3],
 }
 
@@ -146,10 +146,10 @@ impl Ring {
         };
         let offset = offset_of(frame, marker.point);
         let offset = frame.view.in_common_axes(marker.point.chart, offset);
-        let closed = !frame.view.strategy.has_sky();
+        let by_view = !frame.view.strategy.shader().daylight.has_axes;
         let middle = frame.view.point(marker.point);
         Self {
-            centre: if closed {
+            centre: if by_view {
                 middle.as_vec4().into()
             } else {
                 offset.as_vec3().extend(0.0).into()
@@ -161,7 +161,7 @@ impl Ring {
                 let [r, g, b, _] = kind.tint();
                 [r, g, b, f32::from(kind.byte())]
             }),
-            axes: if closed {
+            axes: if by_view {
                 chart_axes(frame, marker.point)
             } else {
                 [[0.0; 4]; 3]
@@ -172,12 +172,13 @@ impl Ring {
 
 /// For how far a point lies from a place in view coordinates, its metres of the chart along each axis.
 ///
-/// With the columns J of the port's derivative and the model's metric W = diag(1, 1, 1, R^2) these are the rows of
+/// With the columns J of the port's derivative and the model's metric W = diag(1, 1, 1, s R^2), s the sign of the curvature, these are the rows of
 /// (J^T W J)^-1 J^T W, the projection onto the columns. A chord loses to its arc a sixth of the square of their angle.
 fn chart_axes(frame: &Frame, middle: ChartPoint) -> [[f32; 4]; 3] {
     const STEP_M: f64 = 1e-3;
     let strategy = &*frame.view.strategy;
-    let weights = DVec4::new(1.0, 1.0, 1.0, strategy.radius_m().powi(2));
+    let it = strategy.curvature();
+    let weights = DVec4::new(1.0, 1.0, 1.0, it.sign * it.radius_m.powi(2));
     let column = |axis: DVec3| {
         let at = |by_m: f64| frame.view.point(middle.moved(axis * by_m));
         (at(STEP_M) - at(-STEP_M)) / (2.0 * STEP_M)

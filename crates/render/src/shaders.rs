@@ -259,6 +259,7 @@ pub mod tests {
         let known = [
             "trigonometry",
             "geometry",
+            "under_sky",
             "common",
             "lights",
             "shadow",

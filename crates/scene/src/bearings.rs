@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use antipode_geometry::{ChartPoint, Eye, Strategy, Viewer};
 use antipode_items::Item;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use crate::actors::{ActorId, Actors};
 use crate::bot;
@@ -132,7 +132,11 @@ pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
 
 fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
     let Some(globe) = strategy.globe() else {
-        return any_heading(strategy, feet.chart, OPEN_NORTH_RAD);
+        if strategy.shader().daylight.has_axes {
+            return any_heading(strategy, feet.chart, OPEN_NORTH_RAD);
+        }
+        let along = |axis: DVec3| -strategy.in_sky_axes(feet, axis).x;
+        return along(DVec3::Z).atan2(along(DVec3::X));
     };
     let eye = map_eye(feet);
     let at = Locator::new(strategy, &eye).at(globe.north());

@@ -18,7 +18,7 @@ const REACH_TANH: f64 = 0.661_770_042_700_383_5;
 const FAR_RAD: f64 = 3.0;
 const FAR_PRODUCT: f64 = 0.98;
 /// Heights are drawn in to so many radii: squares of coordinates are in range of `f64`.
-const HIGH_RAD: f64 = 40.0;
+pub(super) const HIGH_RAD: f64 = 40.0;
 
 /// The chart of any square of a world.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DMat4, DVec2, DVec3, DVec4, Vec3Swizzles};
 
+use super::chart::HIGH_RAD;
 use super::plan::plan;
 use super::world::{HyperbolicWorld, inverse};
 use crate::projection::Depth;
@@ -16,6 +17,8 @@ use crate::{
 /// Nothing farther than this is drawn, in radii. There a hill of 10 m is a tenth of a pixel high, and within are 7500 tiles; one
 /// radius more would be 2.7 times as many.
 const SIGHT_RAD: f64 = 8.0;
+/// Vertices are rounded to a little less than this, metres.
+const ROUNDED_M: f64 = 1e-4;
 /// Eyes higher than so many radii over the plane see everything.
 const HIGHEST_EYE_RAD: f64 = 6.0;
 
@@ -28,6 +31,13 @@ impl HyperbolicWorld {
         (low.x <= high.x && low.z <= high.z).then_some([low, high])
     }
 
+    /// A place as high as eyes can be; what is no number counts as 0.
+    fn within_heights(&self, pos: DVec3) -> DVec3 {
+        let most_m = HIGH_RAD * self.chart.radius_m;
+        let y = if pos.y.is_nan() { 0.0 } else { pos.y };
+        pos.with_y(y.clamp(-most_m, most_m))
+    }
+
     /// A matrix on the model in radii, on one with xyz in metres and w without unit.
     fn metres(&self, matrix: DMat4) -> DMat4 {
         let radius_m = self.chart.radius_m;
@@ -36,20 +46,23 @@ impl HyperbolicWorld {
     }
 }
 
-/// The shaders have no text yet for this map, of which `port(p)` has to be [`crate::tiling::equiangular_point`] in metres:
-/// with that, [`Optics::chart_matrix`] takes it to view coordinates. Until then [`Optics::shader`] is the nearest that there is,
-/// the horizon map of the same curvature, which is right at the middle of each square only.
+/// Of the port, [`Optics::reference`] is the eye's own place wherever the chart is written there, so that near the eye nothing
+/// cancels; farther off it is over the chart's middle, as high as the eye.
 impl Optics for HyperbolicWorld {
-    fn reference(&self, _eye: &Eye, _chart: ChartId) -> DVec3 {
-        DVec3::ZERO
+    fn reference(&self, eye: &Eye, chart: ChartId) -> DVec3 {
+        let place = self.carry(eye.point, chart).map(|it| it.point.pos);
+        let reach = DVec2::splat(self.chart.reach_m());
+        let written = place.filter(|it| it.xz().abs().cmple(reach).all());
+        self.within_heights(written.unwrap_or(eye.point.pos * DVec3::Y))
     }
 
     fn sight_limit_m(&self, _eye: &Eye) -> f64 {
         SIGHT_RAD * self.chart.radius_m
     }
 
+    /// Squares end where chunks do: what reaches over that by no more than vertices are rounded to is not cut.
     fn trims(&self, _eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> bool {
-        self.domain(chart).most_outside_m(min.xz(), max.xz()) > 0.0
+        self.domain(chart).most_outside_m(min.xz(), max.xz()) > ROUNDED_M
     }
 
     /// Of what the chart is written for.
@@ -102,11 +115,10 @@ impl Optics for HyperbolicWorld {
         false
     }
 
+    /// `d` in its `n/d` is R sinh of the distance along the ray ahead: it falls to any distance, and is linear over triangles,
+    /// whose planes the port keeps.
     fn clip_from_view(&self, _eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
-        let rule = Depth::Exponential {
-            radius_m: self.chart.radius_m,
-        };
-        projection.clip(rule, view)
+        projection.clip(Depth::Reciprocal, view)
     }
 
     fn view_matrix(&self, eye: &Eye) -> DMat4 {
@@ -122,15 +134,35 @@ impl Optics for HyperbolicWorld {
     /// By the short way from the eye's chart. What is in a chart that is not there is taken behind the eye.
     fn chart_matrix(&self, eye: &Eye, chart: ChartId) -> DMat4 {
         let behind = DMat4::from_rotation_y(PI);
-        self.metres(self.sight(eye, chart).unwrap_or(behind))
+        let sight = self.sight(eye, chart);
+        let own = |sight| sight * self.chart.frame(self.reference(eye, chart));
+        self.metres(sight.map_or(behind, own))
+    }
+
+    fn light_matrix(&self, eye: &Eye, chart: ChartId) -> DMat4 {
+        let way = self.tiles.way(chart, eye.point.chart);
+        let own = self.chart.frame(self.reference(eye, chart));
+        self.metres(way.unwrap_or(DMat4::IDENTITY) * own)
+    }
+
+    fn between(&self, from: ChartId, to: ChartId) -> DMat4 {
+        let way = self.tiles.way(from, to);
+        self.metres(way.unwrap_or(DMat4::IDENTITY))
+    }
+
+    /// X/W and Z/W of the reference, and its W on the ground.
+    fn port_origin(&self, eye: &Eye, chart: ChartId) -> DVec4 {
+        let at = self.chart.point(self.reference(eye, chart).with_y(0.0));
+        DVec4::new(at.x / at.w, at.z / at.w, at.w, 0.0)
     }
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
-        SpaceUniform::new(view, projection, self.radius_m(), -1.0, 0.0)
+        let height = self.reference(eye, eye.point.chart).y / self.chart.radius_m;
+        SpaceUniform::new(view, projection, self.radius_m(), -1.0, height)
     }
 
     fn shader(&self) -> &'static MapShader {
-        &shader::HORIZON
+        &shader::SQUARES
     }
 }

@@ -1,10 +1,10 @@
 //! The tiles of charts, and the ways between them.
 
-use glam::DMat4;
+use glam::{DMat4, DVec2};
 
 use super::cache::Cache;
 use crate::ChartId;
-use crate::tiling::{Frame, Tile, TilePath, TilingError, rings};
+use crate::tiling::{Frame, Side, Tile, TilePath, TilingError, rings};
 
 /// Places in the tables: more than the tiles within 250 m where they are 64 m wide, of which there are 153.
 const PLACES: usize = 1024;
@@ -18,6 +18,7 @@ pub(super) struct Tiles {
     ways: Cache<[ChartId; 2], DMat4>,
     charts: Cache<Tile, ChartId>,
     around: Cache<ChartId, [Option<ChartId>; AROUND]>,
+    norths: Cache<ChartId, DVec2>,
 }
 
 impl Tiles {
@@ -28,6 +29,7 @@ impl Tiles {
             ways: Cache::of_places(PLACES),
             charts: Cache::of_places(PLACES),
             around: Cache::of_places(PLACES),
+            norths: Cache::of_places(PLACES),
         }
     }
 
@@ -66,6 +68,17 @@ impl Tiles {
         self.ways.value([from, to], || self.found_way(from, to))
     }
 
+    /// The ideal point in the north as a chart sees it from its middle, a unit vector of x and z; `None` where there is no such
+    /// chart.
+    ///
+    /// It is -x of the root, carried from parent to child. A step towards it spreads what directions lack of it by e^step,
+    /// but whoever goes there far goes along the axis, on which it is exact; away from it the error falls. So it is
+    /// good to 1e-14 anywhere.
+    pub fn north(&self, chart: ChartId) -> Option<DVec2> {
+        let carried = || Some(path(chart).ok()?.sides().fold(DVec2::NEG_X, north_over));
+        self.norths.value(chart, carried)
+    }
+
     fn found_way(&self, from: ChartId, to: ChartId) -> Option<DMat4> {
         let (here, there) = (self.frame(from)?, self.frame(to)?);
         if let Ok(way) = there.between(&here) {
@@ -78,6 +91,16 @@ impl Tiles {
         let first = between.between(&here).ok()?.lorentz();
         Some(there.between(&between).ok()?.lorentz() * first)
     }
+}
+
+/// An ideal point as the child over a side of a tile sees it, by how that tile does. The step has the cosine phi and the
+/// sine sqrt(phi), and the child's x goes on straight.
+fn north_over(north: DVec2, side: Side) -> DVec2 {
+    let cosh = 0.5 * (1.0 + 5.0_f64.sqrt());
+    let sinh = cosh.sqrt();
+    let turned = (0..side.number()).fold(north, |it, _| DVec2::new(it.y, -it.x));
+    let w = cosh - sinh * turned.x;
+    (DVec2::new(cosh * turned.x - sinh, turned.y) / w).normalize()
 }
 
 fn path(chart: ChartId) -> Result<TilePath, TilingError> {

@@ -205,6 +205,19 @@ impl Atlas for HyperbolicWorld {
         NoiseFrame::Upright
     }
 
+    /// The null vector (n, 1) of the north has the product -1/g with the ground's point P, and the way there is g (n, 1) - P.
+    fn in_sky_axes(&self, point: ChartPoint, v: DVec3) -> DVec3 {
+        let at = self.level(point.pos);
+        let (here, n) = (DVec2::new(at.x, at.z), self.ideal_north(point.chart));
+        let g = 1.0 / (at.w - here.dot(n));
+        let north = (g * n - here * ((1.0 + g) / (1.0 + at.w))).normalize_or(DVec2::NEG_X);
+        DVec3::new(-north.dot(v.xz()), v.y, north.y * v.x - north.x * v.z)
+    }
+
+    fn ideal_north(&self, chart: ChartId) -> DVec2 {
+        self.tiles.north(chart).unwrap_or(DVec2::NEG_X)
+    }
+
     /// The Poincare disc about the root, as large as the plane at its middle. Continuous it is, but the plane is crowded at the
     /// disc's edge: land goes by [`Atlas::quilt`].
     fn noise_point(&self, point: ChartPoint) -> DVec3 {

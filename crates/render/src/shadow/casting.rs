@@ -2,12 +2,12 @@
 
 use antipode_frame::Frame;
 use antipode_geometry::ChartPoint;
-use glam::DVec4;
+use glam::DMat4;
 
 use super::levels::{Shot, near_crop};
 use super::light::{Caster, Crop, Light};
 use super::maps::PASSES;
-use super::uniform::{CasterUniform, reference_from};
+use super::uniform::{CasterUniform, own_base, reference_from};
 use super::{ShadowQuality, Shadows};
 use crate::terrain_pipelines::ShadowReach;
 
@@ -72,8 +72,10 @@ impl Shadows {
             heights,
         };
         let from = match light {
-            Light::Far { .. } => reference_from(frame, &light),
-            Light::Star { .. } => DVec4::W,
+            Light::Far { .. } if !light.is_ideal() => {
+                DMat4::from_translation(reference_from(frame, &light).truncate())
+            }
+            Light::Far { .. } | Light::Star { .. } => own_base(frame, &light),
         };
         let uniform = CasterUniform::new(&shot, from);
         self.maps.write(&self.queue, PASSES - 1, &uniform);

@@ -21,6 +21,8 @@ const NEAR_M: f64 = 12.0;
 const ALONE_M: f64 = 32.0;
 /// The farthest cascade is at least so wide on each side of the eye, and at most, metres.
 const FAR_M: [f64; 2] = [64.0, 1024.0];
+/// The same of an ideal point's light, in radii: the sun is where the eye sees it, and farther off land is lit from elsewhere.
+const IDEAL_RAD: f64 = 0.75;
 /// Half the side of a face, as a tangent: a little past the next face, for the texels around a point.
 const FACE_HALF: f64 = 1.02;
 /// Blocks across a map in which its middle moves, so that walking draws it anew now and then only, and always on the
@@ -114,9 +116,15 @@ pub fn wanted(map: MapNumber, frame: &Frame, light: &Light, texels: u32) -> Crop
     let MapNumber { level, of: maps } = map;
     match light {
         Light::Far { .. } => {
-            let far_m = stepped(f64::from(frame.view.fog_distance_m).clamp(FAR_M[0], FAR_M[1]));
+            let mut far_m = stepped(f64::from(frame.view.fog_distance_m).clamp(FAR_M[0], FAR_M[1]));
+            if light.is_ideal() {
+                far_m = far_m
+                    .min(IDEAL_RAD * frame.view.strategy.radius_m())
+                    .max(2.0 * NEAR_M);
+            }
             let part = level as f64 / (CASCADES - 1) as f64;
             let half = NEAR_M * (far_m / NEAR_M).powf(part);
+            let half = on_plane(frame, light, half);
             around(frame, light, half, 2.0 * half / BLOCKS)
         }
         Light::Star { .. } if level > 0 => Crop {
@@ -128,11 +136,21 @@ pub fn wanted(map: MapNumber, frame: &Frame, light: &Light, texels: u32) -> Crop
     }
 }
 
+/// Half the side of a map that holds so many metres of what is round the eye. Where the light is an ideal point, a metre on its
+/// plane is as long as the place is high over it.
+fn on_plane(frame: &Frame, light: &Light, metres: f64) -> f64 {
+    if !light.is_ideal() {
+        return metres;
+    }
+    let base = light.base(&*frame.view.strategy, frame.view.eye.point);
+    stepped(light.length_on_plane(base, metres))
+}
+
 /// What lies within so many metres of the eye, its middle on a grid of `block` texels.
 pub fn near_crop(frame: &Frame, light: &Light, metres: f64, block: u32, texels: u32) -> Crop {
     let base = light.base(&*frame.view.strategy, frame.view.eye.point);
     let half = match light {
-        Light::Far { .. } => metres,
+        Light::Far { .. } => on_plane(frame, light, metres),
         Light::Star { .. } => stepped(light.length_on_plane(base, metres)),
     };
     around(
@@ -177,7 +195,7 @@ impl Level {
         let Some(shot) = &self.shot else {
             return f64::INFINITY;
         };
-        let turned = shot.light.turn_to(light) / turn_allowed(light, wanted, texels);
+        let turned = shot.light.turn_to(light, &frame.view) / turn_allowed(light, wanted, texels);
         let changed = self.changed.map_or(0.0, |frames| {
             1.01 + f64::from(frames) / (PATIENCE_FRAMES * (map.level + 1) as f64)
         });

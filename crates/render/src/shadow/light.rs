@@ -7,7 +7,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_frame::Frame;
+use antipode_frame::{Frame, View};
 use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
@@ -31,11 +31,13 @@ pub const FACES: usize = 6;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
     /// From one direction of the common axes: unit vectors towards it and across it, and the point, whole metres, that
-    /// pictures are measured from.
+    /// pictures are measured from. Where charts have no axes in common it is an ideal point of hyperbolic space, and they are
+    /// those of the middle of the anchor's chart; the root of the curvature, 1/m, and else 0.
     Far {
         toward: DVec3,
         across: [DVec3; 2],
         anchor: ChartPoint,
+        per_m: f64,
     },
     /// From a point of the unit three-sphere, with three tangents there; the radius in metres.
     Star {
@@ -57,7 +59,8 @@ fn star(at: DVec4, radius_m: f64) -> Light {
     Light::Star { at, axes, radius_m }
 }
 
-fn far(toward: DVec3, eye: ChartPoint) -> Light {
+/// What a light of one direction is measured by: unit vectors across it.
+fn across(toward: DVec3) -> [DVec3; 2] {
     // The sun goes round x and the moon round z; an axis that the light never comes near does not spin.
     let axis = if toward.x.abs() < 0.9 {
         DVec3::X
@@ -65,10 +68,32 @@ fn far(toward: DVec3, eye: ChartPoint) -> Light {
         DVec3::Z
     };
     let right = (axis - toward * axis.dot(toward)).normalize();
+    [right, toward.cross(right)]
+}
+
+fn far(toward: DVec3, eye: ChartPoint) -> Light {
     Light::Far {
         toward,
-        across: [right, toward.cross(right)],
+        across: across(toward),
         anchor: ChartPoint::new(eye.chart, (eye.pos / ANCHOR_M).round() * ANCHOR_M),
+        per_m: 0.0,
+    }
+}
+
+/// From the ideal point in which a direction of the sky's axes at the eye ends. As the eye has it that is the null vector
+/// (direction, 1), which goes to the model about the middle of the eye's chart as points do.
+fn ideal(sky: DVec3, view: &View) -> Light {
+    let (strategy, eye) = (&*view.strategy, &view.eye);
+    let radius_m = strategy.radius_m();
+    let frame = DVec3::AXES.map(|axis| axis * strategy.in_sky_axes(eye.point, axis).dot(sky));
+    let seen = eye.to_view(frame.into_iter().sum());
+    let null = strategy.view_matrix(eye).inverse() * (seen * radius_m).extend(1.0);
+    let toward = null.truncate().normalize_or(DVec3::Y);
+    Light::Far {
+        toward,
+        across: across(toward),
+        anchor: ChartPoint::new(eye.point.chart, DVec3::ZERO),
+        per_m: 1.0 / radius_m,
     }
 }
 
@@ -90,18 +115,48 @@ impl Light {
     pub fn of(frame: &Frame) -> Self {
         if frame.view.strategy.has_sky() {
             let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from));
-            far(toward.normalize_or(DVec3::Y), frame.view.eye.point)
+            let toward = toward.normalize_or(DVec3::Y);
+            if frame.view.strategy.shader().daylight.has_axes {
+                far(toward, frame.view.eye.point)
+            } else {
+                ideal(toward, &frame.view)
+            }
         } else {
             star(body(frame), frame.view.strategy.radius_m())
         }
     }
 
-    /// How far the light has turned, or gone round its world, radians; infinite from one kind to the other.
-    pub fn turn_to(&self, other: &Self) -> f64 {
+    /// Whether it is an ideal point of hyperbolic space.
+    pub fn is_ideal(&self) -> bool {
+        matches!(self, Self::Far { per_m, .. } if *per_m > 0.0)
+    }
+
+    /// The way to an ideal point from a point of the space, in the frame of an eye there: its null vector as that has it, by
+    /// its first three.
+    fn toward_from(&self, view: &View) -> DVec3 {
+        let Self::Far {
+            toward,
+            anchor,
+            per_m,
+            ..
+        } = self
+        else {
+            return DVec3::Y;
+        };
+        let (strategy, eye) = (&*view.strategy, &view.eye);
+        let way = strategy.between(anchor.chart, eye.point.chart);
+        let null = strategy.view_matrix(eye) * way * (*toward / *per_m).extend(1.0);
+        null.truncate().normalize_or(DVec3::Y)
+    }
+
+    /// How far the light has turned as one sees it, or gone round its world, radians; infinite from one kind to the other.
+    pub fn turn_to(&self, other: &Self, view: &View) -> f64 {
+        let angle = |a: DVec3, b: DVec3| 2.0 * (0.5 * a.distance(b)).min(1.0).asin();
         match (self, other) {
-            (Self::Far { toward: a, .. }, Self::Far { toward: b, .. }) => {
-                2.0 * (0.5 * a.distance(*b)).min(1.0).asin()
+            (a, b) if a.is_ideal() && b.is_ideal() => {
+                angle(a.toward_from(view), b.toward_from(view))
             }
+            (Self::Far { toward: a, .. }, Self::Far { toward: b, .. }) => angle(*a, *b),
             (Self::Star { at: a, .. }, Self::Star { at: b, .. }) => {
                 2.0 * (0.5 * a.distance(*b)).min(1.0).asin()
             }
@@ -110,9 +165,11 @@ impl Light {
     }
 
     /// Where what stands in a chart is drawn into maps from: the anchor as that chart has it, metres; its middle where maps
-    /// are made from the space. None where the chart does not reach the anchor.
-    pub fn origin(&self, strategy: &dyn Strategy, chart: ChartId) -> Option<DVec3> {
+    /// are made from the space, and the eye's reference where light is an ideal point. None where the chart does not reach the
+    /// anchor.
+    pub fn origin(&self, strategy: &dyn Strategy, eye: &Eye, chart: ChartId) -> Option<DVec3> {
         match self {
+            Self::Far { .. } if self.is_ideal() => Some(strategy.reference(eye, chart)),
             Self::Far { anchor, .. } => Some(strategy.carry(*anchor, chart)?.point.pos),
             Self::Star { .. } => Some(DVec3::ZERO),
         }
@@ -122,9 +179,17 @@ impl Light {
     /// three coordinates in metres. Infinitely far where no way leads from the anchor to the point's chart.
     pub fn base(&self, strategy: &dyn Strategy, point: ChartPoint) -> DVec4 {
         match self {
+            Self::Far { anchor, per_m, .. } if *per_m > 0.0 => {
+                let about = Eye {
+                    point: *anchor,
+                    ..Eye::default()
+                };
+                let x = strategy.curved(&about, point);
+                (x.truncate() / *per_m).extend(x.w)
+            }
             Self::Far { .. } => {
                 let away = |origin| strategy.in_common_axes(point.chart, point.pos - origin);
-                let origin = self.origin(strategy, point.chart);
+                let origin = self.origin(strategy, &Eye::default(), point.chart);
                 origin.map_or(DVec3::INFINITY, away).extend(1.0)
             }
             Self::Star { radius_m, .. } => {
@@ -135,14 +200,19 @@ impl Light {
     }
 
     /// Rows that take the base to the light's own coordinates: for one far off two across, the height towards it and
-    /// 1; for a star three metres of the space's coordinates there, and the fourth without unit.
+    /// 1, or `q = W - s.X/R` of an ideal point s; for a star three metres of the space's coordinates there, and the fourth without unit.
     fn rows(&self) -> [DVec4; 4] {
         match self {
-            Self::Far { toward, across, .. } => [
+            Self::Far {
+                toward,
+                across,
+                per_m,
+                ..
+            } => [
                 across[0].extend(0.0),
                 across[1].extend(0.0),
                 toward.extend(0.0),
-                DVec4::W,
+                (*toward * -per_m).extend(1.0),
             ],
             Self::Star { at, axes, radius_m } => {
                 let metres = |axis: &DVec4| axis.truncate().extend(radius_m * axis.w);
@@ -172,6 +242,7 @@ impl Light {
     pub fn on_plane(&self, face: usize, base: DVec4) -> DVec2 {
         let own = self.rows().map(|row| row.dot(base));
         match self {
+            Self::Far { .. } if self.is_ideal() => DVec2::new(own[0], own[1]) / own[3],
             Self::Far { .. } => DVec2::new(own[0], own[1]),
             Self::Star { .. } => {
                 let depth = ahead(own, face).max(f64::MIN_POSITIVE);
@@ -184,6 +255,7 @@ impl Light {
     /// How long a stretch of `metres` at a point is on the plane of a face, at most.
     pub fn length_on_plane(&self, base: DVec4, metres: f64) -> f64 {
         match self {
+            Self::Far { .. } if self.is_ideal() => metres / self.rows()[3].dot(base),
             Self::Far { .. } => metres,
             Self::Star { radius_m, .. } => {
                 let [.., w] = self.rows().map(|row| row.dot(base));
@@ -269,6 +341,10 @@ impl Light {
         let middle = ChartPoint::new(of.chart, of.middle());
         let reach = of.reach();
         let turned = strategy.in_common_axes(of.chart, reach);
+        if self.is_ideal() {
+            let ball = self.ball_about(strategy, of);
+            return self.heights_of(strategy, crop, &ball);
+        }
         let base = self.base(strategy, middle);
         match self {
             Self::Far { toward, across, .. } => {
@@ -299,6 +375,10 @@ impl Light {
     ) -> Option<[f64; 2]> {
         let base = self.base(strategy, ball.middle);
         match self {
+            Self::Far { .. } if self.is_ideal() => {
+                let rises_m = strategy.ball_rises_m(&Eye::default(), ball.middle, ball.radius_m);
+                self.heights_of(strategy, crop, &(ball.middle, rises_m))
+            }
             Self::Far { toward, .. } => {
                 let away = (self.on_plane(0, base) - crop.centre).abs();
                 let height = toward.dot(base.truncate());
@@ -311,6 +391,48 @@ impl Light {
                 self.is_in_sight(crop, base, size).then_some([0.0, 1.0])
             }
         }
+    }
+
+    /// A ball of hyperbolic space that holds a box: its middle, and R sinh of its radius over R, metres. Where charts do not
+    /// say how far it stretches, by its corners, between which it bulges by less than a tenth.
+    fn ball_about(&self, strategy: &dyn Strategy, of: &Caster) -> (ChartPoint, f64) {
+        let (middle, eye) = (ChartPoint::new(of.chart, of.middle()), Eye::default());
+        let rises_m = strategy.ball_rises_m(&eye, middle, of.reach().length());
+        if rises_m.is_finite() {
+            return (middle, rises_m);
+        }
+        let corner_m = |corner: u32| {
+            let sign = |axis: u32| f64::from(2 * (corner >> axis & 1)) - 1.0;
+            let by = of.reach() * DVec3::new(sign(0), sign(1), sign(2));
+            strategy.distance_m(middle, middle.moved(by), &eye)
+        };
+        let most_m = (0..8).map(corner_m).fold(0.0, f64::max);
+        let radius_m = strategy.radius_m();
+        (middle, radius_m * (1.1 * most_m / radius_m).sinh())
+    }
+
+    /// The heights between which a ball lies, its radius as [`Self::ball_about`] has it, if any of it falls on a crop.
+    ///
+    /// In the half space over the plane with the light at infinity a point is at `t = 1/q` over its place h there, and a
+    /// ball about it of the radius r is a ball about (h, t cosh r) of the radius t sinh r. The height is
+    /// `R/2 (t^2 + h^2 - 1)`, h in radii.
+    fn heights_of(
+        &self,
+        strategy: &dyn Strategy,
+        crop: &Crop,
+        (middle, rises_m): &(ChartPoint, f64),
+    ) -> Option<[f64; 2]> {
+        let base = self.base(strategy, *middle);
+        let at = self.on_plane(crop.face, base);
+        let spread = self.length_on_plane(base, *rises_m);
+        if (at - crop.centre).abs().max_element() > crop.half + spread {
+            return None;
+        }
+        let radius_m = strategy.radius_m();
+        let (sinh, t) = (rises_m / radius_m, self.length_on_plane(base, 1.0));
+        let away = (at / radius_m).length().hypot(t * sinh.hypot(1.0));
+        let height = |out: f64| 0.5 * radius_m * (out.max(0.0).powi(2) - 1.0);
+        Some([height(away - t * sinh), height(away + t * sinh)])
     }
 
     /// Whether the square about a box's corners meets a crop, seen from a star; `true` where a corner lies behind.
@@ -331,6 +453,12 @@ impl Light {
         of: &Caster,
     ) -> Option<Rectangle> {
         let radius_m = match self {
+            Self::Far { .. } if self.is_ideal() => {
+                let (middle, rises_m) = self.ball_about(strategy, of);
+                let base = self.base(strategy, middle);
+                let spread = self.length_on_plane(base, rises_m);
+                return Some([-spread, spread].map(|by| self.on_plane(0, base) + by));
+            }
             Self::Far { across, .. } => {
                 let middle = ChartPoint::new(of.chart, of.middle());
                 let at = self.on_plane(0, self.base(strategy, middle));

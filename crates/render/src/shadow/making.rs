@@ -2,11 +2,10 @@
 
 use antipode_frame::Frame;
 use antipode_geometry::ChunkCoord;
-use glam::DVec4;
 
 use super::levels::{MapNumber, Shot, wanted};
 use super::light::{Caster, Light, Rectangle};
-use super::uniform::CasterUniform;
+use super::uniform::{CasterUniform, own_base};
 use super::{MapTarget, Over, Pass, SLOTS, ShadowSources, Shadows};
 use crate::chunk_store::ChunkStore;
 
@@ -181,14 +180,17 @@ impl Shadows {
         while used < left
             && let Some(coord) = todo.pop()
         {
-            let Some(from) = shot.light.origin(&*frame.view.strategy, coord.chart) else {
+            let Some(from) = shot
+                .light
+                .origin(&*frame.view.strategy, &frame.view.eye, coord.chart)
+            else {
                 continue;
             };
             let chart = land.charts.number(coord.chart);
             used += land.chunks.list_caster(coord, chart, from, list);
         }
         draws.send(&self.queue, list);
-        let uniform = CasterUniform::new(shot, DVec4::W);
+        let uniform = CasterUniform::new(shot, own_base(frame, &shot.light));
         self.maps.write(&self.queue, number, &uniform);
         self.passes.push(Pass { layer, over });
         used

@@ -319,7 +319,7 @@ impl Shadows {
         uniform.by_moon = if is_closed_moon(frame) { 1.0 } else { 0.0 };
         for (level, map) in self.levels.iter().zip(&mut uniform.maps) {
             if let Some(shot) = &level.shot {
-                let late = shot.light.turn_to(&light) / OUT_OF_DATE_RAD;
+                let late = shot.light.turn_to(&light, &frame.view) / OUT_OF_DATE_RAD;
                 let weight = (2.0 - 2.0 * late).clamp(0.0, 1.0);
                 *map = MapUniform::new(frame, shot, level.layer, texels, weight);
             }

@@ -57,13 +57,10 @@ pub struct CasterUniform {
 }
 
 impl CasterUniform {
-    /// A pass over what stands at metres from `from` in the base of the light: metres in the common axes under a sky.
-    pub fn new(shot: &Shot, from: DVec4) -> Self {
+    /// A pass over what a matrix takes to the base of the light.
+    pub fn new(shot: &Shot, to_base: DMat4) -> Self {
         let (clip, k, rim_m) = match shot.light {
-            Light::Far { .. } => {
-                let clip = shot.clip() * DMat4::from_translation(from.truncate());
-                (clip, 0.0, UNLIMITED_M)
-            }
+            Light::Far { .. } => (shot.clip() * to_base, 0.0, UNLIMITED_M),
             Light::Star { radius_m, .. } => (shot.clip(), 1.0 / radius_m, FRAC_PI_2 * radius_m),
         };
         Self {
@@ -72,6 +69,18 @@ impl CasterUniform {
             rim_m: rim_m as f32,
             padding: [0.0; 2],
         }
+    }
+}
+
+/// To a light's base from what the shaders make of land: nothing, but where charts have models of their own, from that of the
+/// eye's.
+pub fn own_base(frame: &Frame, light: &Light) -> DMat4 {
+    match light {
+        Light::Far { anchor, .. } if light.is_ideal() => {
+            let view = &frame.view;
+            view.strategy.between(view.eye.point.chart, anchor.chart)
+        }
+        Light::Far { .. } | Light::Star { .. } => DMat4::IDENTITY,
     }
 }
 
@@ -85,6 +94,11 @@ pub fn reference_from(frame: &Frame, light: &Light) -> DVec4 {
 /// From what a shader has of a point to a light's base: its place from the reference, or its view coordinates.
 pub fn to_base(frame: &Frame, light: &Light) -> DMat4 {
     match light {
+        Light::Far { .. } if light.is_ideal() => {
+            let view = &frame.view;
+            let own = (view.isometry * view.strategy.view_matrix(&view.eye)).inverse();
+            own_base(frame, light) * own
+        }
         Light::Far { .. } => DMat4::from_translation(reference_from(frame, light).truncate()),
         Light::Star { .. } => {
             let view = frame.view.uniform().view;

@@ -100,6 +100,8 @@ fn a_chart_is_laid_out_as_the_shaders_read_it() {
         ("fraction", offset_of!(ChartUniform, fraction)),
         ("domain_low", offset_of!(ChartUniform, domain_low)),
         ("domain_high", offset_of!(ChartUniform, domain_high)),
+        ("origin", offset_of!(ChartUniform, origin)),
+        ("north", offset_of!(ChartUniform, north)),
         ("pressers", offset_of!(ChartUniform, pressers)),
     ];
     assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
@@ -119,7 +121,7 @@ macro_rules! laid_out {
 #[test]
 fn the_space_is_laid_out_as_the_shaders_read_it() {
     let ours = laid_out!(SpaceUniform: view, focal_x, focal_y, near_m, radius_m, kappa, lift, lift_sine, lift_cosine,
-        level_m, upright_m, k_per_m, padding);
+        level_m, upright_m, k_per_m, padding, origin);
     assert_eq!(members(&parse(TERRAIN, &FLAT), "Space"), ours);
 }
 

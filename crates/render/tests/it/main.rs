@@ -25,6 +25,7 @@ mod shadow_cut;
 mod shadows;
 mod sky;
 mod spaces;
+mod squares;
 mod sun_rays;
 mod tiles;
 mod views;

@@ -3,6 +3,7 @@
 mod atlas;
 mod bodies;
 mod common;
+mod north;
 mod picture;
 mod robust;
 mod walks;

@@ -2,7 +2,8 @@
 
 use antipode_geometry::tiling::equiangular_point;
 use antipode_geometry::{
-    BoundingCylinder, ChartId, ChartPoint, Eye, HyperbolicWorld, Map, Metric, Optics, Projection,
+    Atlas, BoundingCylinder, ChartId, ChartPoint, Eye, HyperbolicWorld, Map, Metric, Optics,
+    Projection,
 };
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
@@ -17,6 +18,28 @@ fn inner(a: DVec4, b: DVec4) -> f64 {
 
 fn radii(world: &HyperbolicWorld, view: DVec4) -> DVec4 {
     (view.truncate() / world.radius_m()).extend(view.w)
+}
+
+/// `port` of shaders/spaces/squares.wgsl, of a place relative to the reference of its chart.
+fn port(world: &HyperbolicWorld, eye: &Eye, point: ChartPoint) -> DVec4 {
+    let (radius_m, reference) = (world.radius_m(), world.reference(eye, point.chart));
+    let u = (point.pos - reference) / radius_m;
+    let origin = world.port_origin(eye, point.chart);
+    let (here, w0) = (DVec2::new(origin.x, origin.y), origin.z);
+    let t = DVec2::new(u.x.tanh(), u.z.tanh());
+    let away = t * (1.0 - here * here) / (1.0 + here * t);
+    let at = here + away;
+    let along = w0 * here.dot(away);
+    let level = (away + w0 * here * (along / (1.0 + w0))) / (1.0 - at.length_squared()).sqrt();
+    let more = level.length_squared() / (1.0 + (1.0 + level.length_squared()).sqrt());
+    let lift = reference.y / radius_m;
+    let upright = (lift + u.y).cosh();
+    DVec4::new(
+        radius_m * upright * level.x,
+        radius_m * (u.y.sinh() - lift.sinh() * upright * more),
+        radius_m * upright * level.y,
+        u.y.cosh() + lift.cosh() * upright * more,
+    )
 }
 
 proptest! {
@@ -67,7 +90,7 @@ proptest! {
         }
     }
 
-    /// The law of pictures, with the port that the shaders are to have.
+    /// The law of pictures, with the shaders' port.
     #[test]
     fn the_matrix_of_a_chart_takes_its_port_to_the_view(
         from in charts(), over in steps(6), eye in vector(1.2), share in vector(1.4), angles in angles(),
@@ -75,12 +98,41 @@ proptest! {
         for world in worlds() {
             let eye = looking(place(&world, from, eye), angles);
             let point = place(&world, beyond(from, &over), share);
-            let unit = equiangular_point((point.pos - world.reference(&eye, point.chart)) / world.radius_m()).unwrap();
-            let port = (unit.truncate() * world.radius_m()).extend(unit.w);
+            let port = port(&world, &eye, point);
             let view = world.view_point(&eye, point);
             let drawn = world.chart_matrix(&eye, point.chart) * port;
             prop_assert!((drawn - view).length() < 1e-12 * view.length(), "{drawn} {view}");
             prop_assert!((world.curved(&eye, eye.point) - equiangular_point(eye.point.pos / world.radius_m()).unwrap()).length() < 1e-14);
+            // The light's model is that of the eye's chart, whichever chart is drawn.
+            let lit = radii(&world, world.light_matrix(&eye, point.chart) * port);
+            let own = world.curved(&eye, point);
+            prop_assert!((lit - own).length() < 1e-12 * own.length(), "{lit} {own}");
+            let way = world.between(point.chart, eye.point.chart);
+            let metres = |it: DVec4| (it.truncate() * world.radius_m()).extend(it.w);
+            let there = equiangular_point(point.pos / world.radius_m()).unwrap();
+            let carried = radii(&world, way * metres(there));
+            prop_assert!((carried - own).length() < 1e-12 * own.length(), "{carried} {own}");
+        }
+    }
+
+    /// Near the eye the port is the place itself, in whichever chart that is told: nothing has cancelled.
+    #[test]
+    fn near_the_eye_the_port_is_as_exact_as_what_lies_before_it(
+        from in charts(), share in vector(0.99), by in vector(0.1),
+    ) {
+        for world in worlds() {
+            let point = place(&world, from, share);
+            let eye = looking(point, [0.0; 3]);
+            for image in world.images(point, 5.0) {
+                let chart = image.point.chart;
+                prop_assert_eq!(world.reference(&eye, chart), image.point.pos);
+                let turn = world.chart_matrix(&eye, chart).w_axis;
+                prop_assert!((turn - DVec4::W).length() < 1e-11, "{turn}");
+            }
+            let step = 1e-3 * by;
+            let port = port(&world, &eye, point.moved(step)).truncate();
+            let frame = world.in_frame(point, step);
+            prop_assert!(port.distance(frame) < 1e-4 * step.length(), "{port} {frame}");
         }
     }
 

@@ -57,7 +57,7 @@ fn the_uniform_has_the_same_layout_in_rust_and_in_the_shader() {
             [$((stringify!($name), std::mem::offset_of!(SpaceUniform, $name))),*]
         };
     }
-    let ours = fields!(view focal_x focal_y near_m radius_m kappa lift lift_sine lift_cosine level_m upright_m k_per_m padding);
+    let ours = fields!(view focal_x focal_y near_m radius_m kappa lift lift_sine lift_cosine level_m upright_m k_per_m padding origin);
     assert_eq!(span as usize, size_of::<SpaceUniform>());
     assert_eq!(members.len(), ours.len());
     for (member, (name, offset)) in members.iter().zip(ours) {
