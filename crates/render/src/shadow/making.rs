@@ -181,11 +181,12 @@ impl Shadows {
         while used < left
             && let Some(coord) = todo.pop()
         {
-            let Some(from) = shot.light.origin(&*frame.view.strategy, coord.chart) else {
+            let strategy = &*frame.view.strategy;
+            let Some(from) = shot.light.origin(strategy, coord.chart) else {
                 continue;
             };
             let chart = land.charts.number(coord.chart);
-            used += land.chunks.list_caster(coord, chart, from, list);
+            used += land.chunks.list_caster(strategy, coord, chart, from, list);
         }
         draws.send(&self.queue, list);
         let uniform = CasterUniform::new(shot, DVec4::W);

@@ -3,6 +3,7 @@
 mod atlas;
 mod bodies;
 mod common;
+mod near;
 mod picture;
 mod robust;
 mod walks;
