@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
 use crate::tiling::quilt::Quilt;
-use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing, Globe};
+use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing, Globe, Tiled};
 
 /// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
 /// here only as far as what stands near the edge needs it.
@@ -244,6 +244,14 @@ pub trait Atlas: Debug + Send + Sync {
         self.carry(point, to.chart)
     }
 
+    /// The way from a place to another along the axes of the first's chart, metres: the difference of coordinates where the
+    /// second is written near the first. None where it is not, nor told by [`Atlas::tiled`].
+    fn way_m(&self, from: ChartPoint, to: ChartPoint) -> Option<DVec3> {
+        let near = self.carry_near(to, from);
+        let written = near.map(|near| near.point.pos - from.pos);
+        written.or_else(|| self.tiled()?.level_way_m(from, to))
+    }
+
     /// The same point in every other chart whose domain comes within `reach_m` metres of it.
     fn images(&self, _point: ChartPoint, _reach_m: f64) -> Vec<Crossing> {
         Vec::new()
@@ -253,6 +261,12 @@ pub trait Atlas: Debug + Send + Sync {
     /// metres of the point along its own chart, but for those more than `past_m` metres outside of the other's domain.
     fn spread_m(&self, _point: ChartPoint, radius_m: f64, _past_m: f64) -> f64 {
         radius_m
+    }
+
+    /// What is near in a world in tiles, of which more than [`Atlas::images`] knows may be in view; none where images of a place
+    /// tell all that is near.
+    fn tiled(&self) -> Option<&dyn Tiled> {
+        None
     }
 
     /// Heights that the space limits a world to.

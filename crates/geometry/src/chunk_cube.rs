@@ -2,27 +2,39 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
+use std::sync::Arc;
 
 use glam::{I64Vec3, IVec3};
 
 use crate::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain};
 
+mod tile_part;
+
+use tile_part::Columns;
+
 /// The chunks within a Chebyshev distance of one, each chart counted along its own axes, that come near the domains of
 /// their charts. It is made for the chunk's middle, so that it is the same wherever in it somebody stands.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// In a world in tiles ([`Atlas::tiled`]) distances are those along the level, whatever chart a place is written in, and as far
+/// as [`crate::Tiled::land_reach_m`] says; up and down they are counted in chunks as everywhere.
+#[derive(Clone, Debug)]
 pub struct ChunkCube {
-    parts: BTreeMap<ChartId, Part>,
+    centre: ChunkCoord,
+    /// Shared: there may be hundreds of charts, and ranges are handed on with plans.
+    parts: Arc<BTreeMap<ChartId, Part>>,
     past_m: f64,
 }
 
 /// What of a cube lies in one chart.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct Part {
     /// The chunk in the middle, as this chart counts them.
     middle: IVec3,
     /// By how many chunks the cube is wider in this chart than in its own.
     wider: i32,
     domain: Domain,
+    /// What is near of a tile, which goes before all that is told by the middle.
+    columns: Option<Columns>,
 }
 
 impl ChunkCube {
@@ -30,6 +42,24 @@ impl ChunkCube {
     /// metres of its domain. In other charts it holds every place that is no farther from the middle than a face of the
     /// cube; corners are held only where charts are square to one another.
     pub fn about(atlas: &dyn Atlas, centre: ChunkCoord, reach: u16, past_m: f64) -> Self {
+        let parts = atlas.tiled().map_or_else(
+            || Self::images(atlas, centre, reach, past_m),
+            |tiled| tile_part::parts(atlas, tiled, centre, reach, past_m),
+        );
+        Self {
+            centre,
+            parts: Arc::new(parts),
+            past_m,
+        }
+    }
+
+    /// The parts by the images of the middle.
+    fn images(
+        atlas: &dyn Atlas,
+        centre: ChunkCoord,
+        reach: u16,
+        past_m: f64,
+    ) -> BTreeMap<ChartId, Part> {
         let cell = f64::from(CHUNK_CELLS);
         let half_m = (f64::from(reach) + 0.5) * cell;
         let at = ChartPoint::new(centre.chart, centre.centre());
@@ -37,6 +67,7 @@ impl ChunkCube {
             middle: centre.index,
             wider: 0,
             domain: atlas.domain(centre.chart),
+            columns: None,
         };
         // The corners of the cube's ground plan are what is farthest off.
         let images = atlas.images(at, SQRT_2 * half_m + past_m).into_iter();
@@ -52,13 +83,16 @@ impl ChunkCube {
                 middle: coord.index,
                 wider: (wider_m / cell).ceil().max(0.0) as i32,
                 domain: atlas.domain(coord.chart),
+                columns: None,
             };
             (coord.chart, part)
         });
-        Self {
-            parts: others.chain([(centre.chart, own)]).collect(),
-            past_m,
-        }
+        others.chain([(centre.chart, own)]).collect()
+    }
+
+    /// The chunk that it is made about.
+    pub fn centre(&self) -> ChunkCoord {
+        self.centre
     }
 
     /// The middle of the cube's middle chunk in every chart that comes in.
@@ -69,39 +103,71 @@ impl ChunkCube {
         })
     }
 
-    /// How far a chunk is from the middle, in chunks along the axes of its chart; none in a chart that does not come in.
+    /// How far a chunk is from the middle, in chunks along the axes of its chart, or in a world in tiles of the middle's; none in
+    /// a chart that does not come in.
     pub fn apart(&self, coord: ChunkCoord) -> Option<I64Vec3> {
         let part = self.parts.get(&coord.chart)?;
-        Some(coord.index.as_i64vec3() - part.middle.as_i64vec3())
+        let apart = coord.index.as_i64vec3() - part.middle.as_i64vec3();
+        let Some(columns) = &part.columns else {
+            return Some(apart);
+        };
+        let way = columns.at(coord.index)?.way;
+        Some(I64Vec3::new(way.x.into(), apart.y, way.y.into()))
     }
 
     /// Whether a chunk is within a distance, in chunks.
     pub fn has(&self, coord: ChunkCoord, distance: u16) -> bool {
         self.parts.get(&coord.chart).is_some_and(|part| {
-            let apart = coord.index.as_i64vec3() - part.middle.as_i64vec3();
-            apart.abs().max_element() <= i64::from(part.half(distance))
-                && part.domain.reaches(coord, self.past_m)
+            let apart = (coord.index.as_i64vec3() - part.middle.as_i64vec3()).abs();
+            let half = i64::from(part.half(distance));
+            match &part.columns {
+                Some(columns) => {
+                    let column = columns.at(coord.index);
+                    apart.y <= half && column.is_some_and(|it| it.within <= distance)
+                }
+                None => apart.max_element() <= half && part.domain.reaches(coord, self.past_m),
+            }
         })
     }
 
+    /// Whether a chunk of a tile lies wholly beyond its edges, where only what stands near the edge needs it: pictures have
+    /// the chunks of the next tile there. Never in worlds that are not in tiles.
+    pub fn is_past_edge(&self, coord: ChunkCoord) -> bool {
+        let part = self.parts.get(&coord.chart);
+        let columns = part.and_then(|part| part.columns.as_ref());
+        let column = columns.and_then(|columns| columns.at(coord.index));
+        column.is_some_and(|column| !column.is_own)
+    }
+
     /// The least and the greatest indices that a chart has within a distance, in chunks; they saturate. None of a chart
-    /// that does not come in.
+    /// that does not come in. Of a tile all of the ground plan counts.
     pub fn span(&self, chart: ChartId, distance: u16) -> Option<[IVec3; 2]> {
         let part = self.parts.get(&chart)?;
         let half = IVec3::splat(part.half(distance));
-        Some([
-            part.middle.saturating_sub(half),
-            part.middle.saturating_add(half),
-        ])
+        let mut low = part.middle.saturating_sub(half);
+        let mut high = part.middle.saturating_add(half);
+        if let Some(columns) = &part.columns {
+            let [least, most] = columns.span();
+            (low.x, low.z, high.x, high.z) = (least, least, most, most);
+        }
+        Some([low, high])
     }
 
-    /// Every chunk within a distance, in chunks.
+    /// Every chunk within a distance, in chunks, but for those [past an edge](Self::is_past_edge).
     pub fn chunks(&self, distance: u16) -> Vec<ChunkCoord> {
         let mut found = Vec::new();
-        for (&chart, part) in &self.parts {
+        for (&chart, part) in &*self.parts {
             let Some([mut low, mut high]) = self.span(chart, distance) else {
                 continue;
             };
+            if let Some(columns) = &part.columns {
+                let own = columns.within(distance).filter(|(_, column)| column.is_own);
+                found.extend(own.flat_map(|(at, _)| {
+                    let at = |y| IVec3::new(at.x, y, at.y);
+                    ChunkCoord::boxed(chart, at(low.y), at(high.y))
+                }));
+                continue;
+            }
             let side = part.domain.side_chunks(self.past_m);
             (low.x, low.z) = (low.x.max(-1 - side), low.z.max(-1 - side));
             (high.x, high.z) = (high.x.min(side), high.z.min(side));
@@ -109,6 +175,35 @@ impl ChunkCube {
             found.extend(all.filter(|&coord| part.domain.reaches(coord, self.past_m)));
         }
         found
+    }
+
+    /// The chunks of a chart within a distance that are [past an edge](Self::is_past_edge).
+    pub fn past_edges(&self, chart: ChartId, distance: u16) -> Vec<ChunkCoord> {
+        let part = self.parts.get(&chart);
+        let columns = part.and_then(|part| part.columns.as_ref());
+        let Some((columns, [low, high])) = columns.zip(self.span(chart, distance)) else {
+            return Vec::new();
+        };
+        let past = columns
+            .within(distance)
+            .filter(|(_, column)| !column.is_own);
+        past.flat_map(|(at, _)| {
+            let at = |y| IVec3::new(at.x, y, at.y);
+            ChunkCoord::boxed(chart, at(low.y), at(high.y))
+        })
+        .collect()
+    }
+
+    /// The charts that come in.
+    pub fn charts(&self) -> impl Iterator<Item = ChartId> + '_ {
+        self.parts.keys().copied()
+    }
+}
+
+impl PartialEq for ChunkCube {
+    fn eq(&self, other: &Self) -> bool {
+        let same_parts = || Arc::ptr_eq(&self.parts, &other.parts) || self.parts == other.parts;
+        self.centre == other.centre && self.past_m == other.past_m && same_parts()
     }
 }
 

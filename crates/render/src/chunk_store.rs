@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use antipode_frame::{ChunkChange, Frame, LandCursor};
-use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_geometry::{Atlas, ChartPoint, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 use glam::DVec3;
 
@@ -251,8 +251,8 @@ impl ChunkStore {
         }
         let (strategy, eye) = (&frame.view.strategy, frame.view.eye.point);
         let away_m = |coord: &ChunkCoord| {
-            let here = strategy.carry_near(ChartPoint::new(coord.chart, coord.centre()), eye);
-            here.map_or(f64::INFINITY, |here| here.point.pos.distance(eye.pos))
+            let way = strategy.way_m(eye, ChartPoint::new(coord.chart, coord.centre()));
+            way.map_or(f64::INFINITY, DVec3::length)
         };
         let mut order: Vec<_> = self.waiting.keys().map(|c| (away_m(c), *c)).collect();
         order.sort_by(|(a, of), (b, other)| a.total_cmp(b).then(of.cmp(other)));
@@ -382,6 +382,7 @@ impl ChunkStore {
     /// a place of the chart; returns its triangles.
     pub fn list_caster(
         &self,
+        atlas: &dyn Atlas,
         coord: ChunkCoord,
         chart: u32,
         from: DVec3,
@@ -390,7 +391,7 @@ impl ChunkStore {
         let Some(chunk) = self.chunks.get(&coord) else {
             return 0;
         };
-        let seams = self.seams(coord, chunk.land.level, &chunk.mesh);
+        let seams = self.seams(atlas, coord, chunk.land.level, &chunk.mesh);
         let pieces = chunk.mesh.pieces(seams).map(|piece| (0, piece));
         list.add(chart, ChunkInstance::new(coord.origin(), from), pieces);
         let things = chunk.grown.as_ref();
@@ -435,7 +436,8 @@ impl ChunkStore {
                 continue;
             }
             let mesh = chunk.drawn();
-            let seams = self.seams(coord, chunk.land.level, mesh);
+            let atlas = &*frame.view.strategy;
+            let seams = self.seams(atlas, coord, chunk.land.level, mesh);
             let Some((old, progress)) = self.blend(chunk) else {
                 let numbered = |reach| TerrainPipelines::number(choice, false, reach, lights);
                 let seen = |block: &Block| {
@@ -450,7 +452,9 @@ impl ChunkStore {
             };
             plan.stats.chunks_blending += 1;
             let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach), lights);
-            let before = old.mesh.pieces(self.seams(coord, old.level, &old.mesh));
+            let before = old
+                .mesh
+                .pieces(self.seams(atlas, coord, old.level, &old.mesh));
             let comes = mesh.pieces(seams).map(|piece| (number, piece));
             list.add(chart, instance.blending(progress), comes);
             let goes = before.map(|piece| (number, piece));
@@ -458,11 +462,17 @@ impl ChunkStore {
         }
     }
 
-    fn seams(&self, coord: ChunkCoord, level: Level, mesh: &LandMesh) -> SeamMask {
+    fn seams(
+        &self,
+        atlas: &dyn Atlas,
+        coord: ChunkCoord,
+        level: Level,
+        mesh: &LandMesh,
+    ) -> SeamMask {
         if level == Level::FULL || !mesh.has_seams() {
             return 0;
         }
-        seams::mask(coord, level, |other| {
+        seams::mask(atlas, coord, level, |other| {
             self.chunks.get(&other).map(GpuChunk::finest)
         })
     }

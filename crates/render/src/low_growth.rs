@@ -3,6 +3,8 @@
 //! Farther from the eye it is coarser, scarcer and lower, so that it ends without an edge; the mesh is made anew as the eye moves.
 
 use antipode_frame::{Frame, Quality};
+use antipode_geometry::ChartPoint;
+use antipode_geometry::tiled::as_seen_from;
 use antipode_plants::{Growth, low_shape};
 use antipode_terrain::Tuft;
 use glam::Vec3;
@@ -128,9 +130,9 @@ impl ChunkStore {
             let Some(low) = chunk.low.take() else {
                 continue;
             };
-            let carried = strategy.carry(eye, coord.chart);
-            let away_m = carried.map_or(f64::INFINITY, |eye| {
-                let pos = eye.point.pos;
+            let middle = ChartPoint::new(coord.chart, 0.5 * (chunk.land.min + chunk.land.max));
+            let seen = as_seen_from(&**strategy, middle, eye);
+            let away_m = seen.map_or(f64::INFINITY, |pos| {
                 pos.distance(pos.clamp(chunk.land.min, chunk.land.max))
             });
             if away_m > f64::from(reach.m + MOVED_M) {

@@ -1,6 +1,7 @@
 //! Chooses the seams to draw: those beside a neighbour that is shown in finer detail.
 
-use antipode_geometry::ChunkCoord;
+use antipode_geometry::tiled::beside;
+use antipode_geometry::{Atlas, ChunkCoord};
 use antipode_terrain::Level;
 use glam::IVec3;
 
@@ -20,17 +21,14 @@ pub const FACES: [IVec3; 6] = [
 /// if any. While a neighbour changes from one level to another both are shown, each by some of the pixels: a seam
 /// that stands beside the coarser is a sliver in the plane of a face that the finer one covers.
 pub fn mask(
+    atlas: &dyn Atlas,
     coord: ChunkCoord,
     level: Level,
     finest: impl Fn(ChunkCoord) -> Option<Level>,
 ) -> SeamMask {
     let mut mask = 0;
     for (face, step) in FACES.into_iter().enumerate() {
-        let neighbour = ChunkCoord {
-            index: coord.index + step,
-            ..coord
-        };
-        if finest(neighbour).is_some_and(|other| other < level) {
+        if finest(beside(atlas, coord, step)).is_some_and(|other| other < level) {
             mask |= 1 << face;
         }
     }
@@ -39,7 +37,7 @@ pub fn mask(
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::ChartId;
+    use antipode_geometry::{ChartId, Euclidean};
 
     use super::*;
 
@@ -66,9 +64,9 @@ mod tests {
                 .position(|f| *f == step)
                 .and_then(|f| around[f])
         };
-        assert_eq!(mask(coord, full, finest), 0);
-        assert_eq!(mask(coord, half, finest), 0b00_0001);
-        assert_eq!(mask(coord, quarter, finest), 0b10_0011);
-        assert_eq!(mask(coord, eighth, finest), 0b10_0111);
+        assert_eq!(mask(&Euclidean, coord, full, finest), 0);
+        assert_eq!(mask(&Euclidean, coord, half, finest), 0b00_0001);
+        assert_eq!(mask(&Euclidean, coord, quarter, finest), 0b10_0011);
+        assert_eq!(mask(&Euclidean, coord, eighth, finest), 0b10_0111);
     }
 }

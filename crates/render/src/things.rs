@@ -6,6 +6,7 @@
 //! triangles, which every map of the space bends as it does land.
 
 use antipode_frame::{Frame, Quality};
+use antipode_geometry::tiled::as_seen_from;
 use antipode_geometry::{ChartPoint, ChunkCoord};
 use antipode_plants::{Age, Size, Species, shape};
 use antipode_terrain::{Level, Thing};
@@ -266,13 +267,11 @@ impl ChunkStore {
             };
             let eye = (choice.distance_m < SINGLY_M)
                 .then(|| {
-                    frame
-                        .view
-                        .strategy
-                        .carry(frame.view.eye.point, chunk.coord.chart)
+                    let middle = ChartPoint::new(chunk.coord.chart, chunk.coord.centre());
+                    as_seen_from(&*frame.view.strategy, middle, frame.view.eye.point)
                 })
                 .flatten();
-            let eye = eye.map(|eye| (eye.point.pos - chunk.coord.origin()).as_vec3());
+            let eye = eye.map(|eye| (eye - chunk.coord.origin()).as_vec3());
             if let Some(eye) =
                 eye.filter(|_| choice.distance_m < f64::from(reach.m) && left_low > 0)
             {

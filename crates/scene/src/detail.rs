@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Eye, Map, Strategy};
 use antipode_streaming::{Detail, Wish};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, DVec4};
 
 use crate::frame::Quality;
 
@@ -66,9 +66,14 @@ impl Sight {
     }
 
     /// Do the sizes still hold from here?
-    pub(crate) fn holds(&self, strategy: &dyn Map, eye: &Eye, sharpness: Sharpness) -> bool {
+    pub(crate) fn holds(&self, strategy: &dyn Strategy, eye: &Eye, sharpness: Sharpness) -> bool {
         let (there, here) = (self.eye.point, eye.point);
-        let roamed = there.chart != here.chart || there.pos.distance(here.pos) > ROAM_M;
+        // Where nothing is as it was in the next chart, as on a sphere, crossing alone is far enough.
+        let way = match strategy.tiled() {
+            Some(tiled) => tiled.level_way_m(there, here),
+            None => (there.chart == here.chart).then(|| here.pos - there.pos),
+        };
+        let roamed = way.is_none_or(|way| way.length() > ROAM_M);
         let rescaled = || {
             let mut pairs = self.scale.into_iter().zip(scale(strategy, eye));
             pairs.any(|(before, now)| differs(before, now))
@@ -76,9 +81,21 @@ impl Sight {
         self.sharpness == sharpness && !roamed && !rescaled()
     }
 
-    fn direction(&self, point: ChartPoint) -> DVec3 {
-        let view = self.strategy.view_point(&self.eye, point);
-        view.truncate().normalize_or(DVec3::NEG_Z)
+    /// Of a chunk in whose chart the eye is not written. A tile's plan has no more than half a chunk between places of a lattice
+    /// of three, and the nearest of these is at most half an edge off the nearest place.
+    fn far_pixels_per_metre(&self, coord: ChunkCoord) -> f64 {
+        if self.strategy.tiled().is_none() {
+            return f64::INFINITY;
+        }
+        let (low, high) = (coord.min() - ROAM_M, coord.max() + ROAM_M);
+        let y = self.eye.point.pos.y.clamp(low.y, high.y);
+        let viewer = self.strategy.viewer(&self.eye);
+        let plan = lattice(3).filter(|share| share.y == 0.0);
+        let sizes = plan.map(|share| {
+            let pos = (low + share * (high - low)).with_y(y);
+            size_rad(&*viewer, ChartPoint::new(coord.chart, pos))
+        });
+        sizes.fold(0.0, f64::max) * self.sharpness.pixels_per_rad
     }
 
     /// Where the eye is in a chunk's chart.
@@ -92,19 +109,14 @@ impl Detail for Sight {
     fn pixels_per_metre(&self, coord: ChunkCoord) -> f64 {
         let (low, high) = (coord.min() - ROAM_M, coord.max() + ROAM_M);
         let Some(eye) = self.eye_in(coord) else {
-            return f64::INFINITY;
+            return self.far_pixels_per_metre(coord);
         };
         let nearest = eye.clamp(low, high);
         if nearest == eye {
             return f64::INFINITY;
         }
-        let at = |pos| {
-            size_rad(
-                &*self.strategy,
-                &self.eye,
-                ChartPoint::new(coord.chart, pos),
-            )
-        };
+        let viewer = self.strategy.viewer(&self.eye);
+        let at = |pos| size_rad(&*viewer, ChartPoint::new(coord.chart, pos));
         let mut size = at(nearest);
         if self.strategy.globe().is_some() {
             // In a closed space things grow again towards the antipode.
@@ -118,11 +130,12 @@ impl Detail for Sight {
     fn span_px(&self, coord: ChunkCoord) -> f64 {
         let limit_m = self.strategy.sight_limit_m(&self.eye);
         let mut seen = false;
+        let viewer = self.strategy.viewer(&self.eye);
         let mut directions = [DVec3::ZERO; 27];
         for (direction, share) in directions.iter_mut().zip(lattice(3)) {
             let pos = coord.origin() + share * f64::from(CHUNK_CELLS);
             let point = ChartPoint::new(coord.chart, pos);
-            *direction = self.direction(point);
+            *direction = viewer(point).truncate().normalize_or(DVec3::NEG_Z);
             seen = seen || self.strategy.distance_m(self.eye.point, point, &self.eye) <= limit_m;
         }
         if !seen {
@@ -174,7 +187,7 @@ impl Sights {
     /// Do the sizes still hold from here, and with these leaves?
     pub(crate) fn holds(
         &self,
-        strategy: &dyn Map,
+        strategy: &dyn Strategy,
         eye: &Eye,
         feet: &[ChartPoint],
         sharpness: Sharpness,
@@ -223,9 +236,9 @@ fn lattice(n: u32) -> impl Iterator<Item = DVec3> {
 
 /// The largest angle, in radians, that a metre of the chart takes at a point: the greatest singular
 /// value of the derivative of the direction in which the point is seen.
-fn size_rad(strategy: &dyn Map, eye: &Eye, point: ChartPoint) -> f64 {
+fn size_rad(viewer: &dyn Fn(ChartPoint) -> DVec4, point: ChartPoint) -> f64 {
     let direction = |pos| {
-        let view = strategy.view_point(eye, ChartPoint::new(point.chart, pos));
+        let view = viewer(ChartPoint::new(point.chart, pos));
         view.truncate().normalize_or(DVec3::NEG_Z)
     };
     let here = direction(point.pos);
@@ -240,12 +253,13 @@ fn size_rad(strategy: &dyn Map, eye: &Eye, point: ChartPoint) -> f64 {
 
 /// How large a metre is seen around the eye.
 fn scale(strategy: &dyn Map, eye: &Eye) -> [f64; 6 * SCALE_AT_M.len()] {
+    let viewer = strategy.viewer(eye);
     let mut sizes = [0.0; 6 * SCALE_AT_M.len()];
     let ways = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
     let steps = ways.flat_map(|way| SCALE_AT_M.map(|length_m| way * length_m));
     for (size, step) in sizes.iter_mut().zip(steps) {
         let point = ChartPoint::new(eye.point.chart, eye.point.pos + step);
-        *size = size_rad(strategy, eye, point);
+        *size = size_rad(&*viewer, point);
     }
     sizes
 }

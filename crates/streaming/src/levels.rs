@@ -4,7 +4,8 @@
 use std::collections::HashMap;
 use std::hash::BuildHasher;
 
-use antipode_geometry::ChunkCoord;
+use antipode_geometry::tiled::beside;
+use antipode_geometry::{Atlas, ChunkCoord};
 use antipode_terrain::Level;
 use glam::IVec3;
 
@@ -12,13 +13,10 @@ use glam::IVec3;
 /// pass: on the line between two levels neither it nor its neighbours flip to and fro.
 const COARSER_SHARE: f64 = 0.8;
 
-/// The six chunks that share a face with one, of its own chart.
-pub(crate) fn faces(coord: ChunkCoord) -> impl Iterator<Item = ChunkCoord> {
+/// The six chunks that share a face with one, over edges of tiles, too.
+pub(crate) fn faces(atlas: &dyn Atlas, coord: ChunkCoord) -> impl Iterator<Item = ChunkCoord> {
     let steps = IVec3::AXES.into_iter().flat_map(|axis| [-axis, axis]);
-    steps.map(move |step| ChunkCoord {
-        index: coord.index.saturating_add(step),
-        ..coord
-    })
+    steps.map(move |step| beside(atlas, coord, step))
 }
 
 /// The coarsest level whose error stays under `tolerance_px`, given each level's error in metres
@@ -40,7 +38,7 @@ pub(crate) fn choose(
 
 /// Makes levels finer until no two chunks with a common face are more than one apart. Nothing is
 /// made finer than that takes.
-pub(crate) fn relax<S: BuildHasher>(levels: &mut HashMap<ChunkCoord, Level, S>) {
+pub(crate) fn relax<S: BuildHasher>(atlas: &dyn Atlas, levels: &mut HashMap<ChunkCoord, Level, S>) {
     for level in Level::ALL {
         let Some(limit) = level.coarser() else { return };
         let here: Vec<_> = levels
@@ -48,7 +46,7 @@ pub(crate) fn relax<S: BuildHasher>(levels: &mut HashMap<ChunkCoord, Level, S>) 
             .filter_map(|(&coord, &own)| (own == level).then_some(coord))
             .collect();
         for coord in here {
-            for next in faces(coord) {
+            for next in faces(atlas, coord) {
                 if let Some(own) = levels.get_mut(&next) {
                     *own = limit.min(*own);
                 }
@@ -71,7 +69,7 @@ pub(crate) fn allowed(beside: impl Iterator<Item = Level>) -> Option<(Level, Lev
 #[cfg(test)]
 mod tests {
     use super::*;
-    use antipode_geometry::ChartId;
+    use antipode_geometry::{ChartId, Euclidean};
     use proptest::prelude::*;
 
     const ERRORS_M: [f64; 4] = [0.0, 0.25, 0.75, 2.0];
@@ -134,7 +132,7 @@ mod tests {
             let places: Vec<_> = (0..125).map(|n| IVec3::new(n / 25, n / 5 % 5, n % 5)).collect();
             let mut levels: HashMap<_, _> =
                 places.iter().zip(&raw).map(|(&at, &n)| (chunk(at), Level::ALL[n])).collect();
-            relax(&mut levels);
+            relax(&Euclidean, &mut levels);
             for &at in &places {
                 // The least of all raw levels plus the steps to them: the distance transform.
                 let want = places.iter().zip(&raw).map(|(&other, &n)| {

@@ -3,9 +3,10 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{Atlas, ChunkCoord};
+use antipode_geometry::tiled::fits;
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChunkCoord, Domain};
 use antipode_terrain::{Content, Field, Level, RIM_REACH_M};
-use glam::{I64Vec3, Vec3Swizzles};
+use glam::{DVec2, I64Vec3, Vec3Swizzles};
 
 use crate::api::Detail;
 use crate::levels::{choose, relax};
@@ -99,7 +100,7 @@ impl Request {
     /// Makes the plan.
     pub(crate) fn plan(&self, field: &Field) -> Planned {
         let (looks, bare) = self.looks(field);
-        let (levels, leniency) = self.affordable(&looks);
+        let (levels, leniency) = self.affordable(&**field.strategy(), &looks);
         let target = |(coord, level)| {
             let wanted = looks.get(&coord).is_some_and(|look| look.wanted);
             (coord, Target { level, wanted })
@@ -142,7 +143,8 @@ impl Request {
     /// have none.
     fn looks(&self, field: &Field) -> (ChunkMap<Look>, ChunkSet) {
         let (mut looks, mut bare) = (ChunkMap::default(), ChunkSet::default());
-        for coord in self.range.kept() {
+        let past_edges = self.range.past_edges(&self.bodies);
+        for coord in self.range.kept().into_iter().chain(past_edges) {
             if !self.near_edits.contains(&coord) && field.content(coord) != Content::Surface {
                 if self.bodies.keeps(coord) {
                     bare.insert(coord);
@@ -173,13 +175,13 @@ impl Request {
     /// The levels, and how many times what the quality lets pass they had to be allowed, so that
     /// the whole stays within what may be drawn. Of two that would do it is the one before, unless
     /// the stricter has room to spare.
-    fn affordable(&self, looks: &ChunkMap<Look>) -> (ChunkMap<Level>, f64) {
-        let strict = self.levels(looks, 1.0);
+    fn affordable(&self, atlas: &dyn Atlas, looks: &ChunkMap<Look>) -> (ChunkMap<Level>, f64) {
+        let strict = self.levels(atlas, looks, 1.0);
         let exact = self.detail.as_ref().is_none_or(|d| d.tolerance_px() <= 0.0);
         if exact {
             return (strict, 1.0);
         }
-        let affordable = self.budget(looks, &strict);
+        let affordable = self.budget(atlas, looks, &strict);
         let mut levels = strict;
         let mut leniency = 1.0;
         while leniency < MOST_LENIENT {
@@ -188,39 +190,53 @@ impl Request {
             } else {
                 1.0
             };
-            if cost(&levels, |coord| looks[&coord].wanted) <= affordable * share {
+            if cost(atlas, &levels, |coord| looks[&coord].wanted) <= affordable * share {
                 break;
             }
             leniency *= LENIENCY_STEP;
-            levels = self.levels(looks, leniency);
+            levels = self.levels(atlas, looks, leniency);
         }
         (levels, leniency)
     }
 
     /// What may be drawn, in chunks of full level.
-    fn budget(&self, looks: &ChunkMap<Look>, strict: &ChunkMap<Level>) -> f64 {
+    fn budget(&self, atlas: &dyn Atlas, looks: &ChunkMap<Look>, strict: &ChunkMap<Level>) -> f64 {
         if matches!(self.range, Range::Whole(_)) {
             return CLOSED_BUDGET;
         }
-        FAR_SHARE * cost(strict, |coord| self.is_near(coord) && looks[&coord].wanted)
+        let disc_m = near_disc_m(atlas);
+        FAR_SHARE
+            * cost(atlas, strict, |coord| {
+                self.is_near(disc_m, coord) && looks[&coord].wanted
+            })
     }
 
-    /// Whether the chunk is so near that nothing but the quality tells its level.
-    fn is_near(&self, coord: ChunkCoord) -> bool {
+    /// Whether the chunk is so near that nothing but the quality tells its level. Where land grows faster than in flat space, near
+    /// is as much of it as there: the disc of radius `disc_m`.
+    fn is_near(&self, disc_m: Option<f64>, coord: ChunkCoord) -> bool {
         let apart = self.range.apart(coord);
-        apart.is_some_and(|it| it.abs().max_element() <= NEAR_CHUNKS)
+        apart.is_some_and(|it| {
+            let away_m = it.xz().as_dvec2().length() * f64::from(CHUNK_CELLS);
+            let is_in_disc = disc_m.is_none_or(|disc_m| away_m <= disc_m);
+            it.abs().max_element() <= NEAR_CHUNKS && is_in_disc
+        })
     }
 
-    fn levels(&self, looks: &ChunkMap<Look>, leniency: f64) -> ChunkMap<Level> {
+    fn levels(&self, atlas: &dyn Atlas, looks: &ChunkMap<Look>, leniency: f64) -> ChunkMap<Level> {
         let tolerance_px = self.detail.as_ref().map_or(0.0, |d| d.tolerance_px());
+        let disc_m = near_disc_m(atlas);
         let level = |(&coord, look): (&ChunkCoord, &Look)| {
             let before = self.before.targets.get(&coord).map(|target| target.level);
-            let let_pass = if self.is_near(coord) { 1.0 } else { leniency };
+            let let_pass = if self.is_near(disc_m, coord) {
+                1.0
+            } else {
+                leniency
+            };
             let level = choose(&look.errors_px, 1.0, tolerance_px * let_pass, before);
             (coord, level)
         };
         let mut levels = looks.iter().map(level).collect();
-        relax(&mut levels);
+        relax(atlas, &mut levels);
         levels
     }
 
@@ -260,12 +276,40 @@ impl Request {
     }
 }
 
+/// How far what is near goes in a world in tiles, metres: with as much land as flat space has within [`NEAR_CHUNKS`].
+fn near_disc_m(atlas: &dyn Atlas) -> Option<f64> {
+    let side_m = (2.0 * NEAR_CHUNKS as f64 + 1.0) * f64::from(CHUNK_CELLS);
+    Some(atlas.tiled()?.disc_m(side_m * side_m))
+}
+
 /// What the chunks that count cost, in chunks of full level: half the resolution has a quarter of
-/// the triangles.
-fn cost(levels: &ChunkMap<Level>, counts: impl Fn(ChunkCoord) -> bool) -> f64 {
-    let own = |level: &Level| 0.25_f64.powi(level.index() as i32);
-    let counted = levels.iter().filter(|&(&coord, _)| counts(coord));
-    counted.map(|(_, level)| own(level)).sum()
+/// the triangles. Of a chunk that an edge runs through counts what is made of it.
+fn cost(atlas: &dyn Atlas, levels: &ChunkMap<Level>, counts: impl Fn(ChunkCoord) -> bool) -> f64 {
+    let is_tiled = atlas.tiled().is_some();
+    let own = |(&coord, level): (&ChunkCoord, &Level)| {
+        let share = if is_tiled {
+            made_share(atlas, coord)
+        } else {
+            1.0
+        };
+        share * 0.25_f64.powi(level.index() as i32)
+    };
+    levels
+        .iter()
+        .filter(|&(&coord, _)| counts(coord))
+        .map(own)
+        .sum()
+}
+
+/// The part of a chunk's ground plan that is meshed, 0 to 1.
+fn made_share(atlas: &dyn Atlas, coord: ChunkCoord) -> f64 {
+    let Domain::Rectangle { low, high } = atlas.domain(coord.chart) else {
+        return 1.0;
+    };
+    let first = coord.min().xz().max(low - RIM_REACH_M);
+    let last = coord.max().xz().min(high + RIM_REACH_M);
+    let sides = (last - first).max(DVec2::ZERO) / f64::from(CHUNK_CELLS);
+    sides.x * sides.y
 }
 
 /// What each level may be off by, in metres. What was dug or built may be as thin as a cell of any
@@ -278,12 +322,16 @@ fn errors_m(field: &Field, edited: bool) -> [f64; Level::ALL.len()] {
     })
 }
 
-/// Does the chunk touch the line where its chart's domain ends?
+/// Does the chunk touch the line where its chart's domain ends, and is what lies beyond no chunk that shares its face there?
 fn meets_rim(strategy: &dyn Atlas, coord: ChunkCoord) -> bool {
     let (low, high) = (coord.min().xz(), coord.max().xz());
     let domain = strategy.domain(coord.chart);
-    domain.least_outside_m(low, high) <= RIM_REACH_M && domain.most_outside_m(low, high) >= 0.0
+    let touches =
+        domain.least_outside_m(low, high) <= RIM_REACH_M && domain.most_outside_m(low, high) >= 0.0;
+    touches && !fits(strategy, coord.chart)
 }
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tile_tests;

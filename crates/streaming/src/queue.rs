@@ -110,11 +110,9 @@ impl Queue {
 fn rank(strategy: &dyn Atlas, aim: Option<Aim>, coord: ChunkCoord, missing: bool) -> Rank {
     let Some(aim) = aim else { return (0, 0) };
     let half = DVec3::splat(f64::from(CHUNK_CELLS) / 2.0);
-    let mut middle = ChartPoint::new(coord.chart, coord.origin() + half);
-    if let Some(crossing) = strategy.carry_near(middle, aim.centre) {
-        middle = crossing.point;
-    }
-    let to = middle.pos - aim.centre.pos;
+    let middle = ChartPoint::new(coord.chart, coord.origin() + half);
+    let way = strategy.way_m(aim.centre, middle);
+    let to = way.unwrap_or(middle.pos - aim.centre.pos);
     let distance_m = to.length();
     let seen = to.dot(aim.front) >= SEEN_COS * distance_m;
     let group = match (distance_m < AT_HAND_M, missing, seen) {

@@ -7,10 +7,15 @@ use antipode_terrain::RIM_REACH_M;
 use glam::{I64Vec3, IVec3};
 
 use crate::api::Wish;
+use crate::reaches::Reaches;
 
 /// Chunks beyond the wished distance that are kept, so that walking to and fro over a border does
 /// not load and unload.
 const KEPT_BEYOND: u16 = 1;
+
+/// In a world in tiles a range is not made anew before its middle's chunk is left by more than this, metres. What is kept beyond
+/// the wished distance is less than a chunk there where land grows fast.
+const STAYS_M: f64 = 8.0;
 
 /// The largest distance in chunks that a wish can ask for.
 const LARGEST_DISTANCE: u32 = 64;
@@ -105,6 +110,88 @@ impl Range {
         self
     }
 
+    /// The range of a wish after another: what of that holds still is taken over.
+    pub(crate) fn after(before: &Self, strategy: &dyn Atlas, wish: &Wish) -> Self {
+        let new = || {
+            Self::wished(
+                strategy,
+                wish.centre,
+                wish.view_distance,
+                wish.bodies_distance,
+            )
+        };
+        let Self::Around {
+            cube,
+            distance,
+            view,
+            apart: held,
+        } = before
+        else {
+            return new().with(strategy, &wish.apart);
+        };
+        let within = |chunks: u32| chunks.min(LARGEST_DISTANCE) as u16;
+        let same_size = *view == within(wish.view_distance).max(1)
+            && *distance == (*view).max(within(wish.bodies_distance));
+        if strategy.tiled().is_none() || !same_size || !stays(strategy, cube, wish.centre) {
+            return new().with(strategy, &wish.apart);
+        }
+        let mut range = Self::Around {
+            cube: cube.clone(),
+            distance: *distance,
+            view: *view,
+            apart: Vec::new(),
+        };
+        let middles = wish
+            .apart
+            .iter()
+            .map(|place| ChunkCoord::containing(*place));
+        if middles.eq(held.iter().map(ChunkCube::centre)) {
+            if let Self::Around { apart, .. } = &mut range {
+                apart.clone_from(held);
+            }
+            return range;
+        }
+        range.with(strategy, &wish.apart)
+    }
+
+    /// Whether a chunk of a tile is there for bodies alone.
+    pub(crate) fn is_past_edge(&self, coord: ChunkCoord) -> bool {
+        match self {
+            Self::Around { cube, apart, .. } => {
+                let mut cubes = std::iter::once(cube).chain(apart);
+                cubes.any(|it| it.is_past_edge(coord))
+            }
+            Self::Nothing | Self::Whole(_) => false,
+        }
+    }
+
+    /// The chunks past edges that bodies keep.
+    pub(crate) fn past_edges(&self, bodies: &Reaches) -> Vec<ChunkCoord> {
+        let Self::Around {
+            cube,
+            distance,
+            apart,
+            ..
+        } = self
+        else {
+            return Vec::new();
+        };
+        let of = |cube: &ChunkCube, distance: u16| {
+            let charts = cube.charts().filter(|chart| bodies.comes_into(*chart));
+            let all = charts.flat_map(|chart| cube.past_edges(chart, distance));
+            all.filter(|coord| bodies.keeps(*coord)).collect::<Vec<_>>()
+        };
+        let mut all = of(cube, distance + KEPT_BEYOND);
+        all.extend(
+            apart
+                .iter()
+                .flat_map(|it| of(it, Wish::APART_CHUNKS + KEPT_BEYOND)),
+        );
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
     /// How far a chunk is from the middle, in chunks along the axes of its chart; none where there is no middle.
     pub(crate) fn apart(&self, coord: ChunkCoord) -> Option<I64Vec3> {
         match self {
@@ -127,7 +214,10 @@ impl Range {
         match self {
             Self::Around {
                 cube, view, apart, ..
-            } => cube.has(coord, view + beyond) || has_apart(apart, coord, beyond),
+            } => {
+                let is_near = cube.has(coord, view + beyond) || has_apart(apart, coord, beyond);
+                is_near && !self.is_past_edge(coord)
+            }
             Self::Nothing | Self::Whole(_) => self.contains(coord),
         }
     }
@@ -161,7 +251,7 @@ impl Range {
         self.list(0)
     }
 
-    /// Every chunk to be kept if it is there already; those to be loaded are among them.
+    /// Every chunk to be kept if it is there already, but for [`Range::past_edges`]; those to be loaded are among them.
     pub(crate) fn kept(&self) -> Vec<ChunkCoord> {
         self.list(KEPT_BEYOND)
     }
@@ -196,6 +286,16 @@ impl Range {
             }
         }
     }
+}
+
+/// Whether somebody has not gone farther from the middle's chunk than a range may stay for.
+fn stays(strategy: &dyn Atlas, cube: &ChunkCube, centre: ChartPoint) -> bool {
+    let middle = cube.centre();
+    let here = strategy.carry(centre, middle.chart);
+    here.is_some_and(|here| {
+        let off = here.point.pos - here.point.pos.clamp(middle.min(), middle.max());
+        off.abs().max_element() <= STAYS_M
+    })
 }
 
 fn has_apart(apart: &[ChunkCube], coord: ChunkCoord, beyond: u16) -> bool {

@@ -88,6 +88,11 @@ impl Reaches {
         self.kept.iter().any(|reach| reach.has(coord))
     }
 
+    /// May any chunk of a chart stay solid?
+    pub(crate) fn comes_into(&self, chart: ChartId) -> bool {
+        self.kept.iter().any(|reach| reach.chart == chart)
+    }
+
     /// Every chunk that must be solid; `None` if there are too many to list.
     pub(crate) fn list(&self) -> Option<Vec<ChunkCoord>> {
         let count = self.wanted.iter().map(ChunkBox::count);

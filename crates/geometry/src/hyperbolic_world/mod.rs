@@ -6,6 +6,7 @@
 
 mod cache;
 mod chart;
+mod near;
 mod optics;
 mod plan;
 mod tiles;

@@ -4,10 +4,11 @@ use glam::{DMat4, DVec2};
 
 use super::cache::Cache;
 use crate::ChartId;
-use crate::tiling::{Frame, Side, Tile, TilePath, TilingError, rings};
+use crate::tiling::{Frame, Isometry, Side, Tile, TilePath, TilingError, rings};
 
-/// Places in the tables: more than the tiles within 250 m where they are 64 m wide, of which there are 153.
-const PLACES: usize = 1024;
+/// Places in the tables: ten times as many as the charts within 5 radii, of which there are 400 with those at the edge. Of two
+/// charts that are asked about in turn few then have one place.
+const PLACES: usize = 4096;
 
 /// Tiles one and two steps from one: 4 and 12.
 const AROUND: usize = 16;
@@ -19,7 +20,13 @@ pub(super) struct Tiles {
     charts: Cache<Tile, ChartId>,
     around: Cache<ChartId, [Option<ChartId>; AROUND]>,
     norths: Cache<ChartId, DVec2>,
+    over: Cache<ChartId, [Option<Over>; 4]>,
+    /// The ways over edges, by the side left and the side come in by.
+    crossings: [[DMat4; 4]; 4],
 }
+
+/// The chart over an edge, and its side there.
+type Over = (ChartId, u8);
 
 impl Tiles {
     /// With nothing kept yet.
@@ -30,6 +37,8 @@ impl Tiles {
             charts: Cache::of_places(PLACES),
             around: Cache::of_places(PLACES),
             norths: Cache::of_places(PLACES),
+            over: Cache::of_places(PLACES),
+            crossings: Side::ALL.map(|side| Side::ALL.map(|back| crossing(side, back))),
         }
     }
 
@@ -48,6 +57,30 @@ impl Tiles {
     pub fn around(&self, chart: ChartId) -> impl Iterator<Item = ChartId> {
         let found = self.around.value(chart, || self.found_around(chart));
         found.into_iter().flatten().flatten()
+    }
+
+    /// The chart over a side of another, 0 to 3, and which of its sides is there.
+    pub fn over(&self, chart: ChartId, side: u8) -> Option<Over> {
+        let all = self.over.value(chart, || self.found_over(chart))?;
+        *all.get(usize::from(side))?
+    }
+
+    fn found_over(&self, chart: ChartId) -> Option<[Option<Over>; 4]> {
+        let frame = self.frame(chart)?;
+        Some(Side::ALL.map(|side| {
+            let crossed = frame.neighbour(side).ok()?;
+            Some((self.chart(&crossed.frame)?, crossed.back.number()))
+        }))
+    }
+
+    /// The chart over a side of another, and what takes points of the one's model to the other's.
+    pub fn crossing(&self, chart: ChartId, side: u8) -> Option<(ChartId, DMat4)> {
+        let (over, back) = self.over(chart, side)?;
+        let way = self
+            .crossings
+            .get(usize::from(side))?
+            .get(usize::from(back))?;
+        Some((over, *way))
     }
 
     fn found_around(&self, chart: ChartId) -> Option<[Option<ChartId>; AROUND]> {
@@ -101,6 +134,11 @@ fn north_over(north: DVec2, side: Side) -> DVec2 {
     let turned = (0..side.number()).fold(north, |it, _| DVec2::new(it.y, -it.x));
     let w = cosh - sinh * turned.x;
     (DVec2::new(cosh * turned.x - sinh, turned.y) / w).normalize()
+}
+
+/// Over a side of a tile, into the next one by its side.
+fn crossing(side: Side, back: Side) -> DMat4 {
+    Isometry::crossing(back, side).map_or(DMat4::IDENTITY, |way| way.lorentz())
 }
 
 fn path(chart: ChartId) -> Result<TilePath, TilingError> {

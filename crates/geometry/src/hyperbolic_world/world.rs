@@ -11,7 +11,7 @@ use crate::tiling::APOTHEM;
 use crate::tiling::quilt::Quilt;
 use crate::{
     Atlas, CHUNK_CELLS, ChartId, ChartPoint, Crossing, Curvature, Domain, Eye, Geometry, Map,
-    Metric, NoiseFrame, NoiseQuilt, Viewer,
+    Metric, NoiseFrame, NoiseQuilt, Tiled, Viewer,
 };
 
 /// How far past an edge a body goes before it changes charts, metres. What it goes past is carried exactly; this keeps a body on
@@ -114,7 +114,7 @@ impl HyperbolicWorld {
     }
 
     /// A place on the plane below or above one of a chart, in the chart's model.
-    fn level(&self, pos: DVec3) -> DVec4 {
+    pub(super) fn level(&self, pos: DVec3) -> DVec4 {
         self.chart.point(pos.with_y(0.0))
     }
 
@@ -226,6 +226,10 @@ impl Atlas for HyperbolicWorld {
         let at = at.map_or(level, |way| way * level);
         let scale = 2.0 * self.chart.radius_m / (1.0 + at.w);
         DVec3::new(at.x * scale, point.pos.y, at.z * scale)
+    }
+
+    fn tiled(&self) -> Option<&dyn Tiled> {
+        Some(self)
     }
 
     fn quilt(&self, chart: ChartId) -> Option<NoiseQuilt> {

@@ -4,6 +4,7 @@
 //! no more at its ends.
 
 use antipode_frame::{Frame, View};
+use antipode_geometry::tiled::as_seen_from;
 use antipode_geometry::{
     CHUNK_CELLS, ChartId, ChartPoint, Domain, Eye, Projection, SightCell, Strategy, side_normals,
 };
@@ -228,12 +229,9 @@ impl Bounds {
 
     /// Chart distance from the eye to the nearest corner, edge or face of a chunk's land, metres.
     pub fn nearest_chart_m(frame: &Frame, chunk: &ChunkLand) -> f64 {
-        let carried = frame
-            .view
-            .strategy
-            .carry(frame.view.eye.point, chunk.coord.chart);
-        carried.map_or(f64::INFINITY, |eye| {
-            let eye = eye.point.pos;
+        let middle = ChartPoint::new(chunk.coord.chart, 0.5 * (chunk.min + chunk.max));
+        let eye = as_seen_from(&*frame.view.strategy, middle, frame.view.eye.point);
+        eye.map_or(f64::INFINITY, |eye| {
             eye.distance(eye.clamp(chunk.min, chunk.max))
         })
     }

@@ -180,14 +180,13 @@ impl Shadows {
         while used < left
             && let Some(coord) = todo.pop()
         {
-            let Some(from) = shot
-                .light
-                .origin(&*frame.view.strategy, &frame.view.eye, coord.chart)
-            else {
+            let strategy = &*frame.view.strategy;
+            let origin = shot.light.origin(strategy, &frame.view.eye, coord.chart);
+            let Some(from) = origin else {
                 continue;
             };
             let chart = land.charts.number(coord.chart);
-            used += land.chunks.list_caster(coord, chart, from, list);
+            used += land.chunks.list_caster(strategy, coord, chart, from, list);
         }
         draws.send(&self.queue, list);
         let uniform = CasterUniform::new(shot, own_base(frame, &shot.light));

@@ -128,7 +128,7 @@ fn what_the_eye_may_roam_to_is_within_what_was_told() {
             for coord in [chunk(2, 0, 0), chunk(-3, 0, 1), chunk(1, 1, -2)] {
                 let nearest = moved.point.pos.clamp(coord.min(), coord.max());
                 let point = ChartPoint::new(coord.chart, nearest);
-                let there = size_rad(&*space, &moved, point) * 700.0;
+                let there = size_rad(&*space.viewer(&moved), point) * 700.0;
                 let most = told.pixels_per_metre(coord);
                 assert!(
                     there <= 1.15 * most,

@@ -3,7 +3,7 @@
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
 use super::*;
-use antipode_geometry::{ChartId, ChartPoint, Geometry, strategy};
+use antipode_geometry::{ChartId, ChartPoint, Euclidean, Geometry, strategy};
 use glam::DVec3;
 
 use crate::api::Reach;
@@ -61,7 +61,7 @@ fn levels_grow_coarser_with_distance_and_neighbours_differ_by_one() {
     let mut counts = [0; 4];
     for (&coord, target) in &plan.targets {
         counts[target.level.index()] += 1;
-        for next in faces(coord).filter_map(|next| plan.targets.get(&next)) {
+        for next in faces(&**field.strategy(), coord).filter_map(|next| plan.targets.get(&next)) {
             assert!(next.level.index().abs_diff(target.level.index()) <= 1);
         }
         if request.bodies.wants(coord) {
@@ -84,7 +84,7 @@ fn sixteen_chunks_of_distance_cost_at_most_twice_as_much_as_six() {
                 .iter()
                 .map(|(&coord, target)| (coord, target.level));
             let wanted = |coord| plan.targets[&coord].wanted;
-            (cost(&levels.collect(), wanted), plan.leniency)
+            (cost(&Euclidean, &levels.collect(), wanted), plan.leniency)
         };
         let ((far, lenient), (near, strict)) = (cost_at(16), cost_at(6));
         assert!(
@@ -106,7 +106,7 @@ fn the_largest_closed_world_stays_within_its_budget() {
         .targets
         .iter()
         .map(|(&coord, target)| (coord, target.level));
-    let cost = cost(&levels.collect(), |_| true);
+    let cost = cost(&**field.strategy(), &levels.collect(), |_| true);
     assert!(cost <= CLOSED_BUDGET, "{cost} with {} times", plan.leniency);
 }
 

@@ -85,7 +85,9 @@ impl ChunkScheduler {
             }
             if self.wished.range.keeps(coord) && self.target(coord).is_none() {
                 let level = self.wished.level(&self.field, coord);
-                let wanted = self.wished.range.contains(coord);
+                let past_edge = self.wished.range.is_past_edge(coord);
+                let wanted = self.wished.range.contains(coord)
+                    && (!past_edge || self.wished.bodies.wants(coord));
                 self.late.insert(coord, Target { level, wanted });
             }
         }

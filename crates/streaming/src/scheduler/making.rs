@@ -5,6 +5,8 @@
 //! most, there is always a chunk that may go on: of those to become finer the coarsest, for a
 //! neighbour coarser still would have to become finer too, and likewise the other way.
 
+use std::sync::Arc;
+
 use antipode_geometry::ChunkCoord;
 use antipode_terrain::Level;
 
@@ -85,7 +87,7 @@ impl ChunkScheduler {
 
     /// The levels that a chunk may have beside what its neighbours have and are about to have.
     fn allowed(&self, coord: ChunkCoord) -> Option<(Level, Level)> {
-        let beside = faces(coord).flat_map(|next| {
+        let beside = faces(&*self.strategy, coord).flat_map(|next| {
             let shown = self.resident.get(&next).map(|shown| shown.level);
             let coming = self.in_flight.get(&next).map(|flight| flight.level);
             shown.into_iter().chain(coming)
@@ -186,7 +188,8 @@ impl ChunkScheduler {
 
     /// What has waited for a chunk may go on.
     pub(super) fn release_beside(&mut self, coord: ChunkCoord) {
-        for next in faces(coord) {
+        let strategy = Arc::clone(&self.strategy);
+        for next in faces(&*strategy, coord) {
             if self.blocked.contains(&next) {
                 self.enqueue(next);
             }

@@ -152,7 +152,8 @@ fn without_bodies(wish: Wish) -> Wish {
 /// Greatest difference of level between neighbours that are there.
 fn widest_step(scheduler: &ChunkScheduler) -> usize {
     let steps = scheduler.resident.iter().flat_map(|(&coord, shown)| {
-        let beside = faces(coord).filter_map(|next| scheduler.resident.get(&next));
+        let beside =
+            faces(&*scheduler.strategy, coord).filter_map(|next| scheduler.resident.get(&next));
         beside.map(|next| next.level.index().abs_diff(shown.level.index()))
     });
     steps.max().unwrap_or(0)

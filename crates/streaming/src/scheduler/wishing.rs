@@ -21,13 +21,7 @@ impl ChunkScheduler {
     /// once, those after it when [`next_plan`](Self::next_plan) has been carried out.
     pub(crate) fn wish(&mut self, wish: &Wish) -> Vec<ChunkCoord> {
         self.queue.look(wish.centre, wish.front);
-        let range = Range::wished(
-            &*self.strategy,
-            wish.centre,
-            wish.view_distance,
-            wish.bodies_distance,
-        )
-        .with(&*self.strategy, &wish.apart);
+        let range = Range::after(&self.wished.range, &*self.strategy, wish);
         let bodies = Reaches::of(&wish.bodies);
         let same_detail = match (&self.wished.detail, &wish.detail) {
             (Some(before), Some(now)) => Arc::ptr_eq(before, now),

@@ -19,6 +19,7 @@ mod overlap;
 mod saving;
 mod solid;
 mod tiled;
+mod tiles;
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -76,7 +77,18 @@ impl Game {
         backend: Option<Arc<dyn EditBackend>>,
         watch: Option<Watch>,
     ) -> Self {
-        let field = Arc::new(Field::new(SEED, space.clone()));
+        let field = Field::new(SEED, space.clone());
+        Self::on(field, space, workers, backend, watch)
+    }
+
+    fn on(
+        field: Field,
+        space: Arc<dyn Strategy>,
+        workers: usize,
+        backend: Option<Arc<dyn EditBackend>>,
+        watch: Option<Watch>,
+    ) -> Self {
+        let field = Arc::new(field);
         let config = Config {
             workers,
             ..Config::default()

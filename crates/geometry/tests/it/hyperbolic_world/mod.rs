@@ -3,6 +3,7 @@
 mod atlas;
 mod bodies;
 mod common;
+mod near;
 mod north;
 mod picture;
 mod robust;

@@ -1,0 +1,141 @@
+//! What is near: the walk over the tiles about a place, and ways on the level.
+
+use std::collections::HashSet;
+use std::f64::consts::TAU;
+
+use glam::{DVec2, DVec3, DVec4, Vec3Swizzles};
+
+use super::world::{HyperbolicWorld, inverse};
+use crate::tiling::EDGE_TANH;
+use crate::{ChartId, ChartPoint, Tiled};
+
+/// Land is there no farther than so many radii, where a metre is 1/74 of the radius's metres across: within are 366 tiles.
+const LAND_RAD: f64 = 5.0;
+/// So many times the land of the flat view's square at most.
+const LAND_SHARE: f64 = 2.0;
+/// No walk finds more tiles: 8 radii of them.
+const MOST_TILES: usize = 8192;
+
+/// How far it is in radii from a point (X, Y, Z, W) of a tile's model on the level to the nearest of a box between lines of the
+/// grid, given by X/W and Z/W of its corners.
+///
+/// The line X = a W has the unit normal `n = (1, 0, a)/sqrt(1 - a^2)` in (X, Z, W), and `<n, p> = (X - a W)/sqrt(1 - a^2)` is
+/// the sine of the distance from it. The foot is `p - <n, p> n`. Where no foot lies on a side of the box, the nearest is a corner
+/// `c = (a, b, 1)/sqrt(1 - a^2 - b^2)`, with `cosh d = -<c, p>`.
+fn away_rad(point: DVec4, low: DVec2, high: DVec2) -> f64 {
+    let (x, z, w) = (point.x, point.z, point.w);
+    // How far past the line at `a`, along an axis where it is `along`; `across` is to be in a range at the foot.
+    let past = |out: f64, along: f64, a: f64, across: f64, range: [f64; 2]| {
+        let rest = (1.0 - a * a).sqrt();
+        let sine = out * (along - a * w) / rest;
+        let foot_w = w - out * sine * a / rest;
+        let is_side = (range[0] * foot_w..=range[1] * foot_w).contains(&across);
+        (sine, is_side)
+    };
+    let sides = [
+        past(1.0, x, high.x, z, [low.y, high.y]),
+        past(-1.0, x, low.x, z, [low.y, high.y]),
+        past(1.0, z, high.y, x, [low.x, high.x]),
+        past(-1.0, z, low.y, x, [low.x, high.x]),
+    ];
+    if sides.iter().all(|(sine, _)| *sine <= 0.0) {
+        return 0.0;
+    }
+    let feet = sides
+        .iter()
+        .filter(|(sine, is_side)| *sine > 0.0 && *is_side);
+    let nearest = feet
+        .map(|(sine, _)| sine.asinh())
+        .fold(f64::INFINITY, f64::min);
+    if nearest.is_finite() {
+        return nearest;
+    }
+    let corners = [
+        low,
+        high,
+        DVec2::new(low.x, high.y),
+        DVec2::new(high.x, low.y),
+    ];
+    let away = corners.map(|c| (w - c.x * x - c.y * z) / (1.0 - c.length_squared()).sqrt());
+    away.into_iter()
+        .fold(f64::INFINITY, f64::min)
+        .max(1.0)
+        .acosh()
+}
+
+impl HyperbolicWorld {
+    /// X/W and Z/W at a place of the ground plan, where a point has such.
+    fn tangents(&self, at: DVec2) -> DVec2 {
+        let point = self.chart.point(DVec3::new(at.x, 0.0, at.y));
+        DVec2::new(point.x, point.z) / point.w
+    }
+
+    /// How far it is to a tile's square from a point of its model, metres.
+    fn square_away_m(&self, point: DVec4) -> f64 {
+        let edge = DVec2::splat(EDGE_TANH);
+        away_rad(point, -edge, edge) * self.chart.radius_m
+    }
+}
+
+impl Tiled for HyperbolicWorld {
+    /// Breadth first, each tile's point found from that of the tile before: no way is asked for that is not needed again. The
+    /// disc about the place is connected, so that all of its tiles are found over edges of tiles that it comes into.
+    fn charts_within(&self, at: ChartPoint, reach_m: f64) -> Vec<ChartId> {
+        let mut found = vec![(0.0, at.chart)];
+        let mut known = HashSet::from([at.chart]);
+        let mut walk = vec![(at.chart, self.level(at.pos))];
+        let mut next = 0;
+        while let Some(&(chart, point)) = walk.get(next) {
+            next += 1;
+            for side in 0..4 {
+                let Some((over, way)) = self.tiles.crossing(chart, side) else {
+                    continue;
+                };
+                if known.len() >= MOST_TILES || !known.insert(over) {
+                    continue;
+                }
+                let there = way * point;
+                let away_m = self.square_away_m(there);
+                if away_m <= reach_m {
+                    found.push((away_m, over));
+                    walk.push((over, there));
+                }
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        found.into_iter().map(|(_, chart)| chart).collect()
+    }
+
+    fn away_m(&self, at: ChartPoint, chart: ChartId, low: DVec2, high: DVec2) -> f64 {
+        let way = self.tiles.way(at.chart, chart);
+        way.map_or(f64::INFINITY, |way| {
+            let point = way * self.level(at.pos);
+            away_rad(point, self.tangents(low), self.tangents(high)) * self.chart.radius_m
+        })
+    }
+
+    fn level_way_m(&self, from: ChartPoint, to: ChartPoint) -> Option<DVec3> {
+        let way = self.tiles.way(to.chart, from.chart)?;
+        let foot = from.pos.with_y(0.0);
+        let seen = inverse(self.chart.frame(foot)) * (way * self.level(to.pos));
+        let ahead = DVec3::new(seen.x, 0.0, seen.z);
+        let length_m = ahead.length().asinh() * self.chart.radius_m;
+        let along = self.chart.in_chart(foot, ahead).xz().normalize_or_zero() * length_m;
+        Some(DVec3::new(along.x, to.pos.y - from.pos.y, along.y))
+    }
+
+    fn land_reach_m(&self, view_m: f64) -> f64 {
+        let budget_m = self.disc_m(LAND_SHARE * (2.0 * view_m).powi(2));
+        view_m.min(budget_m).min(LAND_RAD * self.chart.radius_m)
+    }
+
+    /// A disc of r has `2 pi R^2 (cosh(r/R) - 1)`.
+    fn disc_m(&self, land_m2: f64) -> f64 {
+        let radius_m = self.chart.radius_m;
+        radius_m * (1.0 + land_m2 / (TAU * radius_m * radius_m)).acosh()
+    }
+
+    fn over(&self, chart: ChartId, side: u8) -> Option<(ChartId, u8)> {
+        self.tiles.over(chart, side)
+    }
+}

@@ -1,0 +1,91 @@
+//! What is near in a world in tiles, where the chart of a place is not written where somebody stands.
+
+use glam::{DVec2, DVec3, IVec2, IVec3, Vec3Swizzles};
+
+use crate::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain};
+
+/// A world whose charts are tiles, of which there may be more in view than share a corner with the player's. What is near
+/// is told by lengths on the level y = 0.
+pub trait Tiled {
+    /// The charts whose domains come within so many metres of a place, nearest first; the place's own is among them.
+    fn charts_within(&self, at: ChartPoint, reach_m: f64) -> Vec<ChartId>;
+
+    /// How far it is from a place to the nearest of a box of a chart's ground plan from its least x and z to its greatest,
+    /// metres: 0 inside, infinite where there is no such chart.
+    fn away_m(&self, at: ChartPoint, chart: ChartId, low: DVec2, high: DVec2) -> f64;
+
+    /// The way from a place to another, metres: as long as the shortest on the level, in the direction in which that sets
+    /// out along the axes of the first's chart, and with the height from the one to the other. None where one of the charts is
+    /// not there.
+    fn level_way_m(&self, from: ChartPoint, to: ChartPoint) -> Option<DVec3>;
+
+    /// How far land is to be there in place of a flat view of so many metres: no farther than that, nor than it is of use, and
+    /// with at most twice as much land as the flat view's square of that half side. It never falls with the view.
+    fn land_reach_m(&self, view_m: f64) -> f64;
+
+    /// The radius of a disc of the level with so much land, square metres, in metres.
+    fn disc_m(&self, land_m2: f64) -> f64;
+
+    /// The chart over a side of one's domain, and the side of its own that lies there. Sides are counted from +x by quarter turns
+    /// towards +z, 0 to 3.
+    fn over(&self, chart: ChartId, side: u8) -> Option<(ChartId, u8)>;
+}
+
+/// The outward steps over the sides of a domain, as [`Tiled::over`] counts them.
+const SIDES: [IVec2; 4] = [IVec2::X, IVec2::Y, IVec2::NEG_X, IVec2::NEG_Y];
+
+/// The chunk over a face of another, by the step to it, 1 along an axis: of its own chart, or in a world in tiles, where the
+/// step leads past an edge, the chunk of the next chart that has the same face ([`fits`]). Where edges run through the middle of
+/// chunks it is the one that the same stretch of the edge runs through.
+pub fn beside(atlas: &dyn Atlas, coord: ChunkCoord, step: IVec3) -> ChunkCoord {
+    let next = coord.offset(step);
+    if step.y != 0 {
+        return next;
+    }
+    let over = || {
+        let tiled = atlas.tiled()?;
+        let half = half_width(atlas.domain(coord.chart))?.ceil() as i32;
+        let own = |it: ChunkCoord| {
+            let [x, _, z] = it.index.to_array();
+            (-half..half).contains(&x) && (-half..half).contains(&z)
+        };
+        if own(next) || !own(coord) {
+            return None;
+        }
+        let side = SIDES.iter().position(|it| *it == step.xz())?;
+        let (chart, back) = tiled.over(coord.chart, side as u8)?;
+        // Twice the middle, which is whole. What lies along an edge runs the other way as seen from the next tile.
+        let middle = 2 * coord.index.xz() + 1;
+        let (out, along) = (middle.dot(SIDES[side]), middle.dot(SIDES[(side + 1) % 4]));
+        let back = usize::from(back % 4);
+        let there = (out * SIDES[back] - along * SIDES[(back + 1) % 4] - 1) / 2;
+        let index = IVec3::new(there.x, coord.index.y, there.y);
+        Some(ChunkCoord::new(chart, index))
+    };
+    over().unwrap_or(next)
+}
+
+/// Where a point is as seen from a place of a chart: as written there, and else in the direction and at the distance at which
+/// the shortest way on the level leads to it, metres. None where no way is known.
+pub fn as_seen_from(atlas: &dyn Atlas, place: ChartPoint, point: ChartPoint) -> Option<DVec3> {
+    if let Some(written) = atlas.carry(point, place.chart) {
+        return Some(written.point.pos);
+    }
+    let way = atlas.tiled()?.level_way_m(place, point)?;
+    Some(place.pos + way)
+}
+
+/// Whether a chart is a tile of whole chunks, so that those of the next have the same faces at its edges.
+pub fn fits(atlas: &dyn Atlas, chart: ChartId) -> bool {
+    let half = atlas.tiled().and_then(|_| half_width(atlas.domain(chart)));
+    half.is_some_and(|half| half.fract() == 0.0)
+}
+
+/// How many chunks it is from the middle of a square domain to its edges.
+fn half_width(domain: Domain) -> Option<f64> {
+    let Domain::Rectangle { low, high } = domain else {
+        return None;
+    };
+    let is_square = low == -high && high.x == high.y;
+    is_square.then_some(high.x / f64::from(CHUNK_CELLS))
+}
