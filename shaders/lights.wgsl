@@ -9,8 +9,9 @@
 //                                     the reference: those of the first chart, or where charts have none in common its own
 //   in_sky_axes(p, v)                 a vector of the chart's frame at a place, metres from the reference, in the axes in which the
 //                                     light from a sky is told
-//   grain_point(wrapped, p)           where grain is read: a place that is wrapped as grain repeats, or one from p, metres
+//   grain_point(wrapped, p)           where grain is read at a vertex: a place that is wrapped as grain repeats, or one from p, metres
 //                                     from the reference in the chart
+//   grain_at(grain)                   and at a point between vertices, from what grain_point gives those
 //   grain_up(grain)                   which way is up where grain is read
 //   tilted(normal, model_normal, ..)  both normals of a surface that slopes so in the grain's axes
 //   haze_before(view)                 the haze before a view point

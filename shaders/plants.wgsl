@@ -143,7 +143,8 @@ struct PlantPixel {
 fn plant_pixel(in: PlantOut) -> PlantPixel {
     var steps = Steps();
     if BY_PIXEL {
-        steps = Steps(dpdx(in.grain), dpdy(in.grain), dpdx(in.view), dpdy(in.view));
+        let grain = grain_at(in.grain);
+        steps = Steps(dpdx(grain), dpdy(grain), dpdx(in.view), dpdy(in.view));
     }
     return PlantPixel(shaded_at(in.rest.xyz, in.rest, in.facing, in.frame_normal), steps);
 }
@@ -163,7 +164,7 @@ fn plant_surface(in: PlantOut, steps: Steps) -> Surface {
         return Surface(in.albedo, vec3<f32>(0.0), 0.0, vec3<f32>(0.0));
     }
     let wide_m = 0.7 * max(length(steps.grain_x), length(steps.grain_y));
-    let detail = detail_of(in.marks.x, Spot(in.grain, grain_up(in.grain), wide_m));
+    let detail = detail_of(in.marks.x, Spot(grain_at(in.grain), grain_up(in.grain), wide_m));
     return Surface(in.albedo * detail.tone, detail.slope, detail.gloss, detail.glow);
 }
 

@@ -96,7 +96,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
         out.kinds_c = weights[2];
         out.kinds_d = weights[3];
     } else {
-        out.albedo = own * mix(coarse_tone(u32(ground.x), grain), coarse_tone(ROCK, grain), ground.y);
+        out.albedo = own * mix(coarse_tone(u32(ground.x), grain_at(grain)), coarse_tone(ROCK, grain_at(grain)), ground.y);
     }
     out.grain = grain;
     // No haze is lit where neither the eye nor the land has a sky.
@@ -218,14 +218,15 @@ fn steps_at(in: VertexOut) -> Steps {
     if !BY_PIXEL {
         return Steps();
     }
-    return Steps(dpdx(in.grain), dpdy(in.grain), dpdx(in.view), dpdy(in.view));
+    let grain = grain_at(in.grain);
+    return Steps(dpdx(grain), dpdy(grain), dpdx(in.view), dpdy(in.view));
 }
 
 // The patterns of land that has no surfaces of its own.
 fn plain_tone(in: VertexOut) -> f32 {
     // Fine grain, gone where a pixel would hold several of its cells.
     let near = 1.0 - clamp(in.land.y * (1.0 / 44.0), 0.0, 1.0);
-    let dapple = smoothstep(0.24, 0.76, value_noise(in.grain * 8.0, 2047u)) - 0.5;
+    let dapple = smoothstep(0.24, 0.76, value_noise(grain_at(in.grain) * 8.0, 2047u)) - 0.5;
     let tone = 1.0 + dapple * (0.18 * near * near);
     // Cuts show layers, about 1.1 m apart; whole over the 256 m after which heights wrap. In the mean they are no darker.
     let height = in.land.w;
@@ -283,7 +284,7 @@ fn surface_light(in: VertexOut, share: f32, steps: Steps, offered: f32) -> vec3<
         weights = weights * (1.0 - offered) + kind_weights(vec3<f32>(scene.ring_ground.w, 0.0, 1.0)) * offered;
         albedo = mix(albedo, scene.ring_ground.rgb, offered);
     }
-    let surface = surface_at(weights, albedo, in.grain, wide_m);
+    let surface = surface_at(weights, albedo, grain_at(in.grain), wide_m);
     return lit_surface(surface, Seen(in.view, in.facing, in.frame_normal, in.lights, in.dark.x), share, steps);
 }
 

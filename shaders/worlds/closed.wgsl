@@ -42,6 +42,10 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     return (radius + p.y) * home.xwz;
 }
 
+fn grain_at(grain: vec3<f32>) -> vec3<f32> {
+    return grain;
+}
+
 fn grain_up(grain: vec3<f32>) -> vec3<f32> {
     return normalize(grain);
 }

@@ -17,12 +17,17 @@ fn in_sky_axes(p: vec3<f32>, v: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(-dot(north, v.xz), v.y, north.y * v.x - north.x * v.z);
 }
 
-// How far it is to the nearest edges along x and z, the lesser first: these are the same from both sides of an edge and from all
-// five of a corner, whichever way squares are turned there.
+// From the middle of the square.
 fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     let middle = 0.5 * (chart.domain_low + chart.domain_high);
-    let inside = 0.5 * (chart.domain_high - chart.domain_low) - abs(p.xz - middle);
-    return vec3<f32>(min(inside.x, inside.y), wrapped.y, max(inside.x, inside.y));
+    return vec3<f32>(p.x - middle.x, wrapped.y, p.z - middle.y);
+}
+
+// How far it is to the nearest edges along x and z, the lesser first: these are the same from both sides of an edge and from all
+// five of a corner, whichever way squares are turned there.
+fn grain_at(grain: vec3<f32>) -> vec3<f32> {
+    let inside = 0.5 * (chart.domain_high - chart.domain_low) - abs(grain.xz);
+    return vec3<f32>(min(inside.x, inside.y), grain.y, max(inside.x, inside.y));
 }
 
 // By the slope along the ground, as in a closed world: near the eye, where slopes are seen, view coordinates are those of the

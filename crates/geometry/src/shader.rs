@@ -11,10 +11,11 @@ pub const MAP_FUNCTIONS: [&str; 6] = [
 ];
 
 /// The functions that the text of every kind of daylight defines; what they are for, `shaders/lights.wgsl` says.
-pub const DAYLIGHT_FUNCTIONS: [&str; 21] = [
+pub const DAYLIGHT_FUNCTIONS: [&str; 22] = [
     "in_common_axes",
     "in_sky_axes",
     "grain_point",
+    "grain_at",
     "grain_up",
     "tilted",
     "haze_before",

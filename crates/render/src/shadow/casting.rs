@@ -4,8 +4,9 @@ use antipode_frame::Frame;
 use antipode_geometry::ChartPoint;
 use glam::DMat4;
 
+use super::caster::Caster;
 use super::levels::{Shot, near_crop};
-use super::light::{Caster, Crop, Light};
+use super::light::{Crop, Light};
 use super::maps::PASSES;
 use super::uniform::{CasterUniform, own_base, reference_from};
 use super::{ShadowQuality, Shadows};

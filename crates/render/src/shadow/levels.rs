@@ -12,7 +12,8 @@ use glam::{DMat4, DVec2};
 
 use crate::culling::Ball;
 
-use super::light::{Caster, Crop, DEPTH_SLACK_M, FACES, Light};
+use super::caster::Caster;
+use super::light::{Crop, DEPTH_SLACK_M, FACES, Light};
 
 /// Cascades under a sky; `SHADOW_CASCADES` of shadow.wgsl.
 pub const CASCADES: usize = 3;

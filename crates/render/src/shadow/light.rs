@@ -11,8 +11,9 @@ use antipode_frame::{Frame, View};
 use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
+use super::caster::Caster;
+use super::ideal::ideal;
 use crate::culling::Ball;
-use crate::plan::ChunkLand;
 
 /// Where a parallel picture is measured from: the corner of this grid next to the eye, metres. Sums stay small, and
 /// nothing depends on the way that the eye took.
@@ -60,7 +61,7 @@ fn star(at: DVec4, radius_m: f64) -> Light {
 }
 
 /// What a light of one direction is measured by: unit vectors across it.
-fn across(toward: DVec3) -> [DVec3; 2] {
+pub(super) fn across(toward: DVec3) -> [DVec3; 2] {
     // The sun goes round x and the moon round z; an axis that the light never comes near does not spin.
     let axis = if toward.x.abs() < 0.9 {
         DVec3::X
@@ -77,23 +78,6 @@ fn far(toward: DVec3, eye: ChartPoint) -> Light {
         across: across(toward),
         anchor: ChartPoint::new(eye.chart, (eye.pos / ANCHOR_M).round() * ANCHOR_M),
         per_m: 0.0,
-    }
-}
-
-/// From the ideal point in which a direction of the sky's axes at the eye ends. As the eye has it that is the null vector
-/// (direction, 1), which goes to the model about the middle of the eye's chart as points do.
-fn ideal(sky: DVec3, view: &View) -> Light {
-    let (strategy, eye) = (&*view.strategy, &view.eye);
-    let radius_m = strategy.radius_m();
-    let frame = DVec3::AXES.map(|axis| axis * strategy.in_sky_axes(eye.point, axis).dot(sky));
-    let seen = eye.to_view(frame.into_iter().sum());
-    let null = strategy.view_matrix(eye).inverse() * (seen * radius_m).extend(1.0);
-    let toward = null.truncate().normalize_or(DVec3::Y);
-    Light::Far {
-        toward,
-        across: across(toward),
-        anchor: ChartPoint::new(eye.point.chart, DVec3::ZERO),
-        per_m: 1.0 / radius_m,
     }
 }
 
@@ -129,24 +113,6 @@ impl Light {
     /// Whether it is an ideal point of hyperbolic space.
     pub fn is_ideal(&self) -> bool {
         matches!(self, Self::Far { per_m, .. } if *per_m > 0.0)
-    }
-
-    /// The way to an ideal point from a point of the space, in the frame of an eye there: its null vector as that has it, by
-    /// its first three.
-    fn toward_from(&self, view: &View) -> DVec3 {
-        let Self::Far {
-            toward,
-            anchor,
-            per_m,
-            ..
-        } = self
-        else {
-            return DVec3::Y;
-        };
-        let (strategy, eye) = (&*view.strategy, &view.eye);
-        let way = strategy.between(anchor.chart, eye.point.chart);
-        let null = strategy.view_matrix(eye) * way * (*toward / *per_m).extend(1.0);
-        null.truncate().normalize_or(DVec3::Y)
     }
 
     /// How far the light has turned as one sees it, or gone round its world, radians; infinite from one kind to the other.
@@ -297,43 +263,6 @@ pub struct Crop {
 /// The lowest and the highest corner of a part of a face's plane.
 pub type Rectangle = [DVec2; 2];
 
-/// A box of the chart that may throw a shadow.
-#[derive(Clone, Copy, Debug)]
-pub struct Caster {
-    /// Its chart.
-    pub chart: ChartId,
-    /// Lowest corner, metres.
-    pub min: DVec3,
-    /// Highest corner, metres.
-    pub max: DVec3,
-}
-
-impl Caster {
-    /// What lies between two corners of a chart, metres.
-    pub fn new(chart: ChartId, min: DVec3, max: DVec3) -> Self {
-        Self { chart, min, max }
-    }
-
-    /// Its middle, metres.
-    pub fn middle(&self) -> DVec3 {
-        0.5 * (self.min + self.max)
-    }
-
-    /// How far it reaches from there along each axis, metres.
-    pub fn reach(&self) -> DVec3 {
-        0.5 * (self.max - self.min)
-    }
-
-    /// All of a chunk's land, and what stands on it.
-    pub fn of(land: &ChunkLand) -> Self {
-        Self {
-            chart: land.coord.chart,
-            min: land.whole[0],
-            max: land.whole[1],
-        }
-    }
-}
-
 impl Light {
     /// The heights towards the light between which a box lies, if any of it falls on a crop. A star's maps hold all
     /// distances.
@@ -342,7 +271,7 @@ impl Light {
         let reach = of.reach();
         let turned = strategy.in_common_axes(of.chart, reach);
         if self.is_ideal() {
-            let ball = self.ball_about(strategy, of);
+            let ball = Self::ball_about(strategy, of);
             return self.heights_of(strategy, crop, &ball);
         }
         let base = self.base(strategy, middle);
@@ -393,48 +322,6 @@ impl Light {
         }
     }
 
-    /// A ball of hyperbolic space that holds a box: its middle, and R sinh of its radius over R, metres. Where charts do not
-    /// say how far it stretches, by its corners, between which it bulges by less than a tenth.
-    fn ball_about(&self, strategy: &dyn Strategy, of: &Caster) -> (ChartPoint, f64) {
-        let (middle, eye) = (ChartPoint::new(of.chart, of.middle()), Eye::default());
-        let rises_m = strategy.ball_rises_m(&eye, middle, of.reach().length());
-        if rises_m.is_finite() {
-            return (middle, rises_m);
-        }
-        let corner_m = |corner: u32| {
-            let sign = |axis: u32| f64::from(2 * (corner >> axis & 1)) - 1.0;
-            let by = of.reach() * DVec3::new(sign(0), sign(1), sign(2));
-            strategy.distance_m(middle, middle.moved(by), &eye)
-        };
-        let most_m = (0..8).map(corner_m).fold(0.0, f64::max);
-        let radius_m = strategy.radius_m();
-        (middle, radius_m * (1.1 * most_m / radius_m).sinh())
-    }
-
-    /// The heights between which a ball lies, its radius as [`Self::ball_about`] has it, if any of it falls on a crop.
-    ///
-    /// In the half space over the plane with the light at infinity a point is at `t = 1/q` over its place h there, and a
-    /// ball about it of the radius r is a ball about (h, t cosh r) of the radius t sinh r. The height is
-    /// `R/2 (t^2 + h^2 - 1)`, h in radii.
-    fn heights_of(
-        &self,
-        strategy: &dyn Strategy,
-        crop: &Crop,
-        (middle, rises_m): &(ChartPoint, f64),
-    ) -> Option<[f64; 2]> {
-        let base = self.base(strategy, *middle);
-        let at = self.on_plane(crop.face, base);
-        let spread = self.length_on_plane(base, *rises_m);
-        if (at - crop.centre).abs().max_element() > crop.half + spread {
-            return None;
-        }
-        let radius_m = strategy.radius_m();
-        let (sinh, t) = (rises_m / radius_m, self.length_on_plane(base, 1.0));
-        let away = (at / radius_m).length().hypot(t * sinh.hypot(1.0));
-        let height = |out: f64| 0.5 * radius_m * (out.max(0.0).powi(2) - 1.0);
-        Some([height(away - t * sinh), height(away + t * sinh)])
-    }
-
     /// Whether the square about a box's corners meets a crop, seen from a star; `true` where a corner lies behind.
     fn corners_meet(&self, strategy: &dyn Strategy, crop: &Crop, of: &Caster) -> bool {
         let [from, to] = [crop.centre - crop.half, crop.centre + crop.half];
@@ -454,7 +341,7 @@ impl Light {
     ) -> Option<Rectangle> {
         let radius_m = match self {
             Self::Far { .. } if self.is_ideal() => {
-                let (middle, rises_m) = self.ball_about(strategy, of);
+                let (middle, rises_m) = Self::ball_about(strategy, of);
                 let base = self.base(strategy, middle);
                 let spread = self.length_on_plane(base, rises_m);
                 return Some([-spread, spread].map(|by| self.on_plane(0, base) + by));

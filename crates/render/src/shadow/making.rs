@@ -3,8 +3,9 @@
 use antipode_frame::Frame;
 use antipode_geometry::ChunkCoord;
 
+use super::caster::Caster;
 use super::levels::{MapNumber, Shot, wanted};
-use super::light::{Caster, Light, Rectangle};
+use super::light::{Light, Rectangle};
 use super::uniform::{CasterUniform, own_base};
 use super::{MapTarget, Over, Pass, SLOTS, ShadowSources, Shadows};
 use crate::chunk_store::ChunkStore;

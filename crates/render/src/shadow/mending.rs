@@ -7,8 +7,9 @@
 
 use antipode_frame::Frame;
 
+use super::caster::Caster;
 use super::levels::Shot;
-use super::light::{Caster, Crop, Light, Rectangle};
+use super::light::{Crop, Light, Rectangle};
 use super::{MapTarget, Over, ShadowSources, Shadows};
 use crate::touched::Touched;
 

@@ -4,7 +4,9 @@
 //! middle, or when land on it has changed. Each frame draws a part of it into another layer, which replaces the old
 //! one when it is complete. Figures move all the time, so they have a map of their own, which covers what is near.
 
+mod caster;
 mod casting;
+mod ideal;
 mod levels;
 mod light;
 mod making;
@@ -15,10 +17,11 @@ mod uniform;
 use antipode_frame::Frame;
 use wgpu::{Backend, CommandEncoder, Device, Queue};
 
+pub use caster::Caster;
 pub use levels::Shot;
 use levels::{Level, count};
 use light::Crop;
-pub use light::{Caster, Light, key_body};
+pub use light::{Light, key_body};
 use making::Job;
 use maps::{Maps, PASSES};
 pub use maps::{caster_layout, scene_entries};

@@ -26,6 +26,7 @@ mod shadows;
 mod sky;
 mod spaces;
 mod squares;
+mod squares_shadows;
 mod sun_rays;
 mod tiles;
 mod views;

@@ -11,12 +11,12 @@ use antipode_terrain::{ChunkMesh, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec2, Vec3};
 use image::{Rgba, RgbaImage};
 
-const SIZE: (u32, u32) = (320, 240);
-const ASPECT: f64 = 4.0 / 3.0;
+pub const SIZE: (u32, u32) = (320, 240);
+pub const ASPECT: f64 = 4.0 / 3.0;
 /// Half the width of a square, metres of its chart.
-const HALF_M: f64 = 32.0;
+pub const HALF_M: f64 = 32.0;
 
-fn world() -> Arc<dyn Strategy> {
+pub fn world() -> Arc<dyn Strategy> {
     let world: Arc<dyn Strategy> = Arc::new(HyperbolicWorld::new(60.305));
     assert!((APOTHEM * world.radius_m() - HALF_M).abs() < 1e-9);
     world
@@ -39,7 +39,7 @@ fn columns() -> impl Iterator<Item = (i32, i32)> {
 }
 
 /// A chunk of level ground at y = 0 in squares of a metre.
-fn level(kind: [u8; 3]) -> Arc<ChunkMesh> {
+pub fn level(kind: [u8; 3]) -> Arc<ChunkMesh> {
     let mut mesh = ChunkMesh::default();
     for (i, j) in (0..=32_u32).flat_map(|i| (0..=32).map(move |j| (i, j))) {
         let at = Vec3::new(i as f32, 0.0, j as f32);
@@ -54,7 +54,7 @@ fn level(kind: [u8; 3]) -> Arc<ChunkMesh> {
     Arc::new(mesh)
 }
 
-fn plain(world: &dyn Strategy, about: ChartPoint, within_m: f64) -> Arc<Land> {
+pub fn plain(world: &dyn Strategy, about: ChartPoint, within_m: f64) -> Arc<Land> {
     let mesh = level([90, 120, 60]);
     let mut land = Land::default();
     for chart in tiles(world, about, within_m) {
@@ -214,7 +214,7 @@ fn the_day_is_the_same_in_all_squares() {
     }
 }
 
-fn keep(picture: &RgbaImage, name: &str) {
+pub fn keep(picture: &RgbaImage, name: &str) {
     if let Some(folder) = std::env::var_os("ANTIPODE_TEST_PICTURES") {
         let path = std::path::Path::new(&folder)
             .join(name)
@@ -224,7 +224,7 @@ fn keep(picture: &RgbaImage, name: &str) {
 }
 
 /// Whether a pixel is the magenta that stands in for the sky.
-fn is_sky(pixel: &Rgba<u8>) -> bool {
+fn is_sky(pixel: Rgba<u8>) -> bool {
     let [r, g, b, _] = pixel.0;
     r > 200 && b > 200 && g < 60
 }
@@ -249,7 +249,7 @@ fn five_squares_meet_at_a_corner_without_a_hole() {
             frame.view.eye.yaw = 0.63 * f64::from(turn);
             frame.view.eye.pitch = -1.5;
             let picture = studio.picture(&frame);
-            let holes = picture.pixels().filter(|it| is_sky(it)).count();
+            let holes = picture.pixels().filter(|it| is_sky(**it)).count();
             keep(&picture, &format!("holes-{height_m}-{turn}"));
             assert_eq!(holes, 0, "{height_m} {turn}");
         }
@@ -340,5 +340,15 @@ fn pictures_of_a_corner_for_the_eye() {
             frame.view.eye.pitch = pitch;
             keep(&studio.picture(&frame), &format!("{name}-{light}"));
         }
+    }
+    let Some(mut card) = Studio::for_card((640, 480)) else {
+        return;
+    };
+    for (name, height_m, pitch) in [("near", 1.7, -0.9), ("above", 7.0, -1.4)] {
+        let at = ChartPoint::a(DVec3::new(HALF_M - 1.0, ground + height_m, HALF_M - 0.7));
+        let mut frame = frame(&world, at, ASPECT).with_content(|it| it.land = Arc::clone(&land));
+        frame.view.eye.yaw = 0.7;
+        frame.view.eye.pitch = pitch;
+        keep(&card.picture(&frame), &format!("card-{name}"));
     }
 }
