@@ -22,9 +22,11 @@ use rapier3d::pipeline::{PhysicsPipeline, QueryFilter};
 
 use super::doors::Junction;
 use super::hull::Hull;
+use super::laid::{Laid, Want, sill_about};
 use super::needed::{BlockName, Lie, Needed};
 use super::role::{Earth, JUNCTIONS, Role};
 use super::sill::Sill;
+use super::site::Site;
 use super::{VehicleMotion, VehicleTuning};
 use crate::PhysicsWorld;
 use crate::collider::Block;
@@ -65,6 +67,9 @@ pub(super) struct Arena {
     ground: BTreeMap<BlockName, Taken>,
     sills: [Option<LaidSill>; JUNCTIONS],
     origin: DVec3,
+    /// Where it lies if it is not the chart itself, and its ground then.
+    site: Option<Site>,
+    laid: Option<(Laid, Vec<ColliderHandle>)>,
 }
 
 impl Arena {
@@ -85,6 +90,72 @@ impl Arena {
             ground: BTreeMap::new(),
             sills: Default::default(),
             origin: DVec3::ZERO,
+            site: None,
+            laid: None,
+        }
+    }
+
+    /// Without bodies and ground, about a site.
+    pub fn about(site: Site) -> Self {
+        Self {
+            site: Some(site.clone()),
+            ..Self::new(site.at().chart)
+        }
+    }
+
+    /// Where it lies, if that is not the chart.
+    pub fn site(&self) -> Option<&Site> {
+        self.site.as_ref()
+    }
+
+    /// Has it lie elsewhere, without ground. Bodies keep their numbers, which are no longer right.
+    pub fn set_site(&mut self, site: Site) {
+        for handle in self.laid.take().into_iter().flat_map(|(_, all)| all) {
+            self.take_up(handle);
+        }
+        for at in 0..JUNCTIONS {
+            let handle = self.sills[at].take().and_then(|it| it.handle);
+            if let Some(handle) = handle {
+                self.take_up(handle);
+            }
+        }
+        self.chart = site.at().chart;
+        self.site = Some(site);
+    }
+
+    /// Whether the ground about the site is all that is wanted, and as the world has it.
+    pub fn is_laid(&self, world: &PhysicsWorld, wants: &[Want]) -> bool {
+        let laid = self.laid.as_ref();
+        laid.is_some_and(|(laid, _)| laid.is_enough(world, wants))
+    }
+
+    /// Lays the ground that is wanted about the site.
+    pub fn lay_about(
+        &mut self,
+        world: &PhysicsWorld,
+        wants: &[Want],
+        junctions: &[Option<Junction>; JUNCTIONS],
+    ) {
+        let Some(site) = &self.site else {
+            return;
+        };
+        let (laid, shapes) = Laid::made(world, site, wants, junctions);
+        let lie = (DVec3::ZERO, 0.0);
+        let handles = shapes.iter().map(|(earth, it)| self.lay(it, lie, *earth));
+        let handles = handles.collect();
+        self.laid = Some((laid, handles));
+    }
+
+    /// Lays the ground of both sides of the junctions that somebody stands in.
+    pub fn take_sills(
+        &mut self,
+        world: &PhysicsWorld,
+        junctions: &[Option<Junction>; JUNCTIONS],
+        is_stood_in: impl Fn(usize) -> bool,
+    ) {
+        for (at, junction) in junctions.iter().enumerate() {
+            let stood_in = junction.as_ref().filter(|_| is_stood_in(at));
+            self.take_sill(world, at, stood_in);
         }
     }
 
@@ -274,8 +345,17 @@ impl Arena {
             return;
         };
         // The leaf's own x lies along its heading, which is measured from x to z.
-        let lie = (junction.host.foot.pos, -junction.host.yaw);
-        let shape = sill.shape.clone();
+        let (shape, lie) = match &self.site {
+            None => {
+                let lie = (junction.host.foot.pos, -junction.host.yaw);
+                (sill.shape.clone(), lie)
+            }
+            Some(site) => {
+                let shape = sill.shape.as_ref();
+                let about = shape.and_then(|it| sill_about(site, junction, it));
+                (about, (DVec3::ZERO, 0.0))
+            }
+        };
         let handle = shape.map(|shape| self.lay(&shape, lie, Earth::Sill(at)));
         self.sills[at] = Some(LaidSill { sill, handle });
     }

@@ -102,8 +102,8 @@ impl Needed {
     }
 }
 
-/// The box of the chart whose ground a vehicle may touch in the next steps.
-fn ground_box(motion: &VehicleMotion, dt_s: f64) -> (DVec3, DVec3) {
+/// The box whose ground a vehicle may touch in the next steps.
+pub(super) fn ground_box(motion: &VehicleMotion, dt_s: f64) -> (DVec3, DVec3) {
     let way = motion.velocity * (STEPS_AHEAD * dt_s);
     let around = DVec3::splat(GROUND_AROUND_M);
     let middle = motion.middle();

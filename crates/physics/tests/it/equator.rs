@@ -75,7 +75,7 @@ fn drive(
     let heading = azimuth + aside;
     let way = DVec3::new(heading.cos(), 0.0, heading.sin());
     let out = DVec3::new(azimuth.cos(), 0.0, azimuth.sin());
-    let mut physics = VehiclePhysics::default();
+    let mut physics = VehiclePhysics::default().in_space(space);
     let never = |_: DVec3| false;
     let at = out * (rim_m - 14.0) - way * 3.0 + DVec3::Y * 10.0;
     let free = physics.upright_at(world, ChartPoint::a(at), way, &never);
