@@ -124,22 +124,22 @@ impl Arena {
     }
 
     /// Whether the ground about the site is all that is wanted, and as the world has it.
-    pub fn is_laid(&self, world: &PhysicsWorld, wants: &[Want]) -> bool {
+    pub fn is_laid(&self, world: &PhysicsWorld, needs: &[(Want, DVec3)]) -> bool {
         let laid = self.laid.as_ref();
-        laid.is_some_and(|(laid, _)| laid.is_enough(world, wants))
+        laid.is_some_and(|(laid, _)| laid.is_enough(world, needs))
     }
 
     /// Lays the ground that is wanted about the site.
     pub fn lay_about(
         &mut self,
         world: &PhysicsWorld,
-        wants: &[Want],
+        needs: &[(Want, DVec3)],
         junctions: &[Option<Junction>; JUNCTIONS],
     ) {
         let Some(site) = &self.site else {
             return;
         };
-        let (laid, shapes) = Laid::made(world, site, wants, junctions);
+        let (laid, shapes) = Laid::made(world, site, needs, junctions);
         let lie = (DVec3::ZERO, 0.0);
         let handles = shapes.iter().map(|(earth, it)| self.lay(it, lie, *earth));
         let handles = handles.collect();

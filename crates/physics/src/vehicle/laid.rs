@@ -12,46 +12,83 @@ use crate::PhysicsWorld;
 use crate::chart_ground::Ground;
 use crate::collider::Block;
 
-/// Ground is laid so much farther than it is needed, in metres, that it need not be laid in every step.
-const FARTHER_M: DVec3 = DVec3::new(4.0, 2.0, 4.0);
-/// Boxes of charts are grown by this, in metres, for what axes bend by within them.
-const BENDS_M: f64 = 1.0;
+/// Ground is laid so much farther about a vehicle than it is needed, in metres, that it need not be laid in every step.
+const FARTHER_M: DVec3 = DVec3::new(0.8, 1.5, 0.8);
+/// And so far ahead: the way of so many seconds, but no less and no more than so many metres.
+const AHEAD_S: f64 = 0.8;
+const AHEAD_M: (f64, f64) = (1.0, 12.0);
+/// A long way is looked at in pieces so long, in metres, as boxes of it are.
+const PIECE_M: f64 = 3.0;
 /// A box that is told in the chart of another may be so many times as wide there.
 const STRETCHED: f64 = 2.0;
 /// Where ground of several charts is laid, each goes so far past its edge, in metres, that nothing falls between them.
 const LAPS_M: f64 = 0.25;
 
-/// Ground that a vehicle needs.
+/// Ground that a vehicle needs: a box that goes a way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Want {
     /// Of which side of a door.
     pub earth: Earth,
     /// The vehicle's chart.
     pub chart: ChartId,
-    /// A box about the site.
-    pub low: DVec3,
-    /// Its other corner.
-    pub high: DVec3,
+    /// The box's middle, from the site.
+    pub middle: DVec3,
+    /// Half of its width.
+    pub half: DVec3,
+    /// Where its middle goes from there.
+    pub way: DVec3,
 }
 
 impl Want {
-    fn grown(self) -> Self {
+    /// So much more that the vehicle, which has a velocity, may go on for a while.
+    fn grown(self, velocity: DVec3) -> Self {
+        let (least_m, most_m) = AHEAD_M;
+        let way = velocity * AHEAD_S;
         Self {
-            low: self.low - FARTHER_M,
-            high: self.high + FARTHER_M,
+            half: self.half + FARTHER_M,
+            way: way.normalize_or_zero() * way.length().clamp(least_m, most_m),
             ..self
         }
     }
 
+    /// Whether the box has its middle within `reach` of a place, along each axis, somewhere on its way.
+    fn passes(&self, place: DVec3, reach: DVec3) -> bool {
+        let (mut first, mut last): (f64, f64) = (0.0, 1.0);
+        for axis in 0..3 {
+            let (off, way, reach) = ((place - self.middle)[axis], self.way[axis], reach[axis]);
+            if reach < 0.0 {
+                return false;
+            }
+            if way.abs() < 1e-9 {
+                if off.abs() > reach {
+                    return false;
+                }
+                continue;
+            }
+            let (a, b) = ((off - reach) / way, (off + reach) / way);
+            (first, last) = (first.max(a.min(b)), last.min(a.max(b)));
+        }
+        first <= last
+    }
+
     fn holds(&self, other: &Self) -> bool {
-        self.earth == other.earth
-            && self.low.cmple(other.low).all()
-            && self.high.cmpge(other.high).all()
+        self.earth == other.earth && self.passes(other.middle, self.half - other.half)
     }
 
     fn touches(&self, corners: &[DVec3; 3]) -> bool {
         let [a, b, c] = corners;
-        a.min(*b).min(*c).cmple(self.high).all() && a.max(*b).max(*c).cmpge(self.low).all()
+        let (low, high) = (a.min(*b).min(*c), a.max(*b).max(*c));
+        self.passes(0.5 * (low + high), self.half + 0.5 * (high - low))
+    }
+
+    /// Boxes that hold it, piece by piece of its way.
+    fn pieces(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
+        let count = (self.way.length() / PIECE_M).ceil().max(1.0);
+        (0..count as u32).map(move |nth| {
+            let at = |nth: u32| self.middle + self.way * (f64::from(nth) / count);
+            let (from, to) = (at(nth), at(nth + 1));
+            (from.min(to) - self.half, from.max(to) + self.half)
+        })
     }
 }
 
@@ -75,14 +112,15 @@ pub(super) struct Laid {
 }
 
 impl Laid {
-    /// What is to be laid about a site, and the shapes of it, which lie as the site does.
+    /// What is to be laid about a site for vehicles of such velocities (m/s), and the shapes of it, which lie as the site does.
     pub fn made(
         world: &PhysicsWorld,
         site: &Site,
-        wants: &[Want],
+        needs: &[(Want, DVec3)],
         junctions: &[Option<Junction>; JUNCTIONS],
     ) -> (Self, Vec<(Earth, SharedShape)>) {
-        let wants: Vec<Want> = wants.iter().map(|it| it.grown()).collect();
+        let wants = needs.iter().map(|(it, velocity)| it.grown(*velocity));
+        let wants: Vec<Want> = wants.collect();
         let mut charts: Vec<ChartId> = wants.iter().map(|it| it.chart).collect();
         charts.sort_unstable();
         charts.dedup();
@@ -121,11 +159,11 @@ impl Laid {
     }
 
     /// Whether it is all that is wanted, and as the world has it.
-    pub fn is_enough(&self, world: &PhysicsWorld, wants: &[Want]) -> bool {
-        let has = |want: &Want| {
+    pub fn is_enough(&self, world: &PhysicsWorld, needs: &[(Want, DVec3)]) -> bool {
+        let has = |(want, _): &(Want, DVec3)| {
             self.charts.contains(&want.chart) && self.wants.iter().any(|it| it.holds(want))
         };
-        wants.iter().all(has) && {
+        needs.iter().all(has) && {
             let found = found(world, &self.asked);
             let is_same = |(source, (earth, chart, it)): (&Source, &(Earth, ChartId, &Ground))| {
                 (source.0, source.1, source.2, source.3, source.4)
@@ -146,48 +184,39 @@ fn asked(
 ) -> Vec<Asked> {
     let mut asked = Vec::new();
     for want in wants {
-        match want.earth {
-            Earth::Own => {
-                let boxes = charts.iter().filter_map(|&chart| {
-                    let (low, high) = chart_box(site, want, chart)?;
+        for (low, high) in want.pieces() {
+            match want.earth {
+                Earth::Own => asked.extend(charts.iter().filter_map(|&chart| {
+                    let (low, high) = chart_box(site, low, high, chart)?;
                     Some(Asked {
                         earth: want.earth,
                         chart,
                         low,
                         high,
                     })
-                });
-                asked.extend(boxes);
+                })),
+                Earth::Far(at) => asked.extend(junctions[at].as_ref().and_then(|junction| {
+                    let (low, high) = chart_box(site, low, high, junction.host.foot.chart)?;
+                    let middle = junction.taken_back(0.5 * (low + high));
+                    // However the box is turned there.
+                    let half = DVec3::splat(0.5 * (high - low).length());
+                    Some(Asked {
+                        earth: want.earth,
+                        chart: junction.far.foot.chart,
+                        low: middle - half,
+                        high: middle + half,
+                    })
+                })),
+                Earth::Sill(_) => {}
             }
-            Earth::Far(at) => {
-                let Some(junction) = &junctions[at] else {
-                    continue;
-                };
-                let Some((low, high)) = chart_box(site, want, junction.host.foot.chart) else {
-                    continue;
-                };
-                let middle = junction.taken_back(0.5 * (low + high));
-                // However the box is turned there.
-                let half = DVec3::splat(0.5 * (high - low).length());
-                asked.push(Asked {
-                    earth: want.earth,
-                    chart: junction.far.foot.chart,
-                    low: middle - half,
-                    high: middle + half,
-                });
-            }
-            Earth::Sill(_) => {}
         }
     }
     asked
 }
 
 /// A box of a chart that holds one about the site.
-fn chart_box(site: &Site, want: &Want, chart: ChartId) -> Option<(DVec3, DVec3)> {
-    let frame = site.frame()?;
-    let (low, high) = frame.chart_box(want.low, want.high);
-    let bends = DVec3::new(BENDS_M, 0.0, BENDS_M);
-    let (low, high) = (low - bends, high + bends);
+fn chart_box(site: &Site, low: DVec3, high: DVec3, chart: ChartId) -> Option<(DVec3, DVec3)> {
+    let (low, high) = site.frame()?.chart_box(low, high);
     if chart == site.at().chart {
         return Some((low, high));
     }
@@ -279,33 +308,42 @@ impl Mesh {
         ids.sort_unstable();
         ids.dedup();
         let (vertices, indices) = (mesh.vertices(), mesh.indices());
-        let place = |index: u32| vertices[index as usize].as_dvec3() + ground.origin;
         let named = ids.iter().filter_map(|&id| indices.get(id as usize));
         let named: Vec<[u32; 3]> = named.copied().collect();
-        let mut used: Vec<u32> = named.iter().flatten().copied().collect();
-        used.sort_unstable();
-        used.dedup();
+        let place = |index: u32| vertices[index as usize].as_dvec3() + ground.origin;
+        // Each vertex is carried once: those of a number follow each other in its order.
+        let all = named.iter().flatten().zip(0_u32..);
+        let mut all: Vec<(u32, u32)> = all.map(|(&index, slot)| (index, slot)).collect();
+        all.sort_unstable();
+        let mut slots = vec![0; all.len()];
         let frame = carried.site.frame();
         let places = carried.places(frame.as_ref());
-        let moved: Vec<Option<DVec3>> = used.iter().map(|&it| places(place(it))).collect();
-        let moved_at = |index: u32| moved[used.binary_search(&index).ok()?];
+        let mut moved: Vec<Option<DVec3>> = Vec::new();
+        let mut last = None;
+        for (index, slot) in all {
+            if last != Some(index) {
+                moved.push(places(place(index)));
+                last = Some(index);
+            }
+            slots[slot as usize] = moved.len() as u32 - 1;
+        }
         let first = self.vertices.len() as u32;
         let is_wanted = |corners: &[DVec3; 3]| {
-            let own = wants.iter().filter(|it| it.earth == carried.earth);
-            own.into_iter().any(|it| it.touches(corners))
+            let mut own = wants.iter().filter(|it| it.earth == carried.earth);
+            own.any(|it| it.touches(corners))
         };
-        for corners in named {
-            let [Some(a), Some(b), Some(c)] = corners.map(moved_at) else {
+        for (corners, slots) in named.iter().zip(slots.chunks_exact(3)) {
+            let at = |nth: usize| moved[slots[nth] as usize];
+            let (Some(a), Some(b), Some(c)) = (at(0), at(1), at(2)) else {
                 continue;
             };
             if is_wanted(&[a, b, c]) && carried.is_own(&corners.map(place)) {
-                let at = |index: u32| first + used.binary_search(&index).unwrap_or(0) as u32;
-                self.triangles.push(corners.map(at));
+                let own = [slots[0], slots[1], slots[2]];
+                self.triangles.push(own.map(|slot| first + slot));
             }
         }
-        let none = DVec3::ZERO;
-        self.vertices
-            .extend(moved.iter().map(|it| it.unwrap_or(none).as_vec3()));
+        let moved = moved.iter().map(|it| it.unwrap_or_default().as_vec3());
+        self.vertices.extend(moved);
     }
 
     fn shape(self) -> Option<SharedShape> {

@@ -13,7 +13,7 @@ use glam::{DQuat, DVec3};
 use super::arena::Arena;
 use super::doors::Junction;
 use super::laid::Want;
-use super::needed::ground_box;
+use super::needed::STEPS_AHEAD;
 use super::role::{Earth, JUNCTIONS, Role};
 use super::site::{Site, Sited};
 use super::{Room, Vehicle, VehicleInput, VehicleMotion, VehiclePhysics};
@@ -23,6 +23,9 @@ use crate::PhysicsWorld;
 const JOIN_M: (f64, f64) = (10.0, 14.0);
 /// A vehicle that is carried to within this of where its arena has it anyway has got another address, in metres.
 const SAME_M: f64 = 1e-3;
+
+/// Ground within this of a vehicle's middle is needed, in metres: no part of it is farther off, nor where a wheel's ray ends.
+const GROUND_AROUND: DVec3 = DVec3::splat(2.0);
 
 /// Who takes part in a step.
 type All<'a, 'b> = &'a mut [(&'b mut Vehicle, Option<VehicleInput>)];
@@ -320,8 +323,12 @@ fn are_together(space: &dyn Strategy, a: &Vehicle, b: &Vehicle) -> bool {
     apart_m(Some(space), a.motion.point(), b.motion.point()) < most_m
 }
 
-/// The ground that those of a group need who move.
-fn wants(group: &[usize], all: &[(&mut Vehicle, Option<VehicleInput>)], dt_s: f64) -> Vec<Want> {
+/// The ground that those of a group need in the next steps who move, each with its velocity.
+fn wants(
+    group: &[usize],
+    all: &[(&mut Vehicle, Option<VehicleInput>)],
+    dt_s: f64,
+) -> Vec<(Want, DVec3)> {
     let moving = group.iter().map(|&at| &*all[at].0);
     let moving = moving.filter(|vehicle| vehicle.is_moving());
     moving
@@ -331,13 +338,16 @@ fn wants(group: &[usize], all: &[(&mut Vehicle, Option<VehicleInput>)], dt_s: f6
                 Role::Guest(at) => Earth::Far(at),
                 Role::Astride(_) => return None,
             };
-            let (low, high) = ground_box(&vehicle.own_motion(), dt_s);
-            Some(Want {
+            let own = vehicle.own_motion();
+            let way = own.velocity * (STEPS_AHEAD * dt_s);
+            let want = Want {
                 earth,
                 chart: vehicle.motion.chart,
-                low,
-                high,
-            })
+                middle: own.middle() + 0.5 * way,
+                half: GROUND_AROUND + 0.5 * way.abs(),
+                way: DVec3::ZERO,
+            };
+            Some((want, own.velocity))
         })
         .collect()
 }
