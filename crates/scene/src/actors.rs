@@ -1,10 +1,9 @@
 //! All that lives, moves or lies about in a world: entities whose components say what they are. All but the player
 //! have an [`ActorId`]; beside it figures are several components, and each other kind is one.
 
-use std::sync::Arc;
-
 use std::any::TypeId;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Strategy};
 use antipode_physics::{Character, CharacterTuning, VehiclePhysics};
