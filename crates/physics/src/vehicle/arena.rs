@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use antipode_geometry::ChartId;
 use glam::{DQuat, DVec3};
-use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
+use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::{
     CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MassProperties,
     MultibodyJointSet, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType, SoftBodySet,
@@ -35,8 +35,6 @@ use crate::collider::Block;
 const RECENTRE_BEYOND_M: f64 = 512.0;
 /// Its origin is a multiple of this, in metres, so that offsets of chunks stay whole numbers.
 const ORIGIN_STEP_M: f64 = 32.0;
-/// A wheel's ray leans by this share: the tree of boxes misses what a ray that is square to an axis meets.
-const RAY_LEANS: f32 = 1e-4;
 
 /// A block that was taken in.
 struct Taken {
@@ -97,10 +95,9 @@ impl Arena {
 
     /// Without bodies and ground, about a site.
     pub fn about(site: Site) -> Self {
-        Self {
-            site: Some(site.clone()),
-            ..Self::new(site.at().chart)
-        }
+        let mut arena = Self::new(site.at().chart);
+        arena.site = Some(site);
+        arena
     }
 
     /// Where it lies, if that is not the chart.
@@ -448,33 +445,4 @@ impl Arena {
             body.set_linvel(velocity, true);
         }
     }
-}
-
-/// A controller with four wheels.
-pub(super) fn controller(
-    body: RigidBodyHandle,
-    tuning: &VehicleTuning,
-) -> DynamicRayCastVehicleController {
-    let mut controller = DynamicRayCastVehicleController::new(body);
-    let spring = WheelTuning {
-        suspension_stiffness: tuning.stiffness() as f32,
-        suspension_compression: tuning.damping_per_s(tuning.damping.0) as f32,
-        suspension_damping: tuning.damping_per_s(tuning.damping.1) as f32,
-        max_suspension_travel: (tuning.droop_m + tuning.bump_m) as f32,
-        side_friction_stiffness: 1.0,
-        friction_slip: tuning.grip as f32,
-        max_suspension_force: tuning.spring_most_n as f32,
-    };
-    let down = Vector::new(RAY_LEANS, -1.0, RAY_LEANS);
-    for wheel in 0..tuning.hubs.len() {
-        controller.add_wheel(
-            tuning.mount(wheel).as_vec3(),
-            down,
-            Vector::Z,
-            tuning.spring_m() as f32,
-            tuning.wheel_radius_m as f32,
-            &spring,
-        );
-    }
-    controller
 }

@@ -4,7 +4,8 @@ use antipode_geometry::Crossing;
 use glam::DVec3;
 use rapier3d::dynamics::RigidBodyHandle;
 
-use super::arena::{self, Arena};
+use super::arena::Arena;
+use super::controller;
 use super::{Room, Vehicle, VehicleInput, VehicleMotion, VehiclePhysics};
 
 impl VehiclePhysics {
@@ -145,7 +146,7 @@ impl VehiclePhysics {
         };
         if let Some(arena) = self.arenas.get_mut(&room) {
             let body = arena.put_in(&self.hull, &self.tuning, &motion);
-            vehicle.body = Some((body, arena::controller(body, &self.tuning)));
+            vehicle.body = Some((body, controller::controller(body, &self.tuning)));
         }
     }
 }

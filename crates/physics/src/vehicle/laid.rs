@@ -370,7 +370,7 @@ pub(super) fn sill_about(
     let places = carried.places(frame.as_ref());
     let moved = mesh.vertices().iter().map(|it| {
         let place = junction.host.place(it.as_dvec3());
-        places(place.pos).map(|it| it.as_vec3())
+        places(place.pos).map(DVec3::as_vec3)
     });
     let moved: Option<Vec<Vec3>> = moved.collect();
     let mesh = TriMesh::new(moved?, mesh.indices().to_vec()).ok()?;

@@ -5,6 +5,7 @@
 
 mod arena;
 mod bodies;
+mod controller;
 mod cut;
 mod doors;
 mod drive;
