@@ -3,9 +3,10 @@
 
 use std::any::TypeId;
 use std::collections::HashMap;
+use std::sync::Arc;
 
-use antipode_geometry::ChartPoint;
-use antipode_physics::{Character, CharacterTuning};
+use antipode_geometry::{ChartPoint, Strategy};
+use antipode_physics::{Character, CharacterTuning, VehiclePhysics};
 use antipode_storage::RecordKind;
 use antipode_terrain::Field;
 use glam::DVec3;
@@ -47,12 +48,14 @@ pub(crate) struct Actors {
 
 impl Actors {
     /// A player who has just come, alone.
-    pub fn new(field: &Field) -> Self {
+    pub fn new(field: &Field, space: &Arc<dyn Strategy>) -> Self {
         let look = Look {
             yaw: FIRST_YAW_RAD,
             pitch: 0.0,
         };
-        Self::with_player(player::components(spawn_point(field), look))
+        let mut actors = Self::with_player(player::components(spawn_point(field), look));
+        actors.cars.physics = VehiclePhysics::default().in_space(space);
+        actors
     }
 
     /// A player of these components, alone.

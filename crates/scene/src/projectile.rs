@@ -261,10 +261,7 @@ impl Projectile {
             let car = meets_car(air, &ways)
                 .filter(|(share, ..)| someone.is_none_or(|(nearer, ..)| *share < nearer));
             if let Some((share, (car, part), way)) = car {
-                // Cars go by the metres of their chart.
-                let last = ChartPoint::new(self.point.chart, to);
-                let velocity = air.strategy.in_chart(last, ball.velocity);
-                let velocity = way.crossing.turn_vector(velocity);
+                let velocity = way.crossing.turn_vector(ball.velocity);
                 let (at, velocity) = part.taken_home(way.from.lerp(way.to, share), velocity);
                 let car = *car;
                 hits.knocks.push(Knock { car, at, velocity });

@@ -131,11 +131,12 @@ impl Scene {
         streamer: Streamer,
     ) -> Self {
         let lens = Lens::new(Arc::clone(&space));
+        let actors = Actors::new(field, &space);
         let player = Player::new(lens, Inventory::at_start(setup.mode));
         Self {
             sim: Simulation {
                 world: World::new(setup.within_range(), space, field, streamer),
-                actors: Actors::new(field),
+                actors,
                 player,
                 outbox: Outbox::default(),
             },

@@ -321,7 +321,7 @@ fn reaches(world: &World, actors: &Actors) -> Vec<Reach> {
     let mut reaches = reach::of_body(&*world.strategy, feet, velocity);
     let bullets = actors.map(|_, it: &Projectile| in_chart(it.point, it.velocity));
     let cars = actors.car_views().into_iter();
-    let cars = cars.map(|it| (it.point, it.velocity));
+    let cars = cars.map(|it| in_chart(it.point, it.velocity));
     // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
     reaches.extend(reach::of_others(&*world.strategy, cars, OTHERS_MARGIN_M));
     reaches.extend(reach::of_others(

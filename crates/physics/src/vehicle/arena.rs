@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use antipode_geometry::ChartId;
 use glam::{DQuat, DVec3};
-use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
+use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::{
     CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MassProperties,
     MultibodyJointSet, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType, SoftBodySet,
@@ -22,9 +22,11 @@ use rapier3d::pipeline::{PhysicsPipeline, QueryFilter};
 
 use super::doors::Junction;
 use super::hull::Hull;
+use super::laid::{Laid, Want, sill_about};
 use super::needed::{BlockName, Lie, Needed};
 use super::role::{Earth, JUNCTIONS, Role};
 use super::sill::Sill;
+use super::site::Site;
 use super::{VehicleMotion, VehicleTuning};
 use crate::PhysicsWorld;
 use crate::collider::Block;
@@ -33,8 +35,6 @@ use crate::collider::Block;
 const RECENTRE_BEYOND_M: f64 = 512.0;
 /// Its origin is a multiple of this, in metres, so that offsets of chunks stay whole numbers.
 const ORIGIN_STEP_M: f64 = 32.0;
-/// A wheel's ray leans by this share: the tree of boxes misses what a ray that is square to an axis meets.
-const RAY_LEANS: f32 = 1e-4;
 
 /// A block that was taken in.
 struct Taken {
@@ -65,6 +65,9 @@ pub(super) struct Arena {
     ground: BTreeMap<BlockName, Taken>,
     sills: [Option<LaidSill>; JUNCTIONS],
     origin: DVec3,
+    /// Where it lies if it is not the chart itself, and its ground then.
+    site: Option<Site>,
+    laid: Option<(Laid, Vec<ColliderHandle>)>,
 }
 
 impl Arena {
@@ -85,6 +88,71 @@ impl Arena {
             ground: BTreeMap::new(),
             sills: Default::default(),
             origin: DVec3::ZERO,
+            site: None,
+            laid: None,
+        }
+    }
+
+    /// Without bodies and ground, about a site.
+    pub fn about(site: Site) -> Self {
+        let mut arena = Self::new(site.at().chart);
+        arena.site = Some(site);
+        arena
+    }
+
+    /// Where it lies, if that is not the chart.
+    pub fn site(&self) -> Option<&Site> {
+        self.site.as_ref()
+    }
+
+    /// Has it lie elsewhere, without ground. Bodies keep their numbers, which are no longer right.
+    pub fn set_site(&mut self, site: Site) {
+        for handle in self.laid.take().into_iter().flat_map(|(_, all)| all) {
+            self.take_up(handle);
+        }
+        for at in 0..JUNCTIONS {
+            let handle = self.sills[at].take().and_then(|it| it.handle);
+            if let Some(handle) = handle {
+                self.take_up(handle);
+            }
+        }
+        self.chart = site.at().chart;
+        self.site = Some(site);
+    }
+
+    /// Whether the ground about the site is all that is wanted, and as the world has it.
+    pub fn is_laid(&self, world: &PhysicsWorld, needs: &[(Want, DVec3)]) -> bool {
+        let laid = self.laid.as_ref();
+        laid.is_some_and(|(laid, _)| laid.is_enough(world, needs))
+    }
+
+    /// Lays the ground that is wanted about the site.
+    pub fn lay_about(
+        &mut self,
+        world: &PhysicsWorld,
+        needs: &[(Want, DVec3)],
+        junctions: &[Option<Junction>; JUNCTIONS],
+    ) {
+        let Some(site) = &self.site else {
+            return;
+        };
+        let (laid, shapes) = Laid::made(world, site, needs, junctions);
+        let lie = (DVec3::ZERO, 0.0);
+        let handles = shapes.iter().map(|(earth, it)| self.lay(it, lie, *earth));
+        let handles = handles.collect();
+        self.laid = Some((laid, handles));
+    }
+
+    /// Lays the ground of both sides of the junctions that somebody stands in.
+    pub fn take_sills(
+        &mut self,
+        world: &PhysicsWorld,
+        junctions: &[Option<Junction>; JUNCTIONS],
+        is_stood_in: impl Fn(usize) -> bool,
+    ) {
+        for (at, junction) in junctions.iter().enumerate() {
+            let stood_in = junction.as_ref().filter(|_| is_stood_in(at));
+            self.take_sill(world, at, stood_in);
         }
     }
 
@@ -274,8 +342,17 @@ impl Arena {
             return;
         };
         // The leaf's own x lies along its heading, which is measured from x to z.
-        let lie = (junction.host.foot.pos, -junction.host.yaw);
-        let shape = sill.shape.clone();
+        let (shape, lie) = match &self.site {
+            None => {
+                let lie = (junction.host.foot.pos, -junction.host.yaw);
+                (sill.shape.clone(), lie)
+            }
+            Some(site) => {
+                let shape = sill.shape.as_ref();
+                let about = shape.and_then(|it| sill_about(site, junction, it));
+                (about, (DVec3::ZERO, 0.0))
+            }
+        };
         let handle = shape.map(|shape| self.lay(&shape, lie, Earth::Sill(at)));
         self.sills[at] = Some(LaidSill { sill, handle });
     }
@@ -368,33 +445,4 @@ impl Arena {
             body.set_linvel(velocity, true);
         }
     }
-}
-
-/// A controller with four wheels.
-pub(super) fn controller(
-    body: RigidBodyHandle,
-    tuning: &VehicleTuning,
-) -> DynamicRayCastVehicleController {
-    let mut controller = DynamicRayCastVehicleController::new(body);
-    let spring = WheelTuning {
-        suspension_stiffness: tuning.stiffness() as f32,
-        suspension_compression: tuning.damping_per_s(tuning.damping.0) as f32,
-        suspension_damping: tuning.damping_per_s(tuning.damping.1) as f32,
-        max_suspension_travel: (tuning.droop_m + tuning.bump_m) as f32,
-        side_friction_stiffness: 1.0,
-        friction_slip: tuning.grip as f32,
-        max_suspension_force: tuning.spring_most_n as f32,
-    };
-    let down = Vector::new(RAY_LEANS, -1.0, RAY_LEANS);
-    for wheel in 0..tuning.hubs.len() {
-        controller.add_wheel(
-            tuning.mount(wheel).as_vec3(),
-            down,
-            Vector::Z,
-            tuning.spring_m() as f32,
-            tuning.wheel_radius_m as f32,
-            &spring,
-        );
-    }
-    controller
 }

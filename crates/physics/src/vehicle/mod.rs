@@ -5,23 +5,28 @@
 
 mod arena;
 mod bodies;
+mod controller;
 mod cut;
 mod doors;
 mod drive;
 mod hold;
 mod hull;
+mod laid;
 mod needed;
 mod part;
 mod place;
 mod role;
 mod sill;
+mod site;
+mod sited;
 mod state;
 mod steady;
 mod tuning;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
-use antipode_geometry::ChartId;
+use antipode_geometry::{ChartId, ChartPoint, Strategy};
 use glam::DVec3;
 use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::RigidBodyHandle;
@@ -35,6 +40,7 @@ use hull::Hull;
 use needed::Needed;
 pub use part::{Side, VehiclePart};
 use role::{JUNCTIONS, Role};
+use site::Sited;
 pub use state::{VehicleInput, VehicleMotion, VehicleWheel};
 pub use tuning::VehicleTuning;
 
@@ -59,6 +65,17 @@ pub struct Vehicle {
     /// What it met in the last step.
     role: Role,
     body: Option<(RigidBodyHandle, DynamicRayCastVehicleController)>,
+    /// In what it moves where that is not the chart, as long as it has a body; what it rolled by and where it holds are told there, too.
+    sited: Option<Sited>,
+}
+
+/// Which arena it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Room {
+    /// Of all of a chart.
+    Chart(ChartId),
+    /// About a place, by its number.
+    Site(u64),
 }
 
 impl Vehicle {
@@ -114,7 +131,11 @@ pub struct VehiclePhysics {
     hull: Hull,
     /// Of the charts in which vehicles have bodies. The last one stays when it has none left, so that one that comes back
     /// finds the frame that he left.
-    arenas: BTreeMap<ChartId, Arena>,
+    arenas: BTreeMap<Room, Arena>,
+    /// The space, where bodies do not move in the chart.
+    curved: Option<Arc<dyn Strategy>>,
+    /// How many arenas about places there have been.
+    sites_made: u64,
 }
 
 impl Default for VehiclePhysics {
@@ -138,6 +159,18 @@ impl VehiclePhysics {
             tuning,
             hull: Hull::new(),
             arenas: BTreeMap::new(),
+            curved: None,
+            sites_made: 0,
+        }
+    }
+
+    /// Has those that it makes from now on move in metres of a space, where bodies do not move in the chart: velocities and spins are then
+    /// told in them, along the frame of the chart at the vehicle, and so is how it is turned.
+    #[must_use]
+    pub fn in_space(self, space: &Arc<dyn Strategy>) -> Self {
+        Self {
+            curved: (!space.moves_in_chart()).then(|| Arc::clone(space)),
+            ..self
         }
     }
 
@@ -167,6 +200,7 @@ impl VehiclePhysics {
             hold: Hold::default(),
             role: Role::Free,
             body: None,
+            sited: None,
         }
     }
 
@@ -208,11 +242,15 @@ impl VehiclePhysics {
         }
         let junctions = doors.map_or([None; JUNCTIONS], |doors| doors::junctions(doors, all));
         let stays = doors.map(|doors| self.bring(doors, &junctions, all));
-        wake_near(all);
+        wake_near(self.curved.as_deref(), all);
         for (vehicle, input) in &mut *all {
             self.admit(vehicle, *input);
         }
-        self.step_brought(world, &junctions, all, dt_s);
+        if let Some(space) = self.curved.clone() {
+            self.step_sited(&space, world, &junctions, all, dt_s);
+        } else {
+            self.step_brought(world, &junctions, all, dt_s);
+        }
         if let Some((doors, stays)) = doors.zip(stays) {
             self.take_back(doors, stays, all);
         }
@@ -232,7 +270,8 @@ impl VehiclePhysics {
         for chart in charts {
             let here = moving.iter().map(|(it, _)| (it.role, &it.motion));
             let here: Vec<_> = here.filter(|(_, it)| it.chart == chart).collect();
-            let (Some(arena), Some((_, first))) = (self.arenas.get_mut(&chart), here.first())
+            let (Some(arena), Some((_, first))) =
+                (self.arenas.get_mut(&Room::Chart(chart)), here.first())
             else {
                 continue;
             };
@@ -248,22 +287,16 @@ impl VehiclePhysics {
     /// Reads out what a step has made of a vehicle, and lets its wheels act.
     fn advance(&mut self, vehicle: &mut Vehicle, input: &VehicleInput, dt_s: f64) {
         let tuning = &self.tuning;
-        let (Some((body, controller)), Some(arena)) = (
-            &mut vehicle.body,
-            self.arenas.get_mut(&vehicle.motion.chart),
-        ) else {
+        let before = vehicle.own_motion();
+        let room = vehicle.room();
+        let (Some((body, controller)), Some(arena)) =
+            (&mut vehicle.body, self.arenas.get_mut(&room))
+        else {
             return;
         };
         let Some(mut motion) = arena.motion(*body) else {
             // Rapier has lost it: it stays where it was.
-            arena.set_motion(
-                *body,
-                &VehicleMotion {
-                    velocity: DVec3::ZERO,
-                    spin: DVec3::ZERO,
-                    ..vehicle.motion
-                },
-            );
+            arena.set_motion(*body, &before.stopped());
             vehicle.settle();
             return;
         };
@@ -287,9 +320,8 @@ impl VehiclePhysics {
         }
         vehicle.wheels = wheels(controller, tuning, &motion);
         // Within a step springs and weight take turns, so the speed at its end is not that of the way made.
-        let way = tuning.mass_place(&motion) - tuning.mass_place(&vehicle.motion);
+        let way = tuning.mass_place(&motion) - tuning.mass_place(&before);
         motion.velocity = way / dt_s;
-        vehicle.motion = motion;
         vehicle.rolled = arena
             .motion(*body)
             .map_or(motion.velocity, |rolled| rolled.velocity);
@@ -300,9 +332,10 @@ impl VehiclePhysics {
             0.0
         };
         if vehicle.rests_s >= SLEEPS_AFTER_S {
-            (vehicle.motion.velocity, vehicle.motion.spin) = (DVec3::ZERO, DVec3::ZERO);
-            arena.set_motion(*body, &vehicle.motion);
+            motion = motion.stopped();
+            arena.set_motion(*body, &motion);
         }
+        vehicle.take(motion, arena.site());
     }
 }
 
@@ -310,7 +343,7 @@ impl Vehicle {
     /// Nothing happens to it in a step in which it is held: the jolt of the step before is not felt again.
     fn settle(&mut self) {
         self.jolt_m_s = 0.0;
-        self.rolled = self.motion.velocity;
+        self.rolled = self.own_motion().velocity;
         self.hold.let_go();
     }
 
@@ -320,18 +353,16 @@ impl Vehicle {
 }
 
 /// Wakes sleepers that another comes near to.
-fn wake_near(all: &mut [(&mut Vehicle, Option<VehicleInput>)]) {
-    let moving: Vec<(ChartId, DVec3)> = all
+fn wake_near(space: Option<&dyn Strategy>, all: &mut [(&mut Vehicle, Option<VehicleInput>)]) {
+    let moving: Vec<ChartPoint> = all
         .iter()
         // A vehicle that stands and is about to sleep wakes nobody: two side by side would keep each other awake for ever.
         .filter(|(it, _)| it.is_moving() && it.rests_s <= 0.0)
-        .map(|(it, _)| (it.motion.chart, it.motion.place))
+        .map(|(it, _)| it.motion.point())
         .collect();
     for (sleeper, _) in all.iter_mut().filter(|(it, _)| it.is_asleep()) {
-        let own = sleeper.motion;
-        let is_near = |(chart, at): &(ChartId, DVec3)| {
-            *chart == own.chart && at.distance(own.place) < WAKES_WITHIN_M
-        };
+        let own = sleeper.motion.point();
+        let is_near = |at: &ChartPoint| sited::apart_m(space, own, *at) < WAKES_WITHIN_M;
         if moving.iter().any(is_near) {
             sleeper.wake();
         }

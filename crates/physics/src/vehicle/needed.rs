@@ -13,7 +13,7 @@ use crate::collider::Block;
 
 /// Ground within this of a vehicle's middle is taken in, in metres, and what it covers in the next steps besides.
 const GROUND_AROUND_M: f64 = 4.0;
-const STEPS_AHEAD: f64 = 3.0;
+pub(super) const STEPS_AHEAD: f64 = 3.0;
 
 /// Which block of the ground: of which side of a door, its chunk, and its number there.
 pub(super) type BlockName = (Earth, ChunkCoord, usize);

@@ -1,4 +1,7 @@
 //! The state and the input of a vehicle: plain data.
+//!
+//! Where bodies do not move in the chart, a vehicle's place is one of the chart, and how it is turned, its velocity and its spin are told in metres of
+//! the space along the frame of the chart there.
 
 use antipode_geometry::{ChartId, ChartPoint, Crossing};
 use glam::{DQuat, DVec3};
@@ -41,6 +44,15 @@ impl VehicleMotion {
             turn: (turn * self.turn).normalize(),
             velocity: turn * self.velocity,
             spin: turn * self.spin,
+        }
+    }
+
+    /// The same at rest.
+    pub(super) fn stopped(self) -> Self {
+        Self {
+            velocity: DVec3::ZERO,
+            spin: DVec3::ZERO,
+            ..self
         }
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use crate::common::{STEP_S, Soup};
-use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
+use antipode_geometry::{BodyFrame, ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_physics::{PhysicsWorld, VehicleInput, VehicleMotion, VehiclePhysics};
 use glam::{DVec3, IVec3, Vec3};
 
@@ -75,7 +75,7 @@ fn drive(
     let heading = azimuth + aside;
     let way = DVec3::new(heading.cos(), 0.0, heading.sin());
     let out = DVec3::new(azimuth.cos(), 0.0, azimuth.sin());
-    let mut physics = VehiclePhysics::default();
+    let mut physics = VehiclePhysics::default().in_space(space);
     let never = |_: DVec3| false;
     let at = out * (rim_m - 14.0) - way * 3.0 + DVec3::Y * 10.0;
     let free = physics.upright_at(world, ChartPoint::a(at), way, &never);
@@ -105,8 +105,12 @@ fn drive(
     };
     let mut back = 0.0;
     while run.after.len() < 12 {
+        let from = vehicle.motion().point();
         physics.step(world, None, &mut [(&mut vehicle, Some(input))], STEP_S);
         let motion = vehicle.motion();
+        let gone = BodyFrame::way(&**space, from, motion.point());
+        // Frames turn along a way that is straight, which nobody feels.
+        back -= BodyFrame::step(&**space, from, gone).turn_rad;
         let felt = Felt {
             speed_m_s: motion.velocity.length(),
             ahead: glam::DQuat::from_rotation_y(back) * motion.ahead(),
@@ -120,7 +124,7 @@ fn drive(
         assert!(run.before.len() < 300, "it does not get there: {motion:?}");
         if let Some(crossing) = space.cross(motion.point()) {
             physics.carry(&mut vehicle, &crossing);
-            back = -crossing.turn_rad;
+            back -= crossing.turn_rad;
         }
     }
     run

@@ -11,6 +11,7 @@ mod charts;
 mod common;
 mod doors;
 mod equator;
+mod lengths;
 mod sphere;
 mod tipping;
 mod vehicle;

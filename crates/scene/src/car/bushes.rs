@@ -61,7 +61,7 @@ pub(super) fn go_through(world: &World, actors: &mut Actors, outbox: &mut Outbox
         let impulse = motion.velocity * (-lost * tuning.mass_kg);
         physics.push(&mut car.vehicle, at, impulse);
         if rustles {
-            let velocity = world.strategy.in_frame(motion.point(), motion.velocity);
+            let velocity = motion.velocity;
             let leaves = met.iter().map(|it| it.middle);
             leaves.for_each(|at| outbox.effects.push(Effect::Rustled { at, velocity }));
             if driven == Some(id) {

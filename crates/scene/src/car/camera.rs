@@ -95,11 +95,11 @@ impl Chase {
         self.since_look_s = 0.0;
     }
 
-    /// Follows the car for a step, in which the player has turned the view.
-    pub fn pass(&mut self, car: &CarView, turned: LookTurn, dt_s: f64) {
+    /// Follows the car, whose velocity in its chart is `along` (m/s of the chart), for a step, in which the player has turned the view.
+    pub fn pass(&mut self, car: &CarView, along: DVec3, turned: LookTurn, dt_s: f64) {
         let stretch = car.point.pos - self.point.pos;
         // Critically damped against the car's own level speed, so that only what changes is felt.
-        let level = car.velocity.with_y(0.0);
+        let level = along.with_y(0.0);
         let pull = stretch * (CHASE_RATE_PER_S * CHASE_RATE_PER_S)
             + (level - self.velocity) * (2.0 * CHASE_RATE_PER_S);
         self.velocity += pull * dt_s;

@@ -1,6 +1,6 @@
 //! A slow car shoves bodies aside, and a fast one throws and hurts them. Bullets knock cars.
 
-use antipode_geometry::{ChartPoint, Crossing, Metric};
+use antipode_geometry::Crossing;
 use glam::DVec3;
 use hecs::Entity;
 
@@ -29,10 +29,9 @@ struct Meeting {
     /// Where, in the chart of the car, and the level way from the car there, a unit vector.
     at: DVec3,
     away: DVec3,
-    /// The same way in that one's chart, and where that one stands.
+    /// The same way in that one's chart.
     own_away: DVec3,
-    feet: ChartPoint,
-    /// How fast the car comes that way, m/s of the chart.
+    /// How fast the car comes that way, m/s.
     closing_m_s: f64,
 }
 
@@ -50,7 +49,7 @@ pub(super) fn run_over(
     hurt.retain(|(_, ago_s)| *ago_s < HURTS_AGAIN_AFTER_S);
     let now = Situation::of(world, actors, player);
     for meeting in meetings(now) {
-        meet(&*world.strategy, actors, player, outbox, &meeting);
+        meet(actors, player, outbox, &meeting);
     }
 }
 
@@ -83,7 +82,6 @@ fn meetings(now: Situation<'_>) -> Vec<Meeting> {
                     at,
                     away,
                     own_away: carried.rotation().inverse() * there_away,
-                    feet: it.feet,
                     closing_m_s: velocity.dot(there_away),
                 });
             }
@@ -92,18 +90,11 @@ fn meetings(now: Situation<'_>) -> Vec<Meeting> {
     found
 }
 
-fn meet(
-    space: &dyn Metric,
-    actors: &mut Actors,
-    player: &mut Player,
-    outbox: &mut Outbox,
-    meeting: &Meeting,
-) {
+fn meet(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, meeting: &Meeting) {
     let Meeting {
         who,
         away,
         own_away,
-        feet,
         closing_m_s,
         ..
     } = *meeting;
@@ -112,10 +103,8 @@ fn meet(
         && let Ok(body) = actors.ecs.query_one_mut::<&mut Body>(who)
     {
         let (ahead, up) = if is_fast { THROWN } else { (0.1, 0.0) };
-        // Cars go by the metres of the chart.
-        let velocity = space.in_chart(feet, body.0.velocity);
-        let missing = closing_m_s * (1.0 + ahead) - velocity.dot(own_away);
-        body.0.velocity += space.in_frame(feet, own_away * missing.max(0.0));
+        let missing = closing_m_s * (1.0 + ahead) - body.0.velocity.dot(own_away);
+        body.0.velocity += own_away * missing.max(0.0);
         if is_fast {
             body.0.velocity.y = body.0.velocity.y.max(closing_m_s * up);
             body.0.grounded = false;

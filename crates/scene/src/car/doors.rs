@@ -137,7 +137,7 @@ fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
         return;
     };
     get_out(actors, &mut player.gaze);
-    let velocity = world.strategy.in_frame(car.point, car.velocity);
+    let velocity = car.velocity;
     body::place(world, actors, player, spot, velocity, false);
     outbox.sounds.push(SoundEvent::CarDoor);
     let damage = fall_damage(

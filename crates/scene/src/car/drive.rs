@@ -154,7 +154,8 @@ pub(super) fn seat_driver(
         return;
     };
     driving.throttle = actions.forward;
-    driving.chase.pass(&car, actions.look_turn(), STEP_S);
+    let along = world.strategy.in_chart(car.point, car.velocity);
+    driving.chase.pass(&car, along, actions.look_turn(), STEP_S);
     let (yaw, pitch) = driving.chase.look(player.gaze.camera);
     let jolt_m_s = actors.map_one(car.id, |car: &Car| car.vehicle.jolt_m_s());
     let jolt_m_s = jolt_m_s.unwrap_or_default();
@@ -165,7 +166,7 @@ pub(super) fn seat_driver(
     {
         position.0 = seat;
         body.0.feet = seat.pos;
-        body.0.velocity = world.strategy.in_frame(car.point, car.velocity);
+        body.0.velocity = car.velocity;
         body.0.grounded = true;
     }
     actors.set_look(yaw, pitch);

@@ -32,6 +32,7 @@ const MOST_LIT_CARS: usize = 6;
 /// Bodies and wheels of all cars.
 pub(crate) fn show_cars(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
     for car in now.actors.car_views() {
+        let car = car.drawn(&*now.world.strategy);
         let figure = |model, own: DVec3, turn: DQuat| Figure {
             turn,
             ..Figure::standing(model, car.place(own), 0.0)
@@ -61,6 +62,7 @@ pub(crate) fn seat_figure(now: Situation<'_>, figure: &mut Figure) {
     let Some(car) = now.actors.driven_car() else {
         return;
     };
+    let car = car.drawn(&*now.world.strategy);
     figure.point = car.place(SEAT_M);
     figure.turn = car.turn;
     figure.posture = Posture::of(Clip::Sit, 0.0);

@@ -11,7 +11,7 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, Metric};
 use antipode_physics::{
     Obstacle, Vehicle, VehicleMotion, VehiclePart, VehiclePhysics, VehicleWheel,
 };
@@ -236,11 +236,11 @@ pub struct CarView {
     pub id: ActorId,
     /// The ground below its middle, when it stands on level ground.
     pub point: ChartPoint,
-    /// How it is turned from looking along +x with its right-hand side at +z, in the chart.
+    /// How it is turned from looking along +x with its right-hand side at +z, along the frame of its chart.
     pub turn: DQuat,
-    /// Velocity in its chart, m/s.
+    /// Velocity, m/s of the space along that frame, or of the chart where bodies move in that.
     pub velocity: DVec3,
-    /// Angular velocity in its chart, rad/s.
+    /// Angular velocity, rad/s, told likewise.
     pub spin: DVec3,
     /// Speed ahead, m/s; backwards negative.
     pub speed_m_s: f64,
@@ -268,6 +268,18 @@ impl CarView {
     /// Its middle, in the chart.
     pub(crate) fn middle(&self) -> ChartPoint {
         self.place(DVec3::Y * MIDDLE_UP_M)
+    }
+
+    /// The same as its chart draws it: so that it looks where it goes where a metre of the chart is not as long in all directions.
+    pub(crate) fn drawn(self, space: &dyn Metric) -> Self {
+        if space.moves_in_chart() {
+            return self;
+        }
+        let ahead = (self.turn * DVec3::X).with_y(0.0);
+        let along = space.in_chart(self.point, ahead);
+        let by = along.z.atan2(along.x) - ahead.z.atan2(ahead.x);
+        let turn = DQuat::from_rotation_y(-by) * self.turn;
+        Self { turn, ..self }
     }
 
     /// A place of the car's own axes (m) in the chart.

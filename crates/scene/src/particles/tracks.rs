@@ -210,7 +210,7 @@ impl Tracks {
             at,
             up: touch.normal,
             surface,
-            velocity: world.strategy.in_frame(at, car.velocity),
+            velocity: car.velocity,
             slide_m_s: wheel.slide_m_s.abs(),
             gone_m,
         })
