@@ -44,7 +44,9 @@ fn land_is_there_however_many_tiles_lie_between() {
         let mut game = game(radius_m);
         let here = on_ground(&game, ChartPoint::a(DVec3::new(3.0, 0.0, 4.0)));
         look(&mut game, here, view);
-        let reach_m = (f64::from(view) - 0.5) * 32.0;
+        // The range is about the middle of the chunk, which is up to 23 m away.
+        let view_m = (f64::from(view) + 0.5) * 32.0;
+        let reach_m = game.space.tiled().unwrap().land_reach_m(view_m) - 23.0;
         let mut charts = BTreeSet::new();
         for turn in 0..16 {
             for share in [0.2, 0.4, 0.6, 0.8, 1.0] {
