@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::tiled::fits;
-use antipode_geometry::{Atlas, CHUNK_CELLS, ChunkCoord, Domain};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartId, ChunkCoord, Domain};
 use antipode_terrain::{Content, Field, Level, RIM_REACH_M};
 use glam::{DVec2, I64Vec3, Vec3Swizzles};
 
@@ -276,10 +276,18 @@ impl Request {
     }
 }
 
-/// How far what is near goes in a world in tiles, metres: with as much land as flat space has within [`NEAR_CHUNKS`].
+/// How far what is near goes in a world in tiles, metres: as much is meshed there as flat space has within [`NEAR_CHUNKS`]. Where edges
+/// run through chunks, tiles are meshed past them, too.
 fn near_disc_m(atlas: &dyn Atlas) -> Option<f64> {
+    let tiled = atlas.tiled()?;
     let side_m = (2.0 * NEAR_CHUNKS as f64 + 1.0) * f64::from(CHUNK_CELLS);
-    Some(atlas.tiled()?.disc_m(side_m * side_m))
+    let half_m = atlas.domain(ChartId::FIRST).half_width_m();
+    let made = if fits(atlas, ChartId::FIRST) {
+        1.0
+    } else {
+        1.0 + RIM_REACH_M / half_m
+    };
+    Some(tiled.disc_m((side_m / made).powi(2)))
 }
 
 /// What the chunks that count cost, in chunks of full level: half the resolution has a quarter of

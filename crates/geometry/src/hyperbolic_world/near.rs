@@ -7,12 +7,14 @@ use glam::{DVec2, DVec3, DVec4, Vec3Swizzles};
 
 use super::world::{HyperbolicWorld, inverse};
 use crate::tiling::EDGE_TANH;
-use crate::{ChartId, ChartPoint, Tiled};
+use crate::{CHUNK_CELLS, ChartId, ChartPoint, Tiled};
 
 /// Land is there no farther than so many radii, where a metre is 1/74 of the radius's metres across: within are 366 tiles.
 const LAND_RAD: f64 = 5.0;
 /// So many times the land of the flat view's square at most.
 const LAND_SHARE: f64 = 2.0;
+/// Ground is meshed so far past the edges that run through chunks, metres.
+const MESHED_PAST_M: f64 = 8.0;
 /// No walk finds more tiles: 8 radii of them.
 const MOST_TILES: usize = 8192;
 
@@ -125,7 +127,15 @@ impl Tiled for HyperbolicWorld {
     }
 
     fn land_reach_m(&self, view_m: f64) -> f64 {
-        let budget_m = self.disc_m(LAND_SHARE * (2.0 * view_m).powi(2));
+        let half_m = self.chart.half_m();
+        // Where edges run through chunks, what is meshed past them counts: it costs as much as land.
+        let past_m = if (half_m / f64::from(CHUNK_CELLS)).fract() == 0.0 {
+            0.0
+        } else {
+            MESHED_PAST_M
+        };
+        let meshed = (1.0 + past_m / half_m).powi(2);
+        let budget_m = self.disc_m(LAND_SHARE / meshed * (2.0 * view_m).powi(2));
         view_m.min(budget_m).min(LAND_RAD * self.chart.radius_m)
     }
 

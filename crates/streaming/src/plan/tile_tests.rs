@@ -134,3 +134,45 @@ fn print_costs() {
         }
     }
 }
+
+#[test]
+fn tiles_cost_about_twice_what_a_flat_view_of_the_same_distance_does_at_most() {
+    for view in [6, 10] {
+        let (_, flat, _) = Planner::new(Arc::new(Euclidean), view).cost();
+        for radius_m in HyperbolicWorld::RADII_M {
+            let (chunks, cost, leniency) = Planner::new(tiles(radius_m), view).cost();
+            // By chunks that may hold ground, of which more than in flat land hold none: in triangles it is 1.7 times at most.
+            // Tiles of 32 m are meshed past their edges as far as within, and are rims throughout: they cost more.
+            let is_narrow = radius_m < 40.0;
+            let most = if is_narrow { 3.1 } else { 2.1 };
+            assert!(
+                cost <= most * flat && (is_narrow || leniency < 8.0),
+                "view {view}, radius {radius_m}: {chunks} chunks, {cost} against {flat}, {leniency} times"
+            );
+        }
+    }
+}
+
+/// Over edges, too, levels differ by one at most; and far land is there in fewer triangles than near.
+#[test]
+fn levels_over_edges_differ_by_one_at_most() {
+    for radius_m in HyperbolicWorld::RADII_M {
+        let planner = Planner::new(tiles(radius_m), 8);
+        let plan = planner.request.plan(&planner.field).plan;
+        let atlas = &**planner.field.strategy();
+        let mut counts = [0; Level::ALL.len()];
+        let mut over = 0;
+        for (&coord, target) in &plan.targets {
+            counts[target.level.index()] += 1;
+            for next in crate::levels::faces(atlas, coord) {
+                let Some(beside) = plan.targets.get(&next) else {
+                    continue;
+                };
+                let apart = beside.level.index().abs_diff(target.level.index());
+                assert!(apart <= 1, "{coord:?} {next:?}");
+                over += usize::from(next.chart != coord.chart && apart == 1);
+            }
+        }
+        assert!(over > 20 && counts[1] > 20, "{over} {counts:?}");
+    }
+}

@@ -44,7 +44,9 @@ fn land_is_there_however_many_tiles_lie_between() {
         let mut game = game(radius_m);
         let here = on_ground(&game, ChartPoint::a(DVec3::new(3.0, 0.0, 4.0)));
         look(&mut game, here, view);
-        let reach_m = (f64::from(view) - 0.5) * 32.0;
+        // The range is about the middle of the chunk, which is up to 23 m away.
+        let view_m = (f64::from(view) + 0.5) * 32.0;
+        let reach_m = game.space.tiled().unwrap().land_reach_m(view_m) - 23.0;
         let mut charts = BTreeSet::new();
         for turn in 0..16 {
             for share in [0.2, 0.4, 0.6, 0.8, 1.0] {
@@ -80,14 +82,13 @@ fn who_crosses_an_edge_has_nothing_loaded_again() {
     for (x, z) in [(33.0, 31.0), (33.0, 33.0), (31.0, 33.0), (31.0, 31.0)] {
         let place = at(&game, x, z);
         let news = look(&mut game, place, 3);
-        let is_far = |coord: &&ChunkCoord| {
-            let away = game
-                .space
-                .tiled()
-                .and_then(|it| it.level_way_m(place, ChartPoint::new(coord.chart, coord.centre())));
-            away.is_none_or(|way| way.xz().length() > 48.0)
+        // Past an edge there is only what the body may touch.
+        let is_land = |coord: &&ChunkCoord| {
+            let domain = game.space.domain(coord.chart);
+            let low = coord.origin().xz();
+            domain.least_outside_m(low, low + 32.0) < 0.0
         };
-        let far = news.loaded.iter().chain(&news.unloaded).filter(is_far);
+        let far = news.loaded.iter().chain(&news.unloaded).filter(is_land);
         assert_eq!(far.count(), 0, "{x} {z}");
     }
     assert_eq!(game.chunks.keys().copied().collect::<BTreeSet<_>>(), before);

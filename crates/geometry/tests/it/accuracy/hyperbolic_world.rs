@@ -28,12 +28,28 @@ pub const SOURCES: &[(&str, &str)] = &[
     ),
     (
         "HyperbolicWorld",
+        include_str!("../../../src/hyperbolic_world/near.rs"),
+    ),
+    (
+        "HyperbolicWorld",
         include_str!("../../../src/hyperbolic_world/world.rs"),
     ),
 ];
 
 /// Without golden rows, and why.
 pub const EXCUSED: &[(&str, &str)] = &[
+    (
+        "HyperbolicWorld::level",
+        "SquareChart::point on the level: tests/it/hyperbolic_world/near.rs",
+    ),
+    (
+        "tiled::as_seen_from",
+        "Atlas::carry, or Tiled::level_way_m where that has none",
+    ),
+    (
+        "tile_part::parts",
+        "which chunks are near: tests/it/hyperbolic_world/near.rs",
+    ),
     ("BodyChart::new", "no arithmetic"),
     ("BodyChart::level_stretch", "a cosine of scalar"),
     ("BodyChart::stretch_across", "a sine of scalar"),
