@@ -228,19 +228,14 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
     let locator = Locator::new(strategy, &eye);
     let margin_m = 1.5 * NODE_M;
     let reach_m = reach_m(strategy) + margin_m;
-    let span = reach_m * strategy.globe().map_or(1.0, |_| Globe::WIDEST);
-    let images = strategy.images(feet, span);
     let mut found = Vec::new();
-    for middle in std::iter::once(feet).chain(images.iter().map(|image| image.point)) {
+    for (middle, around_m) in squares_about(strategy, feet, reach_m) {
         let domain = strategy.domain(middle.chart);
-        let [x, z] = node_of(middle).at;
-        let around = (span / NODE_M).ceil() as i32;
+        let Node { chart, at: [x, z] } = node_of(middle);
+        let around = (around_m / NODE_M).ceil() as i32;
         for i in x.saturating_sub(around)..=x.saturating_add(around) {
             for j in z.saturating_sub(around)..=z.saturating_add(around) {
-                let node = Node {
-                    chart: middle.chart,
-                    at: [i, j],
-                };
+                let node = Node { chart, at: [i, j] };
                 let point = column(node);
                 if domain.outside_m(point.pos.xz()) > margin_m {
                     continue;
@@ -253,6 +248,27 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
         }
     }
     found
+}
+
+/// Of each chart that comes so near a square that holds all of it that does: its middle and half its side, metres.
+fn squares_about(
+    strategy: &dyn Strategy,
+    feet: ChartPoint,
+    reach_m: f64,
+) -> Vec<(ChartPoint, f64)> {
+    if let Some(tiled) = strategy.tiled() {
+        let whole = |chart| {
+            let half_m = strategy.domain(chart).half_width_m() + NODE_M;
+            (ChartPoint::new(chart, DVec3::ZERO), half_m)
+        };
+        let charts = tiled.charts_within(feet, reach_m).into_iter();
+        return charts.map(whole).collect();
+    }
+    let span_m = reach_m * strategy.globe().map_or(1.0, |_| Globe::WIDEST);
+    let images = strategy.images(feet, span_m);
+    let others = images.iter().map(|image| image.point);
+    let all = std::iter::once(feet).chain(others);
+    all.map(|middle| (middle, span_m)).collect()
 }
 
 /// Squares of four columns that are all there, at least one of them within the chart's domain.

@@ -50,8 +50,8 @@ fn covered_m2(plan: &SurveyMap) -> f64 {
 fn the_map_fills_its_circle_everywhere_and_over_the_equator_too() {
     for geometry in Geometry::ALL {
         let mut scene = scene(geometry);
-        let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m();
-        for x in [0.0, 31.0, rim_m.map_or(500.0, |rim_m| rim_m - 0.5)] {
+        let rim_m = scene.strategy().domain(ChartId::FIRST).half_width_m();
+        for x in [0.0, 31.0, (rim_m - 0.5).min(500.0)] {
             scene.set_flying(true);
             scene.teleport(ChartPoint::a(DVec3::new(x, 30.0, 2.0)));
             steps(&mut scene, 1, &Actions::default());
