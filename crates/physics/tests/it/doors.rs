@@ -106,11 +106,13 @@ impl Site {
     fn local(&self, vehicle: &Vehicle) -> (usize, DVec3) {
         let of = |leaf: usize| {
             let door = &self.pair.leaves[leaf];
-            let near = self.space.carry_near(vehicle.motion().point(), door.foot);
-            (leaf, door.local(near.unwrap().point.pos))
+            let near = self.space.carry_near(vehicle.motion().point(), door.foot)?;
+            Some((leaf, door.local(near.point.pos)))
         };
-        let [a, b] = [of(0), of(1)];
-        if a.1.length() < b.1.length() { a } else { b }
+        // In a world of squares not both may be written where it is.
+        let both = (0..2).filter_map(of);
+        let near = both.min_by(|a, b| a.1.length().total_cmp(&b.1.length()));
+        near.expect("it is near one of them")
     }
 }
 
