@@ -209,9 +209,9 @@ fn over_the_equator_a_car_its_driver_and_the_camera_behind_it_move_evenly() {
         figures.rev().find(|it| it.model == model).unwrap().point
     };
     for rate in RATES {
-        let mut film = Film::new(Geometry::Spherical);
         for what in ["camera", "car", "driver"] {
-            film.at(60);
+            // In a world of its own: no car that was left over the equator is in the way.
+            let mut film = Film::new(Geometry::Spherical);
             film.go_to_equator(22.0);
             film.drive();
             input(&mut film.game, AHEAD, true);
@@ -226,7 +226,6 @@ fn over_the_equator_a_car_its_driver_and_the_camera_behind_it_move_evenly() {
             };
             is_even(&frames, &steps, rate, what);
             assert!(film.is_over(), "it was driven over");
-            input(&mut film.game, AHEAD, false);
         }
     }
 }

@@ -4,8 +4,13 @@
 //! point of the three-sphere, which a central projection from there makes straight (docs/shadows.md): with X' the
 //! three coordinates of X across the light and X.s the fourth, a triangle covers X if X' is a sum of its corners' with
 //! no negative share, and comes first if it is the nearer, by the cotangent X.s / |X'|.
+//!
+//! In the hyperbolic world they run to an ideal point, a null vector n = (s, 1) of the eye's. All of a ray's points are
+//! p X + t n: what is the same along it is X' = (X.a, X.b, -<n, X>), a and b across s, up to the factor p. So a triangle
+//! covers X as above, at Y = X + t n, with t by the fourth coordinate, which is further on for a positive t, by
+//! log(1 - 2t <n, X>) / 2 radii, as <Y, Y> = -1 + 2t <n, X>.
 
-use antipode_frame::Frame;
+use antipode_frame::{Frame, View};
 use antipode_geometry::{ChartPoint, Eye};
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
@@ -29,13 +34,18 @@ enum Light {
         axes: [DVec4; 3],
         radius_m: f64,
     },
+    Ideal {
+        toward: DVec3,
+        across: [DVec3; 2],
+        radius_m: f64,
+    },
 }
 
 /// Triangles by the cells of the light's own view.
 pub struct Rays<'a> {
     frame: &'a Frame,
     light: Light,
-    /// Corners as the light sees them: across, across, height; or X' and X.s.
+    /// Corners as the light sees them: across, across, height; or X' and X.s or W.
     seen: Vec<[DVec4; 3]>,
     cells: Vec<Vec<u32>>,
     low: DVec2,
@@ -52,9 +62,9 @@ impl<'a> Rays<'a> {
         let seen: Vec<_> = triangles.iter().map(own).collect();
         let (mut low, mut high) = (DVec2::splat(-1.0), DVec2::splat(1.0));
         let mut faces = FACES;
-        if matches!(light, Light::Far { .. }) {
+        if !matches!(light, Light::Star { .. }) {
             faces = 1;
-            let ends = || seen.iter().flatten().map(|c| c.truncate().truncate());
+            let ends = || seen.iter().flatten().map(|c| on_plane(&light, *c));
             low = ends().fold(DVec2::INFINITY, DVec2::min) - 0.01;
             high = ends().fold(DVec2::NEG_INFINITY, DVec2::max) + 0.01;
         }
@@ -97,8 +107,8 @@ impl<'a> Rays<'a> {
 
     /// Where a point lies on the plane of a face; nothing where that is far to its side.
     fn on_face(&self, face: usize, c: DVec4) -> Option<DVec2> {
-        if matches!(self.light, Light::Far { .. }) {
-            return Some(DVec2::new(c.x, c.y));
+        if !matches!(self.light, Light::Star { .. }) {
+            return Some(on_plane(&self.light, c));
         }
         let (axis, sign) = (face / 2, if face.is_multiple_of(2) { 1.0 } else { -1.0 });
         let depth = c[axis] * sign;
@@ -150,7 +160,7 @@ impl<'a> Rays<'a> {
                 }
                 Some(a.z * shares[0] + b.z * shares[1] + c.z * shares[2] - at.z)
             }
-            Light::Star { radius_m, .. } => {
+            Light::Star { radius_m, .. } | Light::Ideal { radius_m, .. } => {
                 let matrix = DMat3::from_cols(a.truncate(), b.truncate(), c.truncate());
                 if matrix.determinant().abs() < 1e-18 {
                     return None;
@@ -160,6 +170,9 @@ impl<'a> Rays<'a> {
                     return None;
                 }
                 let first = shares.dot(DVec3::new(a.w, b.w, c.w));
+                if matches!(self.light, Light::Ideal { .. }) {
+                    return Some(0.5 * radius_m * (2.0 * (first - at.w) * at.z).ln_1p());
+                }
                 // Both lie on one great circle: X' of the point and first, as far from the light as these say.
                 let away = at.truncate().length();
                 let angle = |fourth: f64| away.atan2(fourth);
@@ -176,11 +189,21 @@ impl<'a> Rays<'a> {
                 let [p, q, r] = [a, b, c].map(|v| DVec2::new(v.x, v.y));
                 (q - p).perp_dot(r - p) > 0.0
             }
-            Light::Star { .. } => {
+            Light::Star { .. } | Light::Ideal { .. } => {
                 let columns = [a, b, c].map(DVec4::truncate);
                 DMat3::from_cols_array_2d(&columns.map(|c| c.to_array())).determinant() < 0.0
             }
         }
+    }
+}
+
+/// Where a point lies across a light that all rays run up to: in the half space over a plane, for an ideal one.
+fn on_plane(light: &Light, c: DVec4) -> DVec2 {
+    let at = DVec2::new(c.x, c.y);
+    if matches!(light, Light::Ideal { .. }) {
+        at / c.z
+    } else {
+        at
     }
 }
 
@@ -193,10 +216,23 @@ fn all(at: [Option<DVec2>; 3]) -> Option<[DVec2; 3]> {
 fn light_of(frame: &Frame) -> Light {
     let Some(orbs) = frame.content.sky.orbs else {
         let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from)).normalize();
-        let right = toward.any_orthonormal_vector();
-        return Light::Far {
+        let across = |toward: DVec3| {
+            let right = toward.any_orthonormal_vector();
+            [right, toward.cross(right)]
+        };
+        let View { strategy, eye, .. } = &frame.view;
+        if strategy.tiled().is_none() {
+            return Light::Far {
+                toward,
+                across: across(toward),
+            };
+        }
+        let axes = DVec3::AXES.map(|axis| axis * strategy.in_sky_axes(eye.point, axis).dot(toward));
+        let toward = eye.to_view(axes.into_iter().sum());
+        return Light::Ideal {
             toward,
-            across: [right, toward.cross(right)],
+            across: across(toward),
+            radius_m: strategy.radius_m(),
         };
     };
     let is_sun = frame.content.sky.key_direction == frame.content.sky.sun_direction;
@@ -219,6 +255,15 @@ fn own(frame: &Frame, light: &Light, point: ChartPoint) -> DVec4 {
         Light::Far { toward, across } => {
             let p = point.pos;
             DVec4::new(p.dot(across[0]), p.dot(across[1]), p.dot(*toward), 1.0)
+        }
+        Light::Ideal {
+            toward,
+            across: [right, up],
+            radius_m,
+        } => {
+            let view = frame.view.strategy.view_point(&frame.view.eye, point);
+            let x = view.truncate() / *radius_m;
+            DVec4::new(x.dot(*right), x.dot(*up), view.w - x.dot(*toward), view.w)
         }
         Light::Star { at, axes, .. } => {
             let x = frame.view.strategy.curved(&Eye::default(), point);
