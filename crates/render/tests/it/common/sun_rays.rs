@@ -191,7 +191,10 @@ impl<'a> Rays<'a> {
             }
             Light::Star { .. } | Light::Ideal { .. } => {
                 let columns = [a, b, c].map(DVec4::truncate);
-                DMat3::from_cols_array_2d(&columns.map(|c| c.to_array())).determinant() < 0.0
+                let volume =
+                    DMat3::from_cols_array_2d(&columns.map(|c| c.to_array())).determinant();
+                // The third is along the way from the star, and of an ideal light across it.
+                matches!(self.light, Light::Ideal { .. }) == (volume > 0.0)
             }
         }
     }
