@@ -13,6 +13,10 @@ compass-east = O
 compass-south = S
 compass-west = W
 compass-equator = { $letter } · Äquator { $metres } m
+compass-home = Zuhause { $metres } m · { $squares ->
+    [one] { $squares } Quadrat
+   *[other] { $squares } Quadrate
+}
 compass-flag = { $name } · { $metres } m
 
 dial-raised = Krümmung, angehoben

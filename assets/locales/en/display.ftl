@@ -10,11 +10,16 @@ display-brush = Brush { $radius } m
 display-speed = { $speed } km/h
 
 # The compass: letters of the quarters of the horizon, and the way to the equator: the hemisphere, how far it is.
+# Or home: how far it is, and how many squares away.
 compass-north = N
 compass-east = E
 compass-south = S
 compass-west = W
 compass-equator = { $letter } · equator { $metres } m
+compass-home = Home { $metres } m · { $squares ->
+    [one] { $squares } square
+   *[other] { $squares } squares
+}
 compass-flag = { $name } · { $metres } m
 
 # What the dial under the wheel turns; a few words.

@@ -13,6 +13,10 @@ compass-east = E
 compass-south = S
 compass-west = O
 compass-equator = { $letter } · ecuador { $metres } m
+compass-home = Casa { $metres } m · { $squares ->
+    [one] { $squares } cuadrado
+   *[other] { $squares } cuadrados
+}
 compass-flag = { $name } · { $metres } m
 
 dial-raised = Curvatura, elevada

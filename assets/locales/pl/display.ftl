@@ -14,6 +14,11 @@ compass-east = E
 compass-south = S
 compass-west = W
 compass-equator = { $letter } · równik { $metres } m
+compass-home = Dom { $metres } m · { $squares ->
+    [one] { $squares } kwadrat
+    [few] { $squares } kwadraty
+   *[other] { $squares } kwadratów
+}
 compass-flag = { $name } · { $metres } m
 
 # Czym obraca pokrętło pod kółkiem; kilka słów.

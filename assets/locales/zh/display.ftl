@@ -13,6 +13,7 @@ compass-east = 东
 compass-south = 南
 compass-west = 西
 compass-equator = { $letter } · 赤道 { $metres } 米
+compass-home = 回家 { $metres } 米 · { $squares } 个方块
 compass-flag = { $name } · { $metres } 米
 
 dial-raised = 曲率，抬升

@@ -10,8 +10,8 @@ use antipode_scene::survey::{Survey, SurveyMap};
 use antipode_scene::{Scene, Seen};
 use antipode_settings::Settings;
 use antipode_ui::{
-    CompassModel, DamageModel, EquatorView, FlagView, HudModel, MapMark, MapModel, MarkKind,
-    Relief, ReliefNode, tints_of,
+    CompassModel, DamageModel, FlagView, GuidePlace, GuideView, HudModel, MapMark, MapModel,
+    MarkKind, Relief, ReliefNode, tints_of,
 };
 
 /// Columns of land that the map takes in for each second: three in a frame of a sixtieth, a small part of its time.
@@ -138,13 +138,26 @@ fn ways_shown(texts: &Texts, scene: &Scene, heading_rad: f64) -> Vec<FlagView> {
 
 fn compass(bearings: &Bearings) -> CompassModel {
     let heading_rad = bearings.heading_rad;
+    let guide = |to: GuidePlace, distance_m: f64, way_rad: f64| GuideView {
+        to,
+        distance_m,
+        bearing_rad: (way_rad - heading_rad).rem_euclid(TAU),
+    };
+    let equator = bearings.equator.map(|it| {
+        let hemisphere = it.hemisphere;
+        guide(
+            GuidePlace::Equator { hemisphere },
+            it.distance_m,
+            it.heading_rad,
+        )
+    });
+    let home = bearings.home.map(|it| {
+        let squares = it.squares;
+        guide(GuidePlace::Home { squares }, it.distance_m, it.heading_rad)
+    });
     CompassModel {
         heading_rad: (heading_rad - bearings.north_rad).rem_euclid(TAU),
-        equator: bearings.equator.map(|equator| EquatorView {
-            hemisphere: equator.hemisphere,
-            distance_m: equator.distance_m,
-            bearing_rad: (equator.heading_rad - heading_rad).rem_euclid(TAU),
-        }),
+        guide: equator.or(home),
         flags: Vec::new(),
     }
 }
@@ -162,6 +175,7 @@ fn relief(plan: &SurveyMap) -> Relief {
         nodes: plan.nodes.iter().map(node).collect(),
         patches: plan.patches.clone(),
         contours: plan.contours.clone(),
+        edges: plan.edges.clone(),
     }
 }
 
@@ -198,14 +212,16 @@ mod tests {
                 distance_m: 12.0,
                 heading_rad: FRAC_PI_2,
             }),
+            home: None,
         };
         assert_eq!(compass(&bearings(PI)).heading_rad, 0.0);
         // Looking to where the sun comes up, at -z.
         let east = compass(&bearings(-FRAC_PI_2));
         assert!((east.heading_rad - FRAC_PI_2).abs() < 1e-12);
-        let equator = east.equator;
+        let to = GuidePlace::Equator { hemisphere: 'B' };
         assert!(
-            equator.is_some_and(|it| it.hemisphere == 'B' && (it.bearing_rad - PI).abs() < 1e-12)
+            east.guide
+                .is_some_and(|it| it.to == to && (it.bearing_rad - PI).abs() < 1e-12)
         );
     }
 }

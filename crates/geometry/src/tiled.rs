@@ -29,6 +29,9 @@ pub trait Tiled {
     /// The chart over a side of one's domain, and the side of its own that lies there. Sides are counted from +x by quarter turns
     /// towards +z, 0 to 3.
     fn over(&self, chart: ChartId, side: u8) -> Option<(ChartId, u8)>;
+
+    /// How many edges are between a chart's tile and the first one at least; none where there is no such chart.
+    fn edges_from_first(&self, chart: ChartId) -> Option<usize>;
 }
 
 /// The outward steps over the sides of a domain, as [`Tiled::over`] counts them.

@@ -31,6 +31,19 @@ pub struct Bearings {
     pub north_rad: f64,
     /// The player's hemisphere and the nearest point of the equator, in a world that has one.
     pub equator: Option<Equator>,
+    /// The way home, in a world in squares.
+    pub home: Option<Home>,
+}
+
+/// The way to the middle of the first square, where a world in squares began.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Home {
+    /// How many squares away it is: how many edges are between at least.
+    pub squares: usize,
+    /// How far it is along the ground sheet, metres.
+    pub distance_m: f64,
+    /// The heading that leads there.
+    pub heading_rad: f64,
 }
 
 /// The nearest point of the equator.
@@ -127,7 +140,19 @@ pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
         heading_rad: now.head().yaw,
         north_rad: north_rad(&*now.world.strategy, feet),
         equator,
+        home: home(&*now.world.strategy, feet),
     }
+}
+
+fn home(strategy: &dyn Strategy, feet: ChartPoint) -> Option<Home> {
+    let squares = strategy.tiled()?.edges_from_first(feet.chart)?;
+    let eye = map_eye(feet);
+    let at = Locator::new(strategy, &eye).at(ChartPoint::a(DVec3::ZERO));
+    Some(Home {
+        squares,
+        distance_m: at.length(),
+        heading_rad: at.y.atan2(at.x),
+    })
 }
 
 fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {

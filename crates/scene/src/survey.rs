@@ -4,6 +4,7 @@
 //! This is not part of the simulation. It reads the ground that is loaded and changes nothing.
 
 use std::collections::HashMap;
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, Globe, Strategy};
@@ -33,6 +34,8 @@ const MOST_KEPT: usize = 20_000;
 /// Where the light of the map comes from, in its own axes, and how strongly slopes take it.
 const LIGHT: DVec2 = DVec2::new(-0.8, 0.6);
 const RELIEF: f32 = 1.4;
+/// Pieces in which an edge of a square is drawn.
+const EDGE_PIECES: u32 = 8;
 /// A patch that is smaller on the map tells no slope, square metres: it is held at the edge.
 const LEAST_PATCH_M2: f32 = 1.0;
 
@@ -70,6 +73,8 @@ pub struct SurveyMap {
     pub patches: Vec<[u32; 4]>,
     /// Lines of equal height, each from one place to another.
     pub contours: Vec<[[f32; 2]; 2]>,
+    /// Pieces of the edges of squares, in a world that is in squares.
+    pub edges: Vec<[[f32; 2]; 2]>,
 }
 
 /// What is known of a column.
@@ -325,8 +330,9 @@ fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
 
 fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> SurveyMap {
     let eye = map_eye(feet);
-    let locator = Locator::new(&*scene.sim.world.strategy, &eye);
-    let reach_m = reach_m(&*scene.sim.world.strategy);
+    let strategy = &*scene.sim.world.strategy;
+    let locator = Locator::new(strategy, &eye);
+    let reach_m = reach_m(strategy);
     let (low, high) = scene.sim.world.ground.height_range_m();
     let (low, span) = (low as f32, (high - low).max(1.0) as f32);
     let mut nodes: Vec<PlanNode> = sheet
@@ -363,7 +369,37 @@ fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> SurveyMap {
         nodes,
         patches,
         contours,
+        edges: edges(strategy, feet, &locator),
     }
+}
+
+/// The edges of squares within the map's reach. Each is a geodesic, which is straight on no map but through its middle.
+fn edges(strategy: &dyn Strategy, feet: ChartPoint, locator: &Locator<'_>) -> Vec<[[f32; 2]; 2]> {
+    let Some(tiled) = strategy.tiled() else {
+        return Vec::new();
+    };
+    let reach_m = reach_m(strategy);
+    let charts = tiled.charts_within(feet, reach_m);
+    let mut pieces = Vec::new();
+    for (index, chart) in charts.iter().enumerate() {
+        for side in 0..4u8 {
+            let over = tiled.over(*chart, side).map(|(over, _)| over);
+            if charts[..index].iter().any(|before| Some(*before) == over) {
+                continue;
+            }
+            let half_m = strategy.domain(*chart).half_width_m();
+            let turn = DVec2::from_angle(f64::from(side) * FRAC_PI_2);
+            let at = |piece: u32| {
+                let along = 2.0 * f64::from(piece) / f64::from(EDGE_PIECES) - 1.0;
+                let at = half_m * turn.rotate(DVec2::new(1.0, along));
+                locator.at(ChartPoint::new(*chart, DVec3::new(at.x, 0.0, at.y)))
+            };
+            let near = (0..EDGE_PIECES).map(|piece| [piece, piece + 1].map(at));
+            let near = near.filter(|ends| ends.iter().all(|end| end.length() <= reach_m));
+            pieces.extend(near.map(|ends| ends.map(|end| end.as_vec2().to_array())));
+        }
+    }
+    pieces
 }
 
 /// Lets the slopes of the patches about each node face the light, or not.

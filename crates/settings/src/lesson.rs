@@ -27,6 +27,8 @@ pub enum Needs {
     OtherPicture,
     /// A way round that leads home.
     Closed,
+    /// Squares, five of which meet at every corner.
+    Squares,
     /// That what is built is gathered first.
     Gathering,
     /// That it is dark where the player is.
@@ -42,6 +44,8 @@ pub enum Done {
     Walked(f64),
     /// A view so far above the level, radians.
     LookedUp(f64),
+    /// A way through so many squares, back into the first of them.
+    Rounded(usize),
     /// So much digging in all, seconds.
     Dug(f64),
     /// So much building in all, seconds.

@@ -33,6 +33,7 @@ enum Needs {
     Dial,
     OtherPicture,
     Closed,
+    Squares,
     Gathering,
     Dark,
 }
@@ -42,6 +43,7 @@ enum Done {
     Turned(f64),
     Walked(f64),
     LookedUp(f64),
+    Rounded(usize),
     Dug(f64),
     Built(f64),
     Asked,
@@ -70,6 +72,7 @@ impl Row for Hint {
             | Done::LookedUp(most)
             | Done::Dug(most)
             | Done::Built(most) => need("done", most > 0.0, "is to be more than 0"),
+            Done::Rounded(most) => need("done", most > 2, "is to be more than 2"),
             Done::Asked => {
                 let is_asked = self.actions().next().is_some();
                 need(

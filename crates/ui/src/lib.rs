@@ -41,9 +41,9 @@ pub use contrast::{heighten_contrast, set_calm};
 pub use controls::{action_label, first_input_label, input_label, pad_input_label};
 pub use hud::{
     BrushForm, BrushModel, BrushRow, CompassModel, CurvatureView, DamageModel, DialKind,
-    EquatorView, FigureModel, FlagView, HeapModel, HintModel, HudModel, MapMark, MapModel,
-    MarkKind, Relief, ReliefNode, RoomModel, SlotView, SpeechModel, Tint, Tints, WoundModel,
-    mirror_place, show_hud, tints_of,
+    FigureModel, FlagView, GuidePlace, GuideView, HeapModel, HintModel, HudModel, MapMark,
+    MapModel, MarkKind, Relief, ReliefNode, RoomModel, SlotView, SpeechModel, Tint, Tints,
+    WoundModel, mirror_place, show_hud, tints_of,
 };
 pub use legible::{legible, legible_name};
 pub use model::{

@@ -6,6 +6,7 @@ mod tests;
 
 use std::collections::BTreeSet;
 
+use antipode_geometry::ChartId;
 use antipode_language::Texts;
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, Scene};
@@ -15,6 +16,8 @@ use antipode_ui::{HintModel, first_input_label, pad_input_label};
 use super::phase::Phase;
 use crate::bindings::Action;
 
+/// Squares whose order is remembered.
+const MOST_SQUARES: usize = 16;
 /// From one hint to the next, seconds.
 const REST_S: f64 = 0.6;
 
@@ -27,6 +30,8 @@ pub struct HintContext {
     pub only_view: bool,
     /// Whether the world is closed: the land is overhead, and a way round leads home.
     pub closed: bool,
+    /// The square that the player is in, in a world in squares.
+    pub square: Option<ChartId>,
     /// Whether what is built is gathered first.
     pub gathering: bool,
     /// Whether it is dark where the player is.
@@ -46,6 +51,7 @@ impl HintContext {
             has_dial: scene.lens().range().is_some(),
             only_view: scene.strategy().view_modes().len() == 1,
             closed: scene.strategy().globe().is_some(),
+            square: scene.strategy().tiled().map(|_| scene.feet().chart),
             gathering: scene.stock().is_some(),
             dark: scene.is_dark(),
             answered: scene.is_answered(),
@@ -67,6 +73,7 @@ impl HintContext {
             Needs::Dial => self.has_dial,
             Needs::OtherPicture => !self.only_view,
             Needs::Closed => self.closed,
+            Needs::Squares => self.square.is_some(),
             Needs::Gathering => self.gathering,
             Needs::Dark => self.dark,
         }
@@ -81,6 +88,8 @@ pub struct Hints {
     walked_s: f64,
     dug_s: f64,
     built_s: f64,
+    /// The squares that were gone through, without what was gone back.
+    squares: Vec<ChartId>,
     /// How long a hint that is only to be read has been shown, seconds.
     read_s: f64,
     /// Until the next is told, seconds.
@@ -148,6 +157,7 @@ impl Hints {
         let worked = |on: bool| if on { STEP_S } else { 0.0 };
         self.dug_s += worked(actions.primary);
         self.built_s += worked(actions.secondary);
+        self.go_through(context.square);
         for lesson in Lesson::ALL {
             let is_done = match lesson.done() {
                 Done::Turned(most_rad) => self.turned_rad >= most_rad,
@@ -155,6 +165,7 @@ impl Hints {
                 Done::Dug(most_s) => self.dug_s >= most_s,
                 Done::Built(most_s) => self.built_s >= most_s,
                 Done::LookedUp(most_rad) => context.has(lesson) && context.pitch_rad >= most_rad,
+                Done::Rounded(count) => self.has_rounded(count),
                 Done::Asked | Done::Read => false,
             };
             if is_done {
@@ -175,6 +186,32 @@ impl Hints {
                 self.use_action(action);
             }
         }
+    }
+
+    fn go_through(&mut self, square: Option<ChartId>) {
+        let Some(square) = square else {
+            self.squares.clear();
+            return;
+        };
+        let mut last = self.squares.iter().rev();
+        if last.next() == Some(&square) {
+            return;
+        }
+        if last.next() == Some(&square) {
+            self.squares.pop();
+            return;
+        }
+        self.squares.push(square);
+        if self.squares.len() > MOST_SQUARES {
+            self.squares.remove(0);
+        }
+    }
+
+    /// Whether the last of the squares is the one that so many were gone through since.
+    fn has_rounded(&self, count: usize) -> bool {
+        let mut last = self.squares.iter().rev();
+        let now = last.next();
+        now.is_some() && last.nth(count.saturating_sub(1)) == now
     }
 
     /// Takes in that an action was used.

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3, DVec4, Vec3Swizzles};
 
 use super::world::{HyperbolicWorld, inverse};
-use crate::tiling::EDGE_TANH;
+use crate::tiling::{EDGE_TANH, TilePath};
 use crate::{CHUNK_CELLS, ChartId, ChartPoint, Tiled};
 
 /// Land is there no farther than so many radii, where a metre is 1/74 of the radius's metres across: within are 366 tiles.
@@ -147,5 +147,9 @@ impl Tiled for HyperbolicWorld {
 
     fn over(&self, chart: ChartId, side: u8) -> Option<(ChartId, u8)> {
         self.tiles.over(chart, side)
+    }
+
+    fn edges_from_first(&self, chart: ChartId) -> Option<usize> {
+        Some(TilePath::from_number(chart.number()).ok()?.len())
     }
 }

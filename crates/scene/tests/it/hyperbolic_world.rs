@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry};
+use antipode_scene::survey::Survey;
 use antipode_scene::{Actions, Generator, NpcMode, Scene, WorldSetup};
 use glam::DVec3;
 
@@ -82,6 +83,43 @@ fn four_sides_do_not_close_and_five_do() {
             assert_eq!(scene.feet().chart, start.chart);
         }
     }
+}
+
+#[test]
+fn the_compass_leads_home() {
+    let mut scene = world(60.305);
+    scene.set_flying(true);
+    scene.teleport(ChartPoint::a(DVec3::new(0.0, HIGH_M, 0.0)));
+    scene.aim(0.4, 0.0);
+    assert!(scene.wait_for_step(LIMIT));
+    for way_m in [100.0, 120.0] {
+        fly(&mut scene, way_m);
+        let yaw = scene.eye().yaw;
+        scene.aim(yaw + 1.0, 0.0);
+    }
+    let home = scene.bearings().home.unwrap();
+    assert!(home.squares >= 3, "{home:?}");
+    scene.aim(home.heading_rad, 0.0);
+    fly(&mut scene, home.distance_m);
+    let there = scene.bearings().home.unwrap();
+    assert!(there.squares == 0 && there.distance_m < 0.1, "{there:?}");
+}
+
+#[test]
+fn the_map_shows_the_edges_of_squares_five_of_which_meet_at_a_corner() {
+    let mut scene = world(60.305);
+    scene.set_flying(true);
+    scene.teleport(ChartPoint::a(DVec3::new(31.9, HIGH_M, 31.9)));
+    assert!(scene.wait_for_step(LIMIT));
+    let map = Survey::default().look(&scene, 1, 1);
+    let away_m = |end: [f32; 2]| end[0].hypot(end[1]);
+    let ends = map.edges.iter().flatten();
+    assert!(
+        ends.clone()
+            .all(|end| f64::from(away_m(*end)) <= map.reach_m)
+    );
+    let corner = ends.filter(|end| away_m(**end) < 1.0);
+    assert_eq!(corner.count(), 5);
 }
 
 /// How high the ground is where somebody lands at a place, metres.

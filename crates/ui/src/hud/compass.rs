@@ -1,4 +1,4 @@
-//! The compass: a strip between the plates at the top, with the quarters of the horizon and the way to the equator.
+//! The compass: a strip between the plates at the top, with the quarters of the horizon and the way to the equator, or home.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -12,9 +12,9 @@ use crate::theme::{ACCENT, GRID, PLATE, TEXT, WEAK, small};
 /// Widest and narrowest strip, in points; where there is less room there is none.
 const WIDTH: (f32, f32) = (320.0, 84.0);
 const HEIGHT: f32 = 26.0;
-/// Room below it for the way to the equator.
+/// Room below it for the way to the equator or home.
 const CAPTION: f32 = 30.0;
-/// Where there is less room between the plates, the way to the equator is left out, in points.
+/// Where there is less room between the plates, that way is left out, in points.
 const CAPTION_WIDTH: f32 = 190.0;
 /// What the strip shows of the horizon from end to end, radians.
 const SHOWN_RAD: f64 = 0.75 * PI;
@@ -26,8 +26,8 @@ const TICKS: u32 = 24;
 pub struct CompassModel {
     /// Heading from north, clockwise, radians.
     pub heading_rad: f64,
-    /// The nearest point of the equator, where there is one.
-    pub equator: Option<EquatorView>,
+    /// Where it leads in a world of this kind.
+    pub guide: Option<GuideView>,
     /// The flags and doors of the world.
     pub flags: Vec<FlagView>,
 }
@@ -50,11 +50,26 @@ const NAMED_RAD: f64 = 0.12;
 /// Characters of its name that are shown at most.
 const MOST_NAMED: usize = 24;
 
-/// The way to the equator.
+/// A place that the compass leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GuidePlace {
+    /// The nearest point of the equator.
+    Equator {
+        /// The player's hemisphere, 'A' or 'B'.
+        hemisphere: char,
+    },
+    /// The middle of the first square of a world in squares.
+    Home {
+        /// How many squares away it is.
+        squares: usize,
+    },
+}
+
+/// The way there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EquatorView {
-    /// The player's hemisphere, 'A' or 'B'.
-    pub hemisphere: char,
+pub struct GuideView {
+    /// Where it leads.
+    pub to: GuidePlace,
     /// How far it is, metres.
     pub distance_m: f64,
     /// Where it is from straight ahead, clockwise, radians.
@@ -81,7 +96,7 @@ pub(super) fn show(
         screen.min.x
     };
     // The line of flags is kept free whether one is straight ahead or not, so that nothing hops as one looks round.
-    let captions = u8::from(model.equator.is_some()) + u8::from(!model.flags.is_empty());
+    let captions = u8::from(model.guide.is_some()) + u8::from(!model.flags.is_empty());
     let caption = f32::from(captions) * CAPTION;
     let low = screen.min.y + HEIGHT + caption;
     let to = if right.is_positive() && right.min.y < low {
@@ -107,8 +122,8 @@ pub(super) fn show(
     pointer(painter, strip);
     let mut covered = strip;
     if to - from >= CAPTION_WIDTH {
-        if let Some(equator) = model.equator {
-            let way = way_to_equator(painter, screen, strip, texts, equator);
+        if let Some(guide) = model.guide {
+            let way = way_to_guide(painter, screen, strip, texts, guide);
             covered = covered.union(way);
         }
         if !model.flags.is_empty() {
@@ -228,19 +243,23 @@ fn pointer(painter: &Painter, strip: Rect) {
     painter.add(Shape::convex_polygon(corners, TEXT, Stroke::NONE));
 }
 
-/// Below the strip: the hemisphere, how far the equator is, and an arrow that leads there.
-fn way_to_equator(
+/// Below the strip: how far the place is, what is told with it, and an arrow that leads there.
+fn way_to_guide(
     painter: &Painter,
     screen: Rect,
     strip: Rect,
     texts: &Texts,
-    equator: EquatorView,
+    guide: GuideView,
 ) -> Rect {
-    let values = [
-        ("letter", equator.hemisphere.into()),
-        ("metres", Value::decimals(equator.distance_m, 0)),
-    ];
-    let words = texts.say_with("compass-equator", &values);
+    let metres = ("metres", Value::decimals(guide.distance_m, 0));
+    let words = match guide.to {
+        GuidePlace::Equator { hemisphere } => {
+            texts.say_with("compass-equator", &[("letter", hemisphere.into()), metres])
+        }
+        GuidePlace::Home { squares } => {
+            texts.say_with("compass-home", &[("squares", squares.into()), metres])
+        }
+    };
     let at = pos2(strip.center().x + 9.0, strip.max.y + 3.0);
     let said = plate(
         painter,
@@ -259,7 +278,7 @@ fn way_to_equator(
         painter,
         plate_of_arrow.center(),
         0.34 * side,
-        equator.bearing_rad as f32,
+        guide.bearing_rad as f32,
     );
     said.union(plate_of_arrow)
 }

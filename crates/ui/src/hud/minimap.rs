@@ -16,6 +16,8 @@ const SIDE: (f32, f32) = (148.0, 60.0);
 const SHARE: f32 = 0.24;
 /// Width of the ring around the land, in points.
 const RING: f32 = 7.0;
+/// Width of the edges of squares, in points.
+const EDGE: f32 = 1.4;
 /// How much of what is behind the land is covered, 0 to 255.
 const COVER: u8 = 225;
 /// Height over the lower half's beginning, the middle of the screen: there hints end.
@@ -87,6 +89,8 @@ pub struct Relief {
     pub patches: Vec<[u32; 4]>,
     /// Lines of equal height.
     pub contours: Vec<[[f32; 2]; 2]>,
+    /// Pieces of the edges of squares that the world is in.
+    pub edges: Vec<[[f32; 2]; 2]>,
 }
 
 /// What a mark on the map stands for.
@@ -200,6 +204,10 @@ pub(super) fn show(painter: &Painter, place: Place, texts: &Texts, model: &MapMo
     for line in &model.relief.contours {
         let ends = line.map(|end| projection.at(end));
         painter.line_segment(ends, Stroke::new(0.8, Color32::from_black_alpha(90)));
+    }
+    for piece in &model.relief.edges {
+        let ends = piece.map(|end| projection.at(end));
+        painter.line_segment(ends, Stroke::new(EDGE, TEXT.gamma_multiply(0.7)));
     }
     painter.circle_stroke(
         centre,

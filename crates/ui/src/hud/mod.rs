@@ -25,7 +25,7 @@ use plate::{Lines, plate};
 
 pub(crate) use brush::dot;
 pub use brush::{BrushForm, BrushModel, BrushRow, HeapModel, Tint};
-pub use compass::{CompassModel, EquatorView, FlagView};
+pub use compass::{CompassModel, FlagView, GuidePlace, GuideView};
 pub use damage::DamageModel;
 pub use figures::FigureModel;
 pub use hint::HintModel;

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::common::hud::{full_hud, hud, measured_hud, neither_overlaps_nor_leaves, says};
 use crate::common::{SIZES, SMALLEST, everywhere};
 use antipode_ui::{
-    CompassModel, CurvatureView, DamageModel, DialKind, EquatorView, FlagView, HudModel, MapModel,
-    SpeechModel,
+    CompassModel, CurvatureView, DamageModel, DialKind, FlagView, GuidePlace, GuideView, HudModel,
+    MapModel, SpeechModel,
 };
 use egui::{Shape, vec2};
 use egui_kittest::Harness;
@@ -215,8 +215,8 @@ fn the_display_survives_any_size_and_any_number() {
                 })
                 .to_vec(),
             heading_rad: f64::NAN,
-            equator: Some(EquatorView {
-                hemisphere: 'A',
+            guide: Some(GuideView {
+                to: GuidePlace::Equator { hemisphere: 'A' },
                 distance_m: f64::INFINITY,
                 bearing_rad: f64::NAN,
             }),

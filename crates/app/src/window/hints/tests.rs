@@ -12,6 +12,7 @@ const DIAL: HintContext = HintContext {
     has_dial: true,
     only_view: false,
     closed: false,
+    square: None,
     gathering: false,
     dark: false,
     answered: false,
@@ -27,6 +28,13 @@ const CLOSED: HintContext = HintContext {
     only_view: true,
     closed: true,
     gathering: false,
+    ..FLAT
+};
+
+/// One in squares.
+const SQUARES: HintContext = HintContext {
+    only_view: true,
+    square: Some(ChartId::FIRST),
     ..FLAT
 };
 
@@ -133,9 +141,31 @@ fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
 }
 
 #[test]
+fn a_corner_is_rounded_by_five_squares_and_not_by_going_to_and_fro() {
+    let is_done_by = |way: &[u128]| {
+        let mut hints = Hints::default();
+        for number in way {
+            let square = Some(ChartId::new(*number));
+            let context = HintContext { square, ..SQUARES };
+            hints.step(&Actions::default(), context);
+            hints.step(&Actions::default(), context);
+        }
+        hints.learnt().contains(&Lesson::Corner)
+    };
+    assert!(is_done_by(&[0, 1, 2, 3, 4, 0]));
+    assert!(
+        is_done_by(&[9, 0, 1, 7, 1, 2, 3, 4, 0]),
+        "a step aside counts for nothing"
+    );
+    assert!(!is_done_by(&[0, 1, 2, 3, 4, 5]));
+    assert!(!is_done_by(&[0, 1, 2, 3, 2, 1, 0]));
+    assert!(!is_done_by(&[0, 1, 0, 1, 0, 1, 0]));
+}
+
+#[test]
 fn what_a_world_has_not_is_not_told_and_not_counted() {
     let hints = Hints::default();
-    for (context, count) in [(FLAT, 12), (DIAL, 13), (CLOSED, 13)] {
+    for (context, count) in [(FLAT, 12), (DIAL, 13), (CLOSED, 13), (SQUARES, 12)] {
         assert!(told(&hints, context).contains(&format!("1 of {count}")));
         let has = |lesson| context.has(lesson);
         assert_eq!(has(Lesson::Curve), context == DIAL);
@@ -144,6 +174,7 @@ fn what_a_world_has_not_is_not_told_and_not_counted() {
             has(Lesson::Overhead) && has(Lesson::Home),
             context == CLOSED
         );
+        assert_eq!(has(Lesson::Corner), context == SQUARES);
     }
 }
 
@@ -284,7 +315,7 @@ fn every_language_names_the_keys_in_every_hint() {
         let key = |action| first_input_label(&texts, &profiles, action);
         for lesson in Lesson::ALL {
             let action = match lesson {
-                Lesson::Look | Lesson::Overhead | Lesson::Home => None,
+                Lesson::Look | Lesson::Overhead | Lesson::Corner | Lesson::Home => None,
                 Lesson::Walk => Some(Action::Right),
                 Lesson::Jump => Some(Action::Jump),
                 Lesson::Talk => Some(Action::Talk),

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use antipode_items::Item;
 use antipode_language::{Language, Texts};
 use antipode_ui::{
-    BrushModel, CompassModel, CurvatureView, DamageModel, DialKind, EquatorView, FigureModel,
-    FlagView, HintModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView,
-    apply_theme, show_hud, tints_of,
+    BrushModel, CompassModel, CurvatureView, DamageModel, DialKind, FigureModel, FlagView,
+    GuidePlace, GuideView, HintModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode,
+    SlotView, apply_theme, show_hud, tints_of,
 };
 use egui::{Pos2, Rect, Vec2};
 use egui_kittest::Harness;
@@ -67,8 +67,8 @@ pub fn full_hud() -> HudModel {
                 is_door: false,
             }],
             heading_rad: 0.9,
-            equator: Some(EquatorView {
-                hemisphere: 'B',
+            guide: Some(GuideView {
+                to: GuidePlace::Equator { hemisphere: 'B' },
                 distance_m: 402.1,
                 bearing_rad: 4.0,
             }),
@@ -114,6 +114,7 @@ pub fn map() -> MapModel {
             nodes: nodes.map(node).collect(),
             patches: corners.map(|a| [a, a + 21, a + 1, a + 22]).collect(),
             contours: vec![[[0.0, 3.0], [3.0, 0.0]]],
+            edges: vec![[[-9.0, 20.0], [12.0, 18.0]]],
         }),
         heading_rad: 1.0,
         north_rad: -0.4,
