@@ -28,6 +28,30 @@ pub fn beside(scene: &Scene, dx: f64, dz: f64) -> ChartPoint {
     point
 }
 
+/// A turn of the player's ground plan, radians, after which nobody who stands so many metres ahead is behind a rise of the ground: 0
+/// where none is.
+pub fn open_turn_rad(scene: &Scene, ahead_m: f64) -> f64 {
+    let eye_m = scene.head().point.pos.y;
+    let is_open = |turn_rad: &f64| {
+        let (sin, cos) = turn_rad.sin_cos();
+        let ground_m = |away_m: f64| beside(scene, away_m * cos, away_m * sin).pos.y;
+        let belt_m = ground_m(ahead_m) + 0.5;
+        (1..20).all(|part| {
+            let share = f64::from(part) / 20.0;
+            ground_m(ahead_m * share) + 0.3 < eye_m + (belt_m - eye_m) * share
+        })
+    };
+    let mut turns = (0..16).map(|n| f64::from(n) * std::f64::consts::TAU / 16.0);
+    turns.find(is_open).expect("some way is open")
+}
+
+/// The ground at some metres from the player, ahead by a turn of the ground plan and aside from there.
+pub fn beside_turned(scene: &Scene, turn_rad: f64, ahead_m: f64, aside_m: f64) -> ChartPoint {
+    let (sin, cos) = turn_rad.sin_cos();
+    let (dx, dz) = (ahead_m * cos - aside_m * sin, ahead_m * sin + aside_m * cos);
+    beside(scene, dx, dz)
+}
+
 pub fn bot(scene: &Scene, id: u32) -> BotView {
     let bots = scene.bots();
     *bots
