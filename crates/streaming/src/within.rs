@@ -49,6 +49,7 @@ impl Within {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
     use antipode_geometry::{Atlas, ChartPoint, Geometry, strategy};
     use antipode_terrain::RIM_REACH_M;
     use glam::DVec3;
