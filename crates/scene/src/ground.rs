@@ -1,13 +1,14 @@
 //! The loaded ground: resident chunks as colliders, as density for point queries, and as changes for the renderer.
 
 use std::collections::{BTreeMap, HashMap};
+use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
 use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, is_in_world};
 use antipode_terrain::{ChunkMesh, Cover, Field, Kind, Samples, Thing};
-use glam::{DVec3, IVec3, Vec3};
+use glam::{DVec3, IVec3, Vec3, Vec3Swizzles};
 
 use crate::frame::{ChunkChange, Land};
 
@@ -263,8 +264,19 @@ pub fn height_below(
 pub fn chunks_near(strategy: &dyn Atlas, point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
     let reach = DVec3::splat(reach_m);
     let mut near = chunks_in_box(point, -reach, reach);
+    let tiled = strategy.tiled();
     for image in strategy.images(point, 2.0 * reach_m) {
-        near.extend(chunks_in_box(image.point, -reach, reach));
+        let mut there = chunks_in_box(image.point, -reach, reach);
+        if let Some(tiled) = tiled {
+            // Beyond the edges of a tile everything is asked in the next one, and coordinates of what lies far beyond an edge are
+            // less apart than places.
+            there.retain(|&coord| {
+                let (low, high) = (coord.min().xz(), coord.max().xz());
+                let has_some = strategy.domain(coord.chart).least_outside_m(low, high) < 0.0;
+                has_some && tiled.away_m(point, coord.chart, low, high) <= SQRT_2 * reach_m
+            });
+        }
+        near.extend(there);
     }
     near.retain(|coord| is_in_world(strategy, *coord));
     near

@@ -5,7 +5,7 @@
 
 use antipode_geometry::{Atlas, ChartPoint, Doorway, Eye, Strategy};
 use antipode_physics::PhysicsWorld;
-use glam::DVec3;
+use glam::{DVec3, Vec3Swizzles};
 
 /// Length of one tested segment, in metres. Over half a metre a geodesic leaves its chart chord by under
 /// `0.5^2 / (8 R)`, 2 mm at R = 16 m and 8 mm at the 4 m of the strongest bend.
@@ -147,6 +147,27 @@ pub(crate) fn over(strategy: &dyn Atlas, a: ChartPoint, b: ChartPoint) -> ChartP
         return b;
     }
     strategy.carry_near(b, a).map_or(b, |over| over.point)
+}
+
+/// Into a chart's own ground one who has crossed its edge comes back so far at most without crossing again, metres.
+const PAST_EDGE_M: f64 = 0.25;
+
+/// As [`over`], or nothing where in the chart of `a` it is farther off than `within_m` metres. In a world in tiles that is known of
+/// nearly all pairs without carrying any, and what `a`'s chart is not written for is never near.
+pub(crate) fn over_if_near(
+    strategy: &dyn Strategy,
+    a: ChartPoint,
+    b: ChartPoint,
+    within_m: f64,
+) -> Option<ChartPoint> {
+    if a.chart == b.chart || strategy.tiled().is_none() {
+        return Some(over(strategy, a, b));
+    }
+    let inside_m = -strategy.domain(a.chart).outside_m(a.pos.xz());
+    if inside_m > within_m + PAST_EDGE_M {
+        return None;
+    }
+    strategy.carry_near(b, a).map(|over| over.point)
 }
 
 /// Where the chart segment from `a` to `b` first meets ground, as a share of its length.

@@ -1,6 +1,6 @@
 //! The ground that bodies can reach. The chunk workers keep colliders and samples within it.
 
-use antipode_geometry::{Atlas, ChartPoint};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, Tiled};
 use antipode_streaming::Reach;
 use antipode_terrain::RIM_REACH_M;
 use glam::DVec3;
@@ -23,6 +23,8 @@ const OTHERS_CELL_M: f64 = 16.0;
 pub(crate) const OTHERS_MARGIN_M: f64 = 2.0;
 /// Ground where a bullet will be so many seconds from now is made solid beforehand.
 const OTHERS_AHEAD_S: f64 = 0.3;
+/// The square of a tile ends short of its edge by so much, metres: what has the edge alone is not its.
+const WITHIN_M: f64 = 1e-3;
 /// Cells at most: a thousand bullets in all directions must not make the whole world solid.
 const MOST_OTHERS: usize = 96;
 
@@ -99,7 +101,44 @@ fn everywhere(strategy: &dyn Atlas, reach: Reach) -> Vec<Reach> {
             max: (image.point.pos + half).min(far),
         });
     }
+    if let Some(tiled) = strategy.tiled() {
+        let written: Vec<_> = reaches.iter().map(|it| it.chart).collect();
+        let beyond = narrow_tiles(strategy, tiled, middle, radius_m);
+        reaches.extend(
+            beyond
+                .into_iter()
+                .filter(|it| !written.contains(&it.chart))
+                .map(|tile| Reach {
+                    min: tile.min.with_y(reach.min.y),
+                    max: tile.max.with_y(reach.max.y),
+                    ..tile
+                }),
+        );
+    }
     reaches
+}
+
+/// The squares of the tiles that come within a distance, metres, of a world whose tiles are narrower than two chunks: a chart there is
+/// not written as far past its edges as a figure asks about ground, so that a place has no images in all of them.
+fn narrow_tiles(
+    strategy: &dyn Atlas,
+    tiled: &dyn Tiled,
+    middle: ChartPoint,
+    radius_m: f64,
+) -> Vec<Reach> {
+    let half_m = strategy.domain(middle.chart).half_width_m();
+    if half_m >= f64::from(CHUNK_CELLS) {
+        return Vec::new();
+    }
+    let half = DVec3::new(half_m, 0.0, half_m) - WITHIN_M;
+    let charts = tiled.charts_within(middle, radius_m).into_iter();
+    charts
+        .map(|chart| Reach {
+            chart,
+            min: -half,
+            max: half,
+        })
+        .collect()
 }
 
 fn around_body(feet: ChartPoint, reach_m: f64) -> Reach {
@@ -131,9 +170,10 @@ fn chart_reach_m(atlas: &dyn Atlas, y_m: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{ChartId, Geometry, strategy};
+    use antipode_geometry::{ChartId, ChunkCoord, Geometry, strategy};
 
     use super::*;
+    use crate::ground::chunks_near;
 
     fn has(reaches: &[Reach], point: ChartPoint) -> bool {
         reaches.iter().any(|reach| {
@@ -193,6 +233,31 @@ mod tests {
                         );
                     }
                 }
+            }
+        }
+    }
+
+    /// Else he would wait for ever.
+    #[test]
+    fn all_that_a_plan_waits_for_is_made_solid_for_who_makes_it() {
+        let margin_m = crate::npc::ASKS_M;
+        for radius_m in antipode_geometry::HyperbolicWorld::RADII_M {
+            let space = strategy(Geometry::HyperbolicWorld, radius_m);
+            let half_m = space.domain(ChartId::FIRST).half_width_m();
+            for n in 0..400 {
+                let [x, z] = [n % 20, n / 20].map(|n| (f64::from(n) / 9.5 - 1.0) * half_m);
+                let at = ChartPoint::a(DVec3::new(x, 12.0, z));
+                let reaches = of_others(&*space, std::iter::once((at, DVec3::ZERO)), margin_m);
+                let is_made = |coord: ChunkCoord| {
+                    reaches.iter().any(|it| {
+                        it.chart == coord.chart
+                            && it.min.cmplt(coord.max()).all()
+                            && it.max.cmpge(coord.min()).all()
+                    })
+                };
+                let mut waited = chunks_near(&*space, at, margin_m);
+                waited.retain(|coord| !is_made(*coord));
+                assert!(waited.is_empty(), "{radius_m} {at:?}: {waited:?}");
             }
         }
     }

@@ -60,6 +60,7 @@ impl Scene {
             apart: door_feet(world),
             bodies: reaches(world, &self.sim.actors),
             bodies_distance: BODIES_WITHIN_CHUNKS.into(),
+            bodies_within: world.bodies_within_tiles(),
             detail: sight.map(|sight| sight as Arc<dyn Detail>),
         };
         let World {

@@ -122,7 +122,12 @@ impl World {
         near.into_iter().all(|coord| self.is_firm(coord))
     }
 
-    /// What of a reach lies where bodies move.
+    /// The chunks that bodies move in, in a world in tiles, of which a reach tells whole tiles.
+    pub fn bodies_within_tiles(&self) -> Option<ChunkCube> {
+        self.strategy.tiled().map(|_| self.bodies_within.clone())
+    }
+
+    /// What of a reach lies where bodies move; of a tile all of the ground plan counts.
     pub fn within_bodies(&self, reach: &Reach) -> Option<Reach> {
         if self.strategy.is_closed() {
             return Some(*reach);

@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::thread;
 
-use antipode_geometry::{ChartId, ChartPoint, ChunkCoord};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, ChunkCube};
 use antipode_physics::TerrainCollider;
 use antipode_terrain::{ChunkMesh, Earth, Samples, Stock};
 use glam::DVec3;
@@ -95,6 +95,9 @@ pub struct Wish {
     /// Chunks in every direction in which ground is made where bodies need it, though nothing else be loaded so far
     /// off; up to 64.
     pub bodies_distance: u32,
+    /// The chunks about the middle of where bodies move, in a world in tiles: ground is made solid up to `bodies_distance` in it and
+    /// about `apart`, and nowhere else. None in other worlds, where `bodies` end there.
+    pub bodies_within: Option<ChunkCube>,
     /// How large land is in the picture; without it everything in range is made in full
     /// resolution. The plan is made anew when it is another `Arc`.
     pub detail: Option<Arc<dyn Detail>>,
@@ -112,6 +115,7 @@ impl Wish {
             view_distance,
             apart: Vec::new(),
             bodies_distance: 0,
+            bodies_within: None,
             bodies: [ChartId::FIRST, ChartId::SECOND].map(Reach::whole).to_vec(),
             detail: None,
         }

@@ -39,6 +39,7 @@ mod streamer;
 mod strokes;
 mod updates;
 mod waiting;
+mod within;
 mod worker;
 mod worker_pool;
 

@@ -8,6 +8,7 @@ use glam::{I64Vec3, IVec3};
 
 use crate::api::Wish;
 use crate::reaches::Reaches;
+use crate::within::Within;
 
 /// Chunks beyond the wished distance that are kept, so that walking to and fro over a border does
 /// not load and unload.
@@ -32,6 +33,8 @@ pub(crate) enum Range {
         view: u16,
         /// What else is viewed, up to [`Wish::APART_CHUNKS`] about each.
         apart: Vec<ChunkCube>,
+        /// Where bodies move, which may be about another middle.
+        bodies: Option<Within>,
     },
     /// The whole of a closed world.
     Whole(Closed),
@@ -94,6 +97,7 @@ impl Range {
             distance,
             view,
             apart: Vec::new(),
+            bodies: None,
         }
     }
 
@@ -112,6 +116,24 @@ impl Range {
 
     /// The range of a wish after another: what of that holds still is taken over.
     pub(crate) fn after(before: &Self, strategy: &dyn Atlas, wish: &Wish) -> Self {
+        let mut range = Self::viewed_after(before, strategy, wish);
+        if let Self::Around { apart, bodies, .. } = &mut range {
+            let distance = wish.bodies_distance.min(LARGEST_DISTANCE) as u16;
+            let cube = wish.bodies_within.as_ref();
+            *bodies = cube.map(|cube| Within::new(cube, distance, apart));
+        }
+        range
+    }
+
+    /// Where bodies move, if they move nowhere else.
+    pub(crate) fn bodies(&self) -> Option<&Within> {
+        match self {
+            Self::Around { bodies, .. } => bodies.as_ref(),
+            Self::Nothing | Self::Whole(_) => None,
+        }
+    }
+
+    fn viewed_after(before: &Self, strategy: &dyn Atlas, wish: &Wish) -> Self {
         let new = || {
             Self::wished(
                 strategy,
@@ -125,6 +147,7 @@ impl Range {
             distance,
             view,
             apart: held,
+            ..
         } = before
         else {
             return new().with(strategy, &wish.apart);
@@ -140,6 +163,7 @@ impl Range {
             distance: *distance,
             view: *view,
             apart: Vec::new(),
+            bodies: None,
         };
         let middles = wish
             .apart
@@ -157,9 +181,15 @@ impl Range {
     /// Whether a chunk of a tile is there for bodies alone.
     pub(crate) fn is_past_edge(&self, coord: ChunkCoord) -> bool {
         match self {
-            Self::Around { cube, apart, .. } => {
+            Self::Around {
+                cube,
+                apart,
+                bodies,
+                ..
+            } => {
                 let mut cubes = std::iter::once(cube).chain(apart);
-                cubes.any(|it| it.is_past_edge(coord))
+                let is_past = cubes.any(|it| it.is_past_edge(coord));
+                is_past || bodies.as_ref().is_some_and(|it| it.is_past_edge(coord))
             }
             Self::Nothing | Self::Whole(_) => false,
         }
@@ -171,6 +201,7 @@ impl Range {
             cube,
             distance,
             apart,
+            bodies: within,
             ..
         } = self
         else {
@@ -187,6 +218,10 @@ impl Range {
                 .iter()
                 .flat_map(|it| of(it, Wish::APART_CHUNKS + KEPT_BEYOND)),
         );
+        if let Some(within) = within {
+            let past = within.past_edges(|chart| bodies.comes_into(chart));
+            all.extend(past.into_iter().filter(|coord| bodies.keeps(*coord)));
+        }
         all.sort_unstable();
         all.dedup();
         all
@@ -239,8 +274,12 @@ impl Range {
                 cube,
                 distance,
                 apart,
+                bodies,
                 ..
-            } => cube.has(coord, distance + beyond) || has_apart(apart, coord, beyond),
+            } => {
+                let is_near = cube.has(coord, distance + beyond) || has_apart(apart, coord, beyond);
+                is_near || bodies.as_ref().is_some_and(|it| it.has(coord))
+            }
             Self::Whole(closed) => closed.has(coord),
         }
     }
@@ -263,14 +302,16 @@ impl Range {
                 cube,
                 distance,
                 apart,
+                bodies,
                 ..
             } => {
                 let mut all = cube.chunks(distance + beyond);
                 let others = apart
                     .iter()
                     .flat_map(|it| it.chunks(Wish::APART_CHUNKS + beyond));
+                let others = others.chain(bodies.iter().flat_map(Within::chunks));
                 all.extend(others.filter(|&coord| !cube.has(coord, distance + beyond)));
-                if apart.len() > 1 {
+                if apart.len() + bodies.iter().len() > 1 {
                     all.sort_unstable();
                     all.dedup();
                 }

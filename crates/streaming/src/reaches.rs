@@ -4,6 +4,7 @@ use antipode_geometry::{CHUNK_CELLS, ChartId, ChunkCoord};
 use glam::{DVec3, IVec3};
 
 use crate::api::Reach;
+use crate::within::Within;
 
 /// Ground stays solid this far beyond the reach, in metres: half a chunk, so that a body that walks
 /// to and fro has nothing made again.
@@ -61,6 +62,8 @@ impl ChunkBox {
 pub(crate) struct Reaches {
     wanted: Vec<ChunkBox>,
     kept: Vec<ChunkBox>,
+    /// If there are any, none but these.
+    within: Option<Within>,
 }
 
 impl Reaches {
@@ -75,17 +78,30 @@ impl Reaches {
         Self {
             wanted: boxes(0.0),
             kept: boxes(KEPT_BEYOND_M),
+            within: None,
         }
+    }
+
+    /// Those of them that lie where bodies move.
+    pub(crate) fn within(self, within: Option<&Within>) -> Self {
+        Self {
+            within: within.cloned(),
+            ..self
+        }
+    }
+
+    fn lets_move(&self, coord: ChunkCoord) -> bool {
+        self.within.as_ref().is_none_or(|it| it.has(coord))
     }
 
     /// Must the chunk be solid?
     pub(crate) fn wants(&self, coord: ChunkCoord) -> bool {
-        self.wanted.iter().any(|reach| reach.has(coord))
+        self.wanted.iter().any(|reach| reach.has(coord)) && self.lets_move(coord)
     }
 
     /// May the chunk stay solid?
     pub(crate) fn keeps(&self, coord: ChunkCoord) -> bool {
-        self.kept.iter().any(|reach| reach.has(coord))
+        self.kept.iter().any(|reach| reach.has(coord)) && self.lets_move(coord)
     }
 
     /// May any chunk of a chart stay solid?
@@ -97,7 +113,8 @@ impl Reaches {
     pub(crate) fn list(&self) -> Option<Vec<ChunkCoord>> {
         let count = self.wanted.iter().map(ChunkBox::count);
         let few = count.fold(0_i64, i64::saturating_add) <= MOST_LISTED;
-        few.then(|| self.wanted.iter().flat_map(|reach| reach.all()).collect())
+        let all = || self.wanted.iter().flat_map(|reach| reach.all());
+        few.then(|| all().filter(|coord| self.lets_move(*coord)).collect())
     }
 }
 

@@ -17,7 +17,7 @@ use crate::damage::fall_damage;
 use crate::door;
 use crate::felling;
 use crate::frame::ModelId;
-use crate::pick::over;
+use crate::pick::over_if_near;
 use crate::player::{self, Appearance, Body, Health, Look, Position, wrap_angle};
 use crate::tuning::{BOT_HEALTH, STEP_S};
 use antipode_frame::motion::Doing;
@@ -247,9 +247,20 @@ impl Npc<'_> {
     fn room(&self, around: &Around<'_>) -> DVec3 {
         let player = around.quarry.iter().map(|quarry| quarry.feet);
         let others = self.others(around);
+        // A metre of a tile's chart is up to 1.45 of the space.
+        let is_tiled = around.strategy().tiled().is_some();
         let mut push = DVec3::ZERO;
         for point in others.map(|it| it.point).chain(player) {
-            let away = self.position.0.pos - over(around.strategy(), self.position.0, point).pos;
+            let own = self.position.0;
+            let Some(near) = over_if_near(around.strategy(), own, point, ROOM_M) else {
+                continue;
+            };
+            let away = own.pos - near.pos;
+            let away = if is_tiled {
+                around.strategy().in_frame(own, away)
+            } else {
+                away
+            };
             let level_m = away.with_y(0.0).length();
             if level_m < ROOM_M && away.y.abs() < 1.8 {
                 push += away.with_y(0.0).normalize_or(DVec3::X) * (0.6 * (1.0 - level_m / ROOM_M));

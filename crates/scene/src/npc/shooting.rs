@@ -15,7 +15,7 @@ use crate::actors::Actors;
 use crate::aim::aim;
 use crate::gun::muzzle_of;
 use crate::outbox::Outbox;
-use crate::pick::{over, segment_hit};
+use crate::pick::{over_if_near, segment_hit};
 use crate::sound::SoundEvent;
 use crate::tuning::BULLET;
 use crate::world::World;
@@ -142,7 +142,10 @@ impl Npc<'_> {
     fn meets_friend(&self, around: &Around<'_>, from: ChartPoint, to: ChartPoint) -> bool {
         let tuning = around.tuning;
         self.others(around).any(|other| {
-            let feet = over(around.strategy(), from, other.point).pos;
+            let feet = over_if_near(around.strategy(), from, other.point, NEAR_M);
+            let Some(feet) = feet.map(|it| it.pos) else {
+                return false;
+            };
             (feet - from.pos).length_squared() < NEAR_M * NEAR_M
                 && meets_capsule(
                     from.pos,

@@ -5,9 +5,13 @@ use std::f64::consts::FRAC_PI_2;
 
 use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry};
 use antipode_scene::survey::Survey;
+use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{Actions, Generator, NpcMode, Scene, WorldSetup};
 use glam::DVec3;
 
+use crate::common::figures::{
+    SECOND, away_m, beside_turned, bot, look_at, open_turns_rad, pass, shoot,
+};
 use crate::common::{LIMIT, setup, steps};
 
 /// High over the land, where nothing is in the way, metres.
@@ -162,4 +166,78 @@ fn a_hole_is_where_it_was_dug_whichever_way_one_comes_back() {
     assert_eq!(back.chart, place.chart);
     assert!(plane_m(&scene, back, place) < 0.1);
     assert_eq!(ground_at(&mut scene, place), dug);
+}
+
+/// A world with the player on the ground, so far from the edges of the first square as is told, metres.
+fn by_edges(radius_m: f64, from_edges_m: [f64; 2]) -> Scene {
+    let setup = WorldSetup {
+        radius_m,
+        ..setup(Geometry::HyperbolicWorld)
+    };
+    let mut scene = Scene::open_with(setup, None, 2).unwrap();
+    let half_m = scene.strategy().domain(ChartId::FIRST).half_width_m();
+    let [x, z] = from_edges_m.map(|it| half_m - it);
+    let y = scene.field().surface_height(ChartId::FIRST, x, z) + 0.2;
+    scene.teleport(ChartPoint::a(DVec3::new(x, y, z)));
+    steps(&mut scene, SECOND / 2, &Actions::default());
+    scene
+}
+
+/// Each sees the other, keeps his distance, and hits, though both are in squares of their own.
+#[test]
+fn over_an_edge_and_about_a_corner_one_fights_as_elsewhere() {
+    for radius_m in [30.152, 60.305] {
+        for from_edges_m in [[2.0, 13.0], [2.0, 2.5]] {
+            let mut scene = by_edges(radius_m, from_edges_m);
+            let own = scene.feet().chart;
+            let turns = open_turns_rad(&scene, 10.0).into_iter();
+            let mut over = turns.filter(|it| beside_turned(&scene, *it, 10.0, 0.0).chart != own);
+            let turn_rad = over.next().expect("some way over is open");
+            let place = beside_turned(&scene, turn_rad, 10.0, 0.0);
+            let id = scene.spawn_bot(place, 3.0 + turn_rad, true);
+            let there = bot(&scene, id).point;
+            look_at(&mut scene, there);
+            pass(&mut scene, 0.5);
+            shoot(&mut scene, id);
+            let told = format!("{radius_m} {from_edges_m:?} {:?}", bot(&scene, id));
+            assert!(bot(&scene, id).health < 3.0, "not hit: {told}");
+            for second in 0..12 {
+                pass(&mut scene, 1.0);
+                let away_m = away_m(&scene, bot(&scene, id).point);
+                let keeps = second < 3 || (5.5..14.5).contains(&away_m);
+                assert!(keeps, "{away_m} m away: {told}");
+            }
+            assert!(scene.health() < FULL_HEALTH, "never hit: {told}");
+        }
+    }
+}
+
+#[test]
+#[ignore = "prints how long steps take in which a hundred fight"]
+fn print_steps_of_a_hundred_who_fight() {
+    for geometry in [Geometry::Euclidean, Geometry::HyperbolicWorld] {
+        let mut scene = Scene::open_with(setup(geometry), None, 2).unwrap();
+        assert!(scene.wait_for_step(LIMIT));
+        for n in 0..100 {
+            let turn_rad = f64::from(n) * 2.4;
+            let place = beside_turned(&scene, turn_rad, 8.0 + 0.3 * f64::from(n), 0.0);
+            scene.spawn_bot(place, 3.0 + turn_rad, true);
+        }
+        assert!(scene.wait_for_step(LIMIT));
+        let mut took_ms = Vec::new();
+        for _ in 0..20 * SECOND {
+            scene.set_health(FULL_HEALTH);
+            let begun = std::time::Instant::now();
+            scene.step(&Actions::default());
+            took_ms.push(begun.elapsed().as_secs_f64() * 1e3);
+            assert!(scene.wait_for_step(LIMIT));
+        }
+        took_ms.sort_by(f64::total_cmp);
+        let at = |share: f64| took_ms[(share * (took_ms.len() - 1) as f64) as usize];
+        let (p50, p99) = (at(0.5), at(0.99));
+        println!(
+            "{geometry}: p50 {p50:.2} ms, p99 {p99:.2} ms, {} live",
+            scene.bots().len()
+        );
+    }
 }

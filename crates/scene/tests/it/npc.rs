@@ -1,6 +1,8 @@
 //! What other figures do in a fight, as a player would notice it: in every space, and over the equator.
 
-use crate::common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, world};
+use crate::common::figures::{
+    SECOND, away_m, beside, beside_turned, bot, look_at, open_turns_rad, pass, shoot, world,
+};
 use crate::common::steps;
 use antipode_geometry::Geometry;
 use antipode_scene::tuning::FULL_HEALTH;
@@ -149,13 +151,11 @@ fn they_do_not_shoot_through_one_another() {
 fn a_peaceful_one_that_is_hit_and_a_friend_who_sees_it_fight_back_and_calm_down() {
     for geometry in Geometry::ALL {
         let mut scene = world(geometry);
-        let (a, b) = (beside(&scene, 9.0, 0.0), beside(&scene, 9.0, 3.0));
-        let (hit, friend) = (
-            scene.spawn_bot(a, 3.0, false),
-            scene.spawn_bot(b, 3.0, false),
-        );
-        let far = beside(&scene, -34.0, 20.0);
-        let stranger = scene.spawn_bot(far, 3.0, false);
+        let turn_rad = open_turns_rad(&scene, 9.0)[0];
+        let at = |x, z| beside_turned(&scene, turn_rad, x, z);
+        let [a, b, far] = [(9.0, 0.0), (9.0, 3.0), (-34.0, 20.0)].map(|(x, z)| at(x, z));
+        let [hit, friend, stranger] =
+            [a, b, far].map(|place| scene.spawn_bot(place, 3.0 + turn_rad, false));
         pass(&mut scene, 0.2);
         shoot(&mut scene, hit);
         assert!(bot(&scene, hit).health < 3.0, "{geometry:?}");
@@ -184,8 +184,9 @@ fn a_peaceful_one_that_is_hit_and_a_friend_who_sees_it_fight_back_and_calm_down(
 fn with_little_health_one_flees_and_comes_back_healed() {
     for geometry in Geometry::ALL {
         let mut scene = world(geometry);
-        let place = beside(&scene, 9.0, 0.0);
-        let id = scene.spawn_bot(place, 3.0, true);
+        let turn_rad = open_turns_rad(&scene, 9.0)[0];
+        let place = beside_turned(&scene, turn_rad, 9.0, 0.0);
+        let id = scene.spawn_bot(place, 3.0 + turn_rad, true);
         pass(&mut scene, 0.5);
         for _ in 0..6 {
             if bot(&scene, id).health > 1.0 {

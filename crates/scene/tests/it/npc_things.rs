@@ -8,7 +8,7 @@ use antipode_scene::frame::Clip;
 use antipode_scene::tuning::{DAY_S, FULL_HEALTH};
 use antipode_scene::{Actions, Generator, Scene, State, WorldSetup};
 use antipode_storage::WorldStore;
-use glam::{DVec3, Vec2};
+use glam::{DVec3, Vec2, Vec3Swizzles};
 
 use crate::common::figures::{SECOND, bot, pass, shoot};
 use crate::common::{LIMIT, setup, steps};
@@ -33,27 +33,42 @@ fn planted_setup(geometry: Geometry) -> WorldSetup {
     }
 }
 
+/// Tiles whose things are looked at in a world in tiles: those within so many metres of the middle.
+const TILES_WITHIN_M: f64 = 200.0;
+
 /// The roots of things that are wanted and have nothing else within so many metres: those nearest to the middle first, in a
-/// closed world those nearest to the equator.
+/// closed world those nearest to the equator. In a world in tiles those of the first come before those of the tiles about it.
 fn alone(
     scene: &Scene,
     room_m: f64,
     is_wanted: impl Fn(Species, Age) -> bool,
 ) -> Vec<(ChartPoint, f64)> {
     let field = scene.field();
-    let domain = scene.strategy().domain(ChartId::FIRST);
-    let (rim_m, middle) = (domain.radius_m(), ChartPoint::a(DVec3::ZERO));
-    let mut all: Vec<_> = placed_near(field, middle, domain.half_width_m().min(140.0))
-        .filter(|(_, species, age)| is_wanted(*species, *age))
-        .filter(|(root, ..)| placed_near(field, *root, room_m).count() == 1)
-        .filter_map(|(root, species, age)| Some((root, species.trunk(age)?.radius_m)))
-        .collect();
-    let away_m = |root: &ChartPoint| {
-        let from_middle_m = root.pos.with_y(0.0).length();
-        rim_m.map_or(from_middle_m, |rim_m| rim_m - from_middle_m)
-    };
-    all.sort_by(|(a, _), (b, _)| away_m(a).total_cmp(&away_m(b)));
-    all
+    let strategy = scene.strategy();
+    let rim_m = strategy.domain(ChartId::FIRST).radius_m();
+    let tiles = strategy
+        .tiled()
+        .map(|tiled| tiled.charts_within(ChartPoint::a(DVec3::ZERO), TILES_WITHIN_M));
+    let mut found = Vec::new();
+    for chart in tiles.unwrap_or_else(|| vec![ChartId::FIRST]) {
+        let domain = strategy.domain(chart);
+        let middle = ChartPoint::new(chart, DVec3::ZERO);
+        let mut all: Vec<_> = placed_near(field, middle, domain.half_width_m().min(140.0))
+            .filter(|(_, species, age)| is_wanted(*species, *age))
+            .filter(|(root, ..)| placed_near(field, *root, room_m).count() == 1)
+            .filter_map(|(root, species, age)| Some((root, species.trunk(age)?.radius_m)))
+            .collect();
+        // What stands over an edge is another tile's.
+        let is_inside = |root: &ChartPoint| domain.outside_m(root.pos.xz()) < -room_m;
+        all.retain(|(root, _)| strategy.tiled().is_none() || is_inside(root));
+        let away_m = |root: &ChartPoint| {
+            let from_middle_m = root.pos.with_y(0.0).length();
+            rim_m.map_or(from_middle_m, |rim_m| rim_m - from_middle_m)
+        };
+        all.sort_by(|(a, _), (b, _)| away_m(a).total_cmp(&away_m(b)));
+        found.extend(all);
+    }
+    found
 }
 
 /// The ground at some metres from a root, away from the middle and to the right: in closed worlds over the equator soon.

@@ -22,7 +22,7 @@ impl ChunkScheduler {
     pub(crate) fn wish(&mut self, wish: &Wish) -> Vec<ChunkCoord> {
         self.queue.look(wish.centre, wish.front);
         let range = Range::after(&self.wished.range, &*self.strategy, wish);
-        let bodies = Reaches::of(&wish.bodies);
+        let bodies = Reaches::of(&wish.bodies).within(range.bodies());
         let same_detail = match (&self.wished.detail, &wish.detail) {
             (Some(before), Some(now)) => Arc::ptr_eq(before, now),
             (None, None) => true,

@@ -28,6 +28,29 @@ pub fn beside(scene: &Scene, dx: f64, dz: f64) -> ChartPoint {
     point
 }
 
+/// Turns of the player's ground plan, radians, 0 first, after which nobody who stands so many metres ahead is behind a rise of the
+/// ground.
+pub fn open_turns_rad(scene: &Scene, ahead_m: f64) -> Vec<f64> {
+    let eye_m = scene.head().point.pos.y;
+    let is_open = |turn_rad: &f64| {
+        let ground_m = |away_m: f64| beside_turned(scene, *turn_rad, away_m, 0.0).pos.y;
+        let belt_m = ground_m(ahead_m) + 0.5;
+        (1..20).all(|part| {
+            let share = f64::from(part) / 20.0;
+            ground_m(ahead_m * share) + 0.3 < eye_m + (belt_m - eye_m) * share
+        })
+    };
+    let turns = (0..16).map(|n| f64::from(n) * std::f64::consts::TAU / 16.0);
+    turns.filter(is_open).collect()
+}
+
+/// The ground at some metres from the player, ahead by a turn of the ground plan and aside from there.
+pub fn beside_turned(scene: &Scene, turn_rad: f64, ahead_m: f64, aside_m: f64) -> ChartPoint {
+    let (sin, cos) = turn_rad.sin_cos();
+    let (dx, dz) = (ahead_m * cos - aside_m * sin, ahead_m * sin + aside_m * cos);
+    beside(scene, dx, dz)
+}
+
 pub fn bot(scene: &Scene, id: u32) -> BotView {
     let bots = scene.bots();
     *bots
