@@ -31,6 +31,7 @@ struct VertexIn {
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
     @location(10) lights: vec4<u32>,    // which lamps (64 bits) and beams may light the figure; w: what of it is shown
+    @location(14) level: vec4<f32>,     // metres of the chart for each along x (xy), and along z (zw), when the model is turned
     @location(13) glow_switch: u32,     // what switches the glow: 0 nothing, 1 the lights, 2 these and the brake lights
 }
 
@@ -96,8 +97,22 @@ fn turn(v: vec3<f32>, q: vec4<f32>) -> vec3<f32> {
     return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v);
 }
 
+// What is rigid in the space is stretched in a chart whose metres are others, as its instance says; heights stay.
+fn levelled(v: vec3<f32>, level: vec4<f32>) -> vec3<f32> {
+    let plane = level.xy * v.x + level.zw * v.z;
+    return vec3<f32>(plane.x, v.y, plane.y);
+}
+
+// Normals go by the transposed inverse.
+fn levelled_normal(v: vec3<f32>, level: vec4<f32>) -> vec3<f32> {
+    let plane = vec2<f32>(level.w * v.x - level.y * v.z, level.x * v.z - level.z * v.x);
+    let size = level.x * level.w - level.y * level.z;
+    return vec3<f32>(plane.x, v.y * size, plane.y);
+}
+
 fn turned(model: Stance, in: VertexIn) -> Stance {
-    return Stance(turn(model.place, in.turn), turn(model.normal, in.turn));
+    let place = levelled(turn(model.place, in.turn), in.level);
+    return Stance(place, levelled_normal(turn(model.normal, in.turn), in.level));
 }
 
 fn plain(in: VertexIn) -> Stance {

@@ -19,7 +19,7 @@ mod view;
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Leaf};
+use antipode_geometry::{ChartPoint, Leaf, LevelMap};
 use antipode_terrain::{Kind, Thing};
 use glam::{DQuat, DVec3};
 
@@ -260,6 +260,8 @@ pub struct Figure {
     pub point: ChartPoint,
     /// How it is turned from looking along +x with its right-hand side at +z, in the chart.
     pub turn: DQuat,
+    /// How its metres lie in the chart, of one that is rigid in the space; others are in metres of the chart.
+    pub level: LevelMap,
     /// How its body is held, where it has one; without meaning else.
     pub posture: Posture,
     /// What is in its right hand, where it has one.
@@ -320,6 +322,7 @@ impl Figure {
             model,
             point,
             turn: DQuat::from_rotation_y(-yaw),
+            level: LevelMap::SAME,
             posture: Posture::default(),
             held: None,
             flashes: false,

@@ -31,6 +31,7 @@ mod hyperbolic;
 mod hyperbolic_world;
 pub mod kernel;
 mod kind;
+mod level_map;
 mod map;
 mod metric;
 mod optics;
@@ -64,6 +65,7 @@ pub use hyperbolic_world::HyperbolicWorld;
 pub use kind::{
     Geometry, HyperbolicMap, ParseGeometryError, ParseMapError, Radii, picture, strategy,
 };
+pub use level_map::LevelMap;
 pub use map::{Dial, Map, Viewer};
 pub use metric::{Curvature, Metric};
 pub use optics::Optics;

@@ -59,7 +59,7 @@ impl Reaches {
         }
         Ball {
             middle: figure.point,
-            radius_m: f64::from(reach_m) * (1.0 + SLACK),
+            radius_m: f64::from(reach_m) * figure.level.most_stretch() * (1.0 + SLACK),
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::rig::Posed;
 use crate::shadow::Caster;
 use crate::uniforms::{
     BARRED_FLAG, BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, POSSIBLE_FLAG, WHOLE,
-    dark_bits, frame_rows, packed_cut,
+    dark_bits, frame_rows, level_row, packed_cut,
 };
 
 /// The models, which all views draw figures with.
@@ -119,9 +119,10 @@ impl Figures {
         }
         let Some(held) = figure.held else { return };
         for Held { model, turn, place } in in_hand_of(hand, held, figure.flashes) {
-            let place = figure.turn * place.as_dvec3();
+            let place = figure.level.in_chart(figure.turn * place.as_dvec3());
             let figure = Figure {
                 turn: figure.turn * turn.as_dquat(),
+                level: figure.level,
                 cut: figure.cut.map(|cut| cut.from_origin_moved(place)),
                 sky: figure.sky,
                 ..Figure::standing(model, figure.point.moved(place), 0.0)
@@ -144,8 +145,9 @@ fn put(
     seen: &mut Vec<Seen>,
 ) {
     let [low, high] = turned(limits, figure.turn.as_quat());
-    let middle = figure.point.moved(low.midpoint(high).as_dvec3());
-    let half = (0.5 * (high - low)).as_dvec3();
+    let middle = figure.level.in_chart(low.midpoint(high).as_dvec3());
+    let middle = figure.point.moved(middle);
+    let half = figure.level.half_box((0.5 * (high - low)).as_dvec3());
     let chart = figure.point.chart;
     let (min, max) = (middle.pos - half, middle.pos + half);
     let mut instance = FigureInstance {
@@ -155,6 +157,7 @@ fn put(
         frame: [[0.0; 4]; 4],
         lights: [0; 3],
         cut: figure.cut.as_ref().map_or(WHOLE, packed_cut),
+        level: level_row(figure.level),
     };
     let mut way = Way::Shade;
     let throws = wanted.shades && figure.presence == Presence::Real;

@@ -3,12 +3,12 @@
 use std::f32::consts::FRAC_PI_2;
 
 use antipode_frame::{Frame, Hand, ModelId};
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, LevelMap};
 use glam::{Quat, Vec3};
 
 use crate::lamps::{BEAMS, LAMPS, lights_near};
 use crate::rig::HandPose;
-use crate::uniforms::{FigureInstance, WHOLE, dark_bits};
+use crate::uniforms::{FigureInstance, WHOLE, dark_bits, level_row};
 
 /// The gun's muzzle from its grip, metres.
 pub const MUZZLE_M: Vec3 = Vec3::new(0.275, 0.085, 0.0);
@@ -116,6 +116,7 @@ pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
         frame: [[0.0; 4]; 4],
         lights,
         cut: WHOLE,
+        level: level_row(LevelMap::SAME),
     };
     let all = before_eye(hand).into_iter();
     all.map(|held| (held.model, instance(held))).collect()

@@ -1,7 +1,7 @@
 //! Uniforms and instances of a frame, laid out as the shaders read them.
 
 use antipode_frame::{Cut, Frame, Orbs, View};
-use antipode_geometry::{ChartPoint, ChunkCoord, NoiseFrame, SpaceUniform};
+use antipode_geometry::{ChartPoint, ChunkCoord, LevelMap, NoiseFrame, SpaceUniform};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
@@ -314,6 +314,8 @@ pub struct FigureInstance {
     pub lights: [u32; 3],
     /// What of it is shown: [`packed_cut`], or [`WHOLE`].
     pub cut: u32,
+    /// Metres of the chart for each along x, and along z, when it is turned.
+    pub level: [f32; 4],
 }
 
 /// A figure that is shown whole: two numbers that no packing gives.
@@ -332,10 +334,15 @@ pub fn packed_cut(cut: &Cut) -> u32 {
 
 impl FigureInstance {
     /// Attributes from location 3 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 9] = wgpu::vertex_attr_array![
         3 => Float32x3, 4 => Uint32, 5 => Float32x4,
-        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x4
+        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x4, 14 => Float32x4
     ];
+}
+
+/// How a figure's metres lie in the chart, as its instance carries it.
+pub fn level_row(level: LevelMap) -> [f32; 4] {
+    level.columns().map(|it| it as f32)
 }
 
 /// A frame as its instance carries it: the origin first, then the axes.

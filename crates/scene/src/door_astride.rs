@@ -5,7 +5,7 @@
 //! one there the rest.
 
 use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M, HEIGHT_M};
-use antipode_geometry::{Atlas, ChartPoint, Crossing, Doorway, Leaf};
+use antipode_geometry::{Atlas, ChartPoint, Crossing, Doorway, Leaf, LevelMap, Strategy};
 use antipode_physics::{Side, VehicleMotion, VehiclePart, VehiclePhysics};
 use glam::DVec3;
 
@@ -21,7 +21,7 @@ const CAR_REACH_M: f64 = 2.6;
 
 /// Shows those that stand in a door on both sides of it.
 pub(crate) fn show_astride(
-    space: &dyn Atlas,
+    space: &dyn Strategy,
     doors: &Doorway,
     cars: &[CarView],
     seen: Vec<(Who, Figure)>,
@@ -46,6 +46,9 @@ pub(crate) fn show_astride(
                 turn: crossing.rotation() * figure.turn,
                 ..figure
             };
+            if figure.level != LevelMap::SAME {
+                there.level = LevelMap::at(space, crossing.point);
+            }
             there.cut = Some(cut(space, &doors.leaves[1 - leaf], -side, there.point));
             figure.cut = Some(cut(space, &doors.leaves[leaf], side, figure.point));
             Some(there)

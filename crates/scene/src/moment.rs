@@ -195,7 +195,7 @@ impl Scene {
             figures: moment
                 .figures
                 .into_iter()
-                .map(|(_, it)| self.under_sky(it))
+                .map(|(_, it)| self.under_sky(&it))
                 .collect(),
             falling: moment.falling,
             pressers,
@@ -232,11 +232,11 @@ impl Scene {
     }
 
     /// A figure with as much of the sky as is left over its middle.
-    fn under_sky(&self, figure: Figure) -> Figure {
+    fn under_sky(&self, figure: &Figure) -> Figure {
         let middle = figure.point.moved(DVec3::Y);
         Figure {
             sky: self.field().sky_left(middle),
-            ..figure
+            ..*figure
         }
     }
 

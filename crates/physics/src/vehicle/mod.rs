@@ -26,7 +26,7 @@ mod tuning;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use antipode_geometry::{ChartId, ChartPoint, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, LevelMap, Strategy};
 use glam::DVec3;
 use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::RigidBodyHandle;
@@ -172,6 +172,12 @@ impl VehiclePhysics {
             curved: (!space.moves_in_chart()).then(|| Arc::clone(space)),
             ..self
         }
+    }
+
+    /// How the metres of a vehicle at a place lie in the chart.
+    pub fn level_at(&self, place: ChartPoint) -> LevelMap {
+        let space = self.curved.as_deref();
+        space.map_or(LevelMap::SAME, |space| LevelMap::at(space, place))
     }
 
     /// How all of them drive.

@@ -1,10 +1,10 @@
 //! What of a vehicle is there to be met by those who walk and by what is thrown: all of it, or, of one that stands in a door, what is
 //! on one side of the leaf.
 //!
-//! The part on the other side lies there as the door takes it, rigid in metres of the chart. The cut itself is open: who is
+//! The part on the other side lies there as the door takes it, rigid in the metres that vehicles move in. The cut itself is open: who is
 //! beyond the leaf sees other land there, and no body.
 
-use antipode_geometry::Crossing;
+use antipode_geometry::{Crossing, LevelMap, Metric};
 use glam::{DQuat, DVec3, Vec3};
 use rapier3d::math::Pose;
 use rapier3d::parry::query;
@@ -53,6 +53,10 @@ pub struct VehiclePart {
     motion: VehicleMotion,
     /// The same in the vehicle's own chart.
     own: VehicleMotion,
+    /// How the metres of its axes lie in the chart.
+    level: LevelMap,
+    /// The same in the vehicle's own chart.
+    own_level: LevelMap,
     side: Option<Side>,
     mass_centre: DVec3,
     /// In the vehicle's axes, about its place.
@@ -72,9 +76,12 @@ impl std::fmt::Debug for VehiclePart {
 impl VehiclePhysics {
     /// All of a vehicle.
     pub fn whole(&self, motion: &VehicleMotion) -> VehiclePart {
+        let level = self.level_at(motion.point());
         VehiclePart {
             motion: *motion,
             own: *motion,
+            level,
+            own_level: level,
             side: None,
             mass_centre: self.tuning.mass_centre,
             shape: self.hull.shape.clone(),
@@ -90,7 +97,8 @@ impl VehiclePhysics {
         side: Side,
     ) -> Option<VehiclePart> {
         let there = motion.carried(crossing);
-        let inside = |at: DVec3| side.depth_m(there.place + there.turn * at);
+        let level = self.level_at(there.point());
+        let inside = |at: DVec3| side.depth_m(there.place + level.in_chart(there.turn * at));
         let mut triangles = Vec::new();
         for corners in self.hull.triangles(DVec3::ZERO, DQuat::IDENTITY) {
             cut(corners, inside, &mut triangles);
@@ -99,6 +107,8 @@ impl VehiclePhysics {
         let shape = SharedShape::convex_hull(&corners)?;
         Some(VehiclePart {
             motion: there,
+            level,
+            own_level: self.level_at(motion.point()),
             side: Some(side),
             shape,
             triangles,
@@ -116,13 +126,19 @@ impl VehiclePart {
 
     /// The same part in another chart.
     #[must_use]
-    pub fn carried(&self, crossing: &Crossing) -> Self {
+    pub fn carried(&self, space: &dyn Metric, crossing: &Crossing) -> Self {
         let side = self.side.map(|side| Side {
             at: crossing.point.pos + crossing.turn_vector(side.at - self.motion.place),
             way: crossing.turn_vector(side.way),
         });
+        let is_same = self.level == LevelMap::SAME;
         Self {
             motion: self.motion.carried(crossing),
+            level: if is_same {
+                self.level
+            } else {
+                LevelMap::at(space, crossing.point)
+            },
             side,
             ..self.clone()
         }
@@ -134,13 +150,16 @@ impl VehiclePart {
             return (at, way);
         }
         let back = self.own.turn * self.motion.turn.inverse();
-        (self.own.place + back * (at - self.motion.place), back * way)
+        let arm = back * self.level.in_space(at - self.motion.place);
+        let home = self.own.place + self.own_level.in_chart(arm);
+        (home, back * way)
     }
 
     /// What characters cannot walk through.
     pub fn obstacle(&self) -> Obstacle {
         let (place, turn) = (self.motion.place, self.motion.turn);
-        let corners = |it: &[DVec3; 3]| it.map(|corner| place + turn * corner);
+        let placed = |corner: DVec3| place + self.level.in_chart(turn * corner);
+        let corners = |it: &[DVec3; 3]| it.map(placed);
         Obstacle::new(
             self.motion.chart,
             self.triangles.iter().map(corners).collect(),
@@ -154,13 +173,15 @@ impl VehiclePart {
             Some(side) => side.shares(from, to)?,
             None => (0.0, 1.0),
         };
-        let start = from.lerp(to, first);
-        let way = (to - from) * (last - first);
+        let start = self
+            .level
+            .in_space(from.lerp(to, first) - self.motion.place);
+        let way = self.level.in_space((to - from) * (last - first));
         if !way.is_finite() || way.length() < NO_WAY_M {
             return None;
         }
         let at = Pose::from_parts(DVec3::ZERO.as_vec3(), self.motion.turn.as_quat());
-        let start = Pose::from_translation((start - self.motion.place).as_vec3());
+        let start = Pose::from_translation(start.as_vec3());
         let hit = query::cast_shapes(
             &start,
             way.as_vec3(),
@@ -191,15 +212,15 @@ impl VehiclePart {
         let half_m = (0.5 * height_m - radius_m).max(0.0);
         let capsule = Capsule::new_y(half_m as f32, radius_m as f32);
         let middle = feet + DVec3::Y * (0.5 * height_m);
-        let at = Pose::from_translation((middle - motion.place).as_vec3());
+        let off = self.level.in_space(middle - motion.place);
+        let at = Pose::from_translation(off.as_vec3());
         let gap = query::distance(&body, self.shape.0.as_ref(), &at, &capsule);
         if f64::from(gap.ok()?.distance) > gap_m {
             return None;
         }
-        let away = (middle - motion.middle())
-            .with_y(0.0)
-            .normalize_or(motion.ahead());
-        let arm = middle - motion.place - motion.turn * self.mass_centre;
+        let away = self.level.in_space(middle - motion.middle());
+        let away = away.with_y(0.0).normalize_or(motion.ahead());
+        let arm = off - motion.turn * self.mass_centre;
         Some((away, motion.velocity + motion.spin.cross(arm)))
     }
 }

@@ -15,11 +15,11 @@ const SIZE: (u32, u32) = (320, 180);
 const ASPECT: f64 = 16.0 / 9.0;
 
 /// A figure three metres before an eye at half its height, and nothing else.
-fn alone(figure: Figure) -> Frame {
+fn alone(figure: &Figure) -> Frame {
     let space = space(Geometry::Euclidean);
     let eye = ChartPoint::a(DVec3::new(0.0, 1.0, 0.0));
     let point = ChartPoint::a(DVec3::new(3.0, 0.0, 0.0));
-    frame(&space, eye, ASPECT).with_content(|it| it.figures = vec![Figure { point, ..figure }])
+    frame(&space, eye, ASPECT).with_content(|it| it.figures = vec![Figure { point, ..*figure }])
 }
 
 fn astronaut(posture: Posture, yaw: f64) -> Figure {
@@ -35,7 +35,7 @@ fn count(picture: &RgbaImage, like: impl Fn([u8; 3]) -> bool) -> usize {
 }
 
 /// Where two pictures differ to the eye.
-fn changed(a: &RgbaImage, b: &RgbaImage) -> Vec<(u32, u32)> {
+pub fn changed(a: &RgbaImage, b: &RgbaImage) -> Vec<(u32, u32)> {
     let apart = |x: u32, y: u32| {
         let (p, q) = (a.get_pixel(x, y).0, b.get_pixel(x, y).0);
         p.iter().zip(q).any(|(p, q)| p.abs_diff(q) > 12)
@@ -49,7 +49,7 @@ fn an_astronaut_is_white_and_orange_with_a_dark_visor_in_front() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let facing = studio.picture(&alone(astronaut(Posture::default(), PI)));
+    let facing = studio.picture(&alone(&astronaut(Posture::default(), PI)));
     let white = count(&facing, |[r, g, b]| {
         r > 190 && r.abs_diff(g) < 24 && g.abs_diff(b) < 34
     });
@@ -57,7 +57,7 @@ fn an_astronaut_is_white_and_orange_with_a_dark_visor_in_front() {
         r > 150 && r.saturating_sub(g) > 50 && g.saturating_sub(b) > 20
     });
     assert!(white > 400 && orange > 60, "{white} {orange}");
-    let away = alone(astronaut(Posture::default(), 0.0));
+    let away = alone(&astronaut(Posture::default(), 0.0));
     let head = seen_at(&away, ChartPoint::a(DVec3::new(3.0, 1.575, 0.0)), SIZE);
     let dark = |picture: &RgbaImage| {
         let crop = image::imageops::crop_imm(picture, head.0 as u32 - 8, head.1 as u32 - 8, 16, 16);
@@ -78,7 +78,7 @@ fn limbs_move_with_the_gait_and_the_second_outfit_is_another() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let walks = |cycle: f32| alone(astronaut(Posture::of(Clip::Walk, cycle), FRAC_PI_2));
+    let walks = |cycle: f32| alone(&astronaut(Posture::of(Clip::Walk, cycle), FRAC_PI_2));
     let mut at = |cycle: f32| studio.picture(&walks(cycle));
     let (strides, passes) = (at(0.0), at(0.25));
     assert!(changed(&strides, &passes).len() > 300, "limbs swing");
@@ -93,7 +93,7 @@ fn who_fights_is_red_and_nobody_else() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let mut frame = alone(astronaut(Posture::default(), FRAC_PI_2));
+    let mut frame = alone(&astronaut(Posture::default(), FRAC_PI_2));
     frame.content_mut().figures[0].model = ModelId::AstronautTeal;
     let red = |picture: &RgbaImage| count(picture, |[r, g, b]| r > 90 && r / 2 > g.max(b));
     let peaceful = red(&studio.picture(&frame));
@@ -150,7 +150,7 @@ fn the_dead_lie_on_the_ground() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let mut dead = alone(astronaut(Posture::of(Clip::Die, 9.0), FRAC_PI_2));
+    let mut dead = alone(&astronaut(Posture::of(Clip::Die, 9.0), FRAC_PI_2));
     let lying = studio.picture(&dead);
     dead.content_mut().figures.clear();
     let shown = changed(&lying, &studio.picture(&dead));
@@ -174,7 +174,7 @@ fn what_is_held_is_seen_in_the_right_hand() {
     };
     let holds = Posture::default().with(Clip::Hold, 1.0, 0.0);
     // It faces to our right, with its right-hand side towards us.
-    let mut frame = alone(astronaut(holds, FRAC_PI_2));
+    let mut frame = alone(&astronaut(holds, FRAC_PI_2));
     let empty = studio.picture(&frame);
     for model in [
         ModelId::Item(Item::Gun),
@@ -204,7 +204,7 @@ fn everyone_of_a_crowd_has_a_posture_of_its_own() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let mut crowd = alone(astronaut(Posture::default(), 0.0));
+    let mut crowd = alone(&astronaut(Posture::default(), 0.0));
     crowd.content_mut().figures = (0..40)
         .map(|i| {
             let (row, column) = (f64::from(i / 8), f64::from(i % 8));
@@ -290,7 +290,7 @@ fn a_lamp_shines_by_night() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let mut frame = alone(Figure::standing(
+    let mut frame = alone(&Figure::standing(
         ModelId::Item(Item::Lamp),
         ChartPoint::a(DVec3::ZERO),
         0.0,
@@ -324,7 +324,7 @@ fn the_players_hand_is_at_the_lower_right_and_no_wall_hides_it() {
         ModelId::Item(Item::Lamp),
         ModelId::Item(Item::Bullet),
     ] {
-        let mut frame = alone(astronaut(Posture::default(), 0.0));
+        let mut frame = alone(&astronaut(Posture::default(), 0.0));
         frame.content_mut().figures.clear();
         let bare = studio.picture(&frame);
         frame.view.hand = Some(hand(model));
@@ -412,7 +412,7 @@ fn lamps_light_what_the_player_holds() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let mut frame = alone(astronaut(Posture::default(), 0.0));
+    let mut frame = alone(&astronaut(Posture::default(), 0.0));
     frame.content_mut().figures.clear();
     frame.view.hand = Some(hand(ModelId::Item(Item::Gun)));
     let day = studio.picture(&frame);

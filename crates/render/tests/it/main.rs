@@ -21,6 +21,7 @@ mod outlines;
 mod overhead;
 mod pictures;
 mod plan;
+mod rigid;
 mod shadow_cut;
 mod shadows;
 mod sky;

@@ -166,7 +166,7 @@ fn free_spot(world: &World, tuning: &CharacterTuning, car: &CarView) -> Option<C
     let inside = car.middle().pos;
     let (height_m, radius_m) = (tuning.height_m, tuning.radius_m);
     DOORS_M.into_iter().find_map(|door| {
-        let beside = car.point.pos + level * door;
+        let beside = car.point.pos + car.level.in_chart(level * door);
         let from = beside + DVec3::Y * (DOOR_RISE_M + radius_m);
         let way = from - inside;
         let shut = physics.cast_ray(inside, way, way.length()).is_some();
@@ -234,7 +234,7 @@ fn is_within(tuning: &CharacterTuning, car: &CarView, feet: DVec3) -> bool {
     let (low_m, high_m) = (radius_m, tuning.height_m - radius_m);
     (0..=4).any(|part| {
         let up_m = low_m + (high_m - low_m) * f64::from(part) / 4.0;
-        let own = car.turn.inverse() * (feet + DVec3::Y * up_m - car.point.pos);
+        let own = car.own(feet + DVec3::Y * up_m);
         let (low, high) = BODY_BOX_M;
         own.distance(own.clamp(low, high)) < radius_m
     })

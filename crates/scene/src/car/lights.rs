@@ -32,9 +32,9 @@ const MOST_LIT_CARS: usize = 6;
 /// Bodies and wheels of all cars.
 pub(crate) fn show_cars(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
     for car in now.actors.car_views() {
-        let car = car.drawn(&*now.world.strategy);
         let figure = |model, own: DVec3, turn: DQuat| Figure {
             turn,
+            level: car.level,
             ..Figure::standing(model, car.place(own), 0.0)
         };
         let body = Figure {
@@ -62,9 +62,9 @@ pub(crate) fn seat_figure(now: Situation<'_>, figure: &mut Figure) {
     let Some(car) = now.actors.driven_car() else {
         return;
     };
-    let car = car.drawn(&*now.world.strategy);
     figure.point = car.place(SEAT_M);
     figure.turn = car.turn;
+    figure.level = car.level;
     figure.posture = Posture::of(Clip::Sit, 0.0);
     figure.held = None;
     figure.flashes = false;
@@ -103,7 +103,7 @@ fn head_light(car: &CarView, side: f64) -> BeamLight {
     let way = DVec3::new(1.0, -HEAD_DOWN, HEAD_OUT * side).normalize();
     BeamLight {
         point: car.place(beside(HEAD_LIGHT_M, side)),
-        direction: car.turn * way,
+        direction: car.level.in_chart(car.turn * way).normalize(),
         colour: HEAD_COLOUR,
         range_m: HEAD_RANGE_M,
         cone_rad: HEAD_CONE_RAD,

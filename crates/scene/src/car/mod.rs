@@ -11,7 +11,7 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartPoint, Metric};
+use antipode_geometry::{ChartPoint, LevelMap};
 use antipode_physics::{
     Obstacle, Vehicle, VehicleMotion, VehiclePart, VehiclePhysics, VehicleWheel,
 };
@@ -124,7 +124,7 @@ impl Actors {
                 .strategy
                 .images(part.motion().point(), BODY_REACH_M)
                 .into_iter();
-            let others = images.map(|image| part.carried(&image).obstacle());
+            let others = images.map(|image| part.carried(&*world.strategy, &image).obstacle());
             others.chain([part.obstacle()]).collect::<Vec<_>>()
         };
         self.car_parts(world).into_iter().flat_map(bodies).collect()
@@ -145,6 +145,7 @@ impl Actors {
             driven: self.cars.driven() == Some(id),
             rests: vehicle.is_asleep(),
             wheels: *vehicle.wheels(),
+            level: self.cars.physics.level_at(car.point()),
         }
     }
 }
@@ -256,6 +257,8 @@ pub struct CarView {
     pub rests: bool,
     /// Front left, front right, rear left, rear right.
     pub wheels: [VehicleWheel; 4],
+    /// How its metres lie in the chart.
+    pub level: LevelMap,
 }
 
 impl CarView {
@@ -270,21 +273,15 @@ impl CarView {
         self.place(DVec3::Y * MIDDLE_UP_M)
     }
 
-    /// The same as its chart draws it: so that it looks where it goes where a metre of the chart is not as long in all directions.
-    pub(crate) fn drawn(self, space: &dyn Metric) -> Self {
-        if space.moves_in_chart() {
-            return self;
-        }
-        let ahead = (self.turn * DVec3::X).with_y(0.0);
-        let along = space.in_chart(self.point, ahead);
-        let by = along.z.atan2(along.x) - ahead.z.atan2(ahead.x);
-        let turn = DQuat::from_rotation_y(-by) * self.turn;
-        Self { turn, ..self }
+    /// A place of the car's own axes (metres of the space) in the chart.
+    pub fn place(&self, own: DVec3) -> ChartPoint {
+        self.point.moved(self.level.in_chart(self.turn * own))
     }
 
-    /// A place of the car's own axes (m) in the chart.
-    pub fn place(&self, own: DVec3) -> ChartPoint {
-        self.point.moved(self.turn * own)
+    /// A place of the chart in the car's own axes.
+    pub(crate) fn own(&self, pos: DVec3) -> DVec3 {
+        let off = self.level.in_space(pos - self.point.pos);
+        self.turn.inverse() * off
     }
 }
 

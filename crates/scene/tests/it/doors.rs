@@ -1,6 +1,6 @@
 //! Doors: put up in pairs, gone through by everything, kept.
 
-use antipode_geometry::{ChartId, ChartPoint, Doorway, Eye, Geometry, Leaf, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Doorway, Eye, Geometry, Leaf};
 use antipode_items::Item;
 use antipode_scene::notice::Hint;
 use antipode_scene::{Actions, CarView, NpcMode};
@@ -247,14 +247,9 @@ fn a_figure_goes_through_as_the_player_does() {
 
 /// By what share the speed of a car in the space changed in a step besides what it changed in the one before, in which it was
 /// driven alike; and by how many radians its way did besides the doors' own turn.
-fn changes(
-    space: &dyn Strategy,
-    pair: &Doorway,
-    [first, before, after]: [&CarView; 3],
-) -> [f64; 2] {
+fn changes(pair: &Doorway, [first, before, after]: [&CarView; 3]) -> [f64; 2] {
     let [near, far] = pair.leaves;
-    let speed_m_s = |car: &CarView| space.in_frame(car.point, car.velocity).length();
-    let [a, b, c] = [first, before, after].map(speed_m_s);
+    let [a, b, c] = [first, before, after].map(|car| car.velocity.length());
     let turned = after.yaw() - before.yaw() - (far.yaw - near.yaw);
     [(c / b - b / a).abs(), turned.sin().abs()]
 }
@@ -298,7 +293,7 @@ fn a_car_goes_through_a_hundred_times_and_keeps_its_speed_and_its_way() {
             let now = car(&scene);
             idle += 1;
             if now.point.pos.distance(before.point.pos) > HALF_M {
-                let changed = changes(&*scene.strategy().clone(), &pair, [&first, &before, &now]);
+                let changed = changes(&pair, [&first, &before, &now]);
                 worst = [worst[0].max(changed[0]), worst[1].max(changed[1])];
                 (passed, idle) = (passed + 1, 0);
             }

@@ -4,7 +4,7 @@ use antipode_geometry::{Geometry, Leaf};
 use antipode_scene::{Actions, NpcMode, Scene};
 use glam::DVec3;
 
-use crate::common::doors::{ahead, car_at, ground, level_pair, local, still};
+use crate::common::doors::{ahead, car_at, ground, level_pair, local, open_pair, still};
 use crate::common::{LIMIT, roomy_scene, scene, steps};
 use crate::doors_driven::{on, take_the_wheel};
 
@@ -15,7 +15,7 @@ const MIDDLE_M: f64 = -0.6;
 fn with_car_in_a_door(geometry: Geometry) -> (Scene, [Leaf; 2]) {
     let mut scene = roomy_scene(geometry);
     scene.set_npcs(NpcMode::Still);
-    let leaves = level_pair(&mut scene, 6.0).leaves;
+    let leaves = open_pair(&mut scene, 6.0).leaves;
     car_at(&mut scene, &leaves[0], MIDDLE_M, 0.0);
     let at = local(&scene, &leaves[0], scene.cars()[0].point);
     assert!((at.x - MIDDLE_M).abs() < 0.15, "{geometry}: {at}");

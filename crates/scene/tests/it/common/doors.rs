@@ -50,6 +50,17 @@ pub fn level_strip(
     within_m: f64,
     half_m: f64,
 ) -> (ChartPoint, f64) {
+    level_field(scene, about, within_m, half_m, &[])
+}
+
+/// The same of land that is level at some places beside the strip, too: metres along the heading and to the right of it.
+fn level_field(
+    scene: &Scene,
+    about: ChartPoint,
+    within_m: f64,
+    half_m: f64,
+    beside: &[(f64, f64)],
+) -> (ChartPoint, f64) {
     let mut best = (f64::INFINITY, about, 0.0);
     for at in 0..49 {
         let (x, z) = (f64::from(at % 7) - 3.0, f64::from(at / 7) - 3.0);
@@ -60,12 +71,19 @@ pub fn level_strip(
         let middle = ground(scene, about.chart, x, z);
         for turn in 0..8 {
             let yaw = 0.3 + std::f64::consts::FRAC_PI_4 * f64::from(turn);
-            let rise = |m: f64| {
-                let there = ground(scene, about.chart, x + m * yaw.cos(), z + m * yaw.sin());
-                (there.pos.y - middle.pos.y).abs()
+            let (cos, sin) = (yaw.cos(), yaw.sin());
+            let rise = |m: f64, aside_m: f64| {
+                let (x, z) = (x + m * cos - aside_m * sin, z + m * sin + aside_m * cos);
+                (ground(scene, about.chart, x, z).pos.y - middle.pos.y).abs()
             };
-            let most = [-1.0, -0.6, -0.3, 0.3, 0.6, 1.0].map(|share| rise(share * half_m));
-            let most = most.into_iter().fold(0.0, f64::max);
+            let along = [-1.0, -0.6, -0.3, 0.3, 0.6, 1.0].map(|share| rise(share * half_m, 0.0));
+            let most = along.into_iter().fold(0.0, f64::max);
+            if most >= best.0 {
+                continue;
+            }
+            let most = beside
+                .iter()
+                .fold(most, |most, it| most.max(rise(it.0, it.1)));
             if most < best.0 {
                 best = (most, middle, yaw);
             }
@@ -91,23 +109,40 @@ pub fn put_up(scene: &mut Scene, leaves: [Leaf; 2]) -> Doorway {
     Doorway { leaves }
 }
 
+/// A leaf in the chart that it stands in, as who puts one up has it.
+fn at_home(scene: &Scene, leaf: Leaf) -> Leaf {
+    let home = scene.strategy().cross(leaf.foot);
+    home.map_or(leaf, |home| Leaf {
+        foot: home.point,
+        yaw: leaf.yaw - home.turn_rad,
+    })
+}
+
 /// A pair on level ground: one leaf near the start and the other elsewhere, on a globe beyond the equator and higher or lower.
 pub fn level_pair(scene: &mut Scene, half_m: f64) -> Doorway {
-    let (foot, yaw) = level_strip(scene, scene.feet(), 14.0, half_m);
+    pair_on(scene, half_m, &[])
+}
+
+/// The same where land is level beside the leaves, too: from there bullets fly and people walk up.
+pub fn open_pair(scene: &mut Scene, half_m: f64) -> Doorway {
+    pair_on(scene, half_m, &[(-1.2, -2.0), (0.6, -2.0), (0.0, 2.0)])
+}
+
+fn pair_on(scene: &mut Scene, half_m: f64, beside: &[(f64, f64)]) -> Doorway {
+    let (foot, yaw) = level_field(scene, scene.feet(), 14.0, half_m, beside);
     let closed = scene.setup().geometry == Geometry::Spherical;
     let elsewhere = if closed {
         ChartPoint::new(ChartId::SECOND, DVec3::new(32.0, 0.0, -14.0))
     } else {
         foot.moved(DVec3::new(-34.0, 0.0, 19.0))
     };
-    let (there, looks) = level_strip(scene, elsewhere, 12.0, 4.0);
-    let leaves = [
-        Leaf { foot, yaw },
-        Leaf {
-            foot: there,
-            yaw: looks,
-        },
-    ];
+    let (there, looks) = level_field(scene, elsewhere, 12.0, 4.0, beside);
+    let near = Leaf { foot, yaw };
+    let far = Leaf {
+        foot: there,
+        yaw: looks,
+    };
+    let leaves = [near, far].map(|leaf| at_home(scene, leaf));
     put_up(scene, leaves)
 }
 
@@ -141,6 +176,7 @@ pub fn before_the_player(geometry: Geometry) -> (Scene, Doorway) {
         foot: there,
         yaw: looks,
     };
+    let far = at_home(&scene, far);
     let pair = put_up(&mut scene, [near, far]);
     (scene, pair)
 }
