@@ -1,7 +1,9 @@
 //! Cards side by side, or one over another where they would be narrow, of which one is chosen.
 
+use std::sync::Arc;
+
 use egui::{
-    Align2, FontId, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2,
+    FontId, Galley, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2,
     vec2,
 };
 
@@ -14,6 +16,9 @@ use crate::widgets::paint_card;
 const ICON: f32 = 40.0;
 /// Least width of a card that has others beside it, in points.
 const LEAST: f32 = 160.0;
+
+/// Between its label and the sentence below, in points.
+const BELOW_LABEL: f32 = 3.0;
 
 /// What one says.
 pub(super) struct Card {
@@ -81,15 +86,17 @@ impl Card {
         }
     }
 
-    /// Width left for the words.
-    fn wrap(&self, width: f32, across: bool) -> f32 {
-        (width - 24.0 - self.words_at(across).x).max(1.0)
+    /// The label, and the sentence below it.
+    fn words(&self, ui: &Ui, width: f32, across: bool) -> [Arc<Galley>; 2] {
+        let wrap = (width - 24.0 - self.words_at(across).x).max(1.0);
+        let label = FontId::proportional(16.0);
+        [(&self.label, label, TEXT), (&self.about, small(), WEAK)]
+            .map(|(words, font, colour)| ui.painter().layout(words.clone(), font, colour, wrap))
     }
 
     fn height(&self, ui: &Ui, width: f32, across: bool) -> f32 {
-        let wrap = self.wrap(width, across);
-        let about = ui.painter().layout(self.about.clone(), small(), WEAK, wrap);
-        let words = about.size().y + 24.0 + 20.0 + self.words_at(across).y;
+        let [label, about] = self.words(ui, width, across);
+        let words = label.size().y + BELOW_LABEL + about.size().y + 24.0 + self.words_at(across).y;
         let least = self.space.map_or(0.0, |_| ICON + 20.0);
         words.max(least)
     }
@@ -109,11 +116,10 @@ impl Card {
                 .extend(icon_shapes(space, icon, Stroke::new(1.5, colour)));
         }
         let words = corner + self.words_at(place.across);
-        let font = FontId::proportional(16.0);
-        painter.text(words, Align2::LEFT_TOP, &self.label, font, TEXT);
-        let wrap = self.wrap(place.size.x, place.across);
-        let about = painter.layout(self.about.clone(), small(), WEAK, wrap);
-        painter.galley(words + vec2(0.0, 22.0), about, WEAK);
+        let [label, about] = self.words(ui, place.size.x, place.across);
+        let below = words + vec2(0.0, label.size().y + BELOW_LABEL);
+        painter.galley(words, label, TEXT);
+        painter.galley(below, about, WEAK);
         response
     }
 }

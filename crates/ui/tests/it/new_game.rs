@@ -264,7 +264,8 @@ fn arrows_and_enter_alone_reach_every_part() {
             reached.push(focused(&harness));
         }
         for part in [
-            "Hyperbolic",
+            "Hyperbolic lens",
+            "Hyperbolic world",
             "Euclidean",
             "Spherical",
             "Creative",

@@ -57,6 +57,18 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
     }
     game.tick(Instant::now());
     assert!(game.options.config.settings.hints && told(&game).is_empty());
+    game.leave(Next::Open(Request::New(NewWorld {
+        geometry: Geometry::HyperbolicWorld,
+        name: Some("s".to_owned()),
+        seed: Some(7),
+        radius_m: None,
+        generator: None,
+        mode: antipode_scene::Mode::default(),
+        start: Beginning::Middle,
+    })));
+    tick_until(&mut game, |game| told(game).starts_with("Five squares"));
+    input(&mut game, KEY_N, true);
+    input(&mut game, KEY_N, false);
     let session = game.play.phase.session_mut().unwrap();
     session.scene.set_time_of_day_s(450.0);
     tick_until(&mut game, |game| told(game).starts_with("It is dark"));
