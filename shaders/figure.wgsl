@@ -31,13 +31,13 @@ struct VertexIn {
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
     @location(10) lights: vec4<u32>,    // which lamps (64 bits) and beams may light the figure; w: what of it is shown
-    @location(14) level: vec4<f32>,     // metres of the chart for each along x (xy), and along z (zw), when the model is turned
-    @location(13) glow_switch: u32,     // what switches the glow: 0 nothing, 1 the lights, 2 these and the brake lights
+    @location(11) level: vec4<f32>,     // metres of the chart for each along x (xy), and along z (zw), when the model is turned
+    @location(14) glow_switch: u32,     // what switches the glow: 0 nothing, 1 the lights, 2 these and the brake lights
 }
 
 struct SkinIn {
-    @location(11) weights: vec4<f32>,   // they sum to 1
-    @location(12) joints: vec4<u32>,
+    @location(12) weights: vec4<f32>,   // they sum to 1
+    @location(13) joints: vec4<u32>,
 }
 
 struct VertexOut {

@@ -26,7 +26,7 @@ pub struct ModelVertex {
 impl ModelVertex {
     /// Attributes at the locations that figure.wgsl gives them.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 4] =
-        wgpu::vertex_attr_array![0 => Float32x3, 1 => Snorm16x4, 2 => Unorm8x4, 13 => Uint32];
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Snorm16x4, 2 => Unorm8x4, 14 => Uint32];
 }
 
 /// What ties a vertex to a skeleton.
@@ -42,7 +42,7 @@ pub struct SkinVertex {
 impl SkinVertex {
     /// Attributes from location 11 on.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 2] =
-        wgpu::vertex_attr_array![11 => Unorm16x4, 12 => Uint8x4];
+        wgpu::vertex_attr_array![12 => Unorm16x4, 13 => Uint8x4];
 }
 
 /// The triangles of a model.

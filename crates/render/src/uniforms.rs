@@ -336,7 +336,7 @@ impl FigureInstance {
     /// Attributes from location 3 on.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 9] = wgpu::vertex_attr_array![
         3 => Float32x3, 4 => Uint32, 5 => Float32x4,
-        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x4, 14 => Float32x4
+        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x4, 11 => Float32x4
     ];
 }
 

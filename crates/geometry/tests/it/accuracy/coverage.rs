@@ -61,6 +61,7 @@ pub const SOURCES: &[(&str, &str)] = &[
         include_str!("../../../src/chunk_cube/tile_part.rs"),
     ),
     ("tiled", include_str!("../../../src/tiled.rs")),
+    ("LevelMap", include_str!("../../../src/level_map.rs")),
     ("Geometry", include_str!("../../../src/kind.rs")),
     ("ChartId", include_str!("../../../src/chart.rs")),
     ("real", include_str!("../../../src/real.rs")),
@@ -95,6 +96,13 @@ const EXCUSED: &[(&str, &str)] = &[
         "the scale along each axis of the frame: src/pace.rs has speeds through doors",
     ),
     ("Metric::in_chart", "its inverse: src/pace.rs"),
+    (
+        "LevelMap::at",
+        "Metric::in_chart as a matrix: src/level_map.rs measures lengths that go by it",
+    ),
+    ("LevelMap::in_chart", "a product with that"),
+    ("LevelMap::in_space", "a product with its inverse"),
+    ("LevelMap::half_box", "a bound of it"),
     ("pace::share", "a ratio of lengths of the same: src/pace.rs"),
     (
         "triangle::equilateral_angle_sum_rad",
