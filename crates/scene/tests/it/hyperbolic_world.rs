@@ -241,3 +241,44 @@ fn print_steps_of_a_hundred_who_fight() {
         );
     }
 }
+
+/// Addresses are whole numbers of 128 bits, which end about 78 radii from home.
+#[test]
+fn at_the_end_of_the_world_one_stops_and_goes_back() {
+    let mut scene = world(60.305);
+    let space = std::sync::Arc::clone(scene.strategy());
+    let eye = Eye::default();
+    let ahead = DVec3::new(0.3, 0.0, -0.954).normalize();
+    let far = (60..80).map(|n| space.along(&eye, ahead, 60.0 * f64::from(n)));
+    let last = far
+        .take_while(|at| space.has_chart(at.chart))
+        .last()
+        .unwrap();
+    scene.set_flying(true);
+    scene.teleport(ChartPoint::new(last.chart, last.pos.with_y(HIGH_M)));
+    assert!(scene.settle(LIMIT));
+    assert!(scene.ground_height().is_some(), "there is land");
+    let home = |scene: &Scene| scene.bearings().home.unwrap();
+    let go = |scene: &mut Scene, from_home: f64, count: usize| {
+        scene.aim(home(scene).heading_rad + from_home, 0.0);
+        let ahead = Actions {
+            forward: 1.0,
+            ..Actions::default()
+        };
+        steps(scene, count, &ahead);
+        home(scene)
+    };
+    let at_end = go(&mut scene, std::f64::consts::PI, 1200);
+    let still = go(&mut scene, std::f64::consts::PI, 300);
+    let radius_m = space.radius_m();
+    assert!(
+        at_end.distance_m > 77.0 * radius_m && at_end.squares > 90,
+        "{at_end:?}"
+    );
+    assert!(
+        (still.distance_m - at_end.distance_m).abs() < 1.0,
+        "{still:?}"
+    );
+    let back = go(&mut scene, 0.0, 600);
+    assert!(back.distance_m < at_end.distance_m - 50.0, "{back:?}");
+}
