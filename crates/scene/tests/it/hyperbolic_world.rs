@@ -279,6 +279,13 @@ fn at_the_end_of_the_world_one_stops_and_goes_back() {
         (still.distance_m - at_end.distance_m).abs() < 1.0,
         "{still:?}"
     );
-    let back = go(&mut scene, 0.0, 600);
-    assert!(back.distance_m < at_end.distance_m - 50.0, "{back:?}");
+    // The end is ragged: the straight way may lead past it for a moment, and is looked for anew each second.
+    for _ in 0..10 {
+        go(&mut scene, 0.0, 60);
+    }
+    let back = home(&scene);
+    assert!(
+        back.distance_m < at_end.distance_m - 50.0,
+        "{at_end:?} {still:?} {back:?}"
+    );
 }
