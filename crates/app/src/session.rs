@@ -6,7 +6,7 @@ use std::io::Cursor;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use antipode_geometry::{Geometry, HyperbolicMap};
+use antipode_geometry::{Geometry, HyperbolicMap, strategy};
 use antipode_rooms::{RoomsDir, rooms_dir};
 use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
@@ -275,11 +275,16 @@ impl Worlds {
 /// When there is nothing to choose, or no world can have it.
 pub fn radius_m(geometry: Geometry, wanted_m: Option<f64>) -> Result<f64, Failure> {
     let radii = geometry.radii();
+    // Squares are whole chunks wide: what is saved is the radius that the world has.
+    let had_m = |radius_m: f64| match geometry {
+        Geometry::HyperbolicWorld => strategy(geometry, radius_m).radius_m(),
+        _ => radius_m,
+    };
     let Some(wanted_m) = wanted_m else {
-        return Ok(radii.default_m);
+        return Ok(had_m(radii.default_m));
     };
     let refused = match &radii.chosen_m {
-        Some(range) if range.contains(&wanted_m) => return Ok(wanted_m),
+        Some(range) if range.contains(&wanted_m) => return Ok(had_m(wanted_m)),
         Some(range) => format!(
             "A radius of {wanted_m} m will not do: a {geometry} world has {} to {} m",
             range.start(),

@@ -140,13 +140,18 @@ fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f
             && !strategy.trims(eye, point.chart, point.pos, point.pos))
 }
 
-/// `b` in the chart of `a`, where the shortest way from `a` leads.
+/// `b` in the chart of `a`, where the shortest way from `a` leads: as written there, and farther off as far away as it is.
 pub(crate) fn over(strategy: &dyn Atlas, a: ChartPoint, b: ChartPoint) -> ChartPoint {
     // Every figure asks this of every other in every step.
     if a.chart == b.chart {
         return b;
     }
-    strategy.carry_near(b, a).map_or(b, |over| over.point)
+    if let Some(over) = strategy.carry_near(b, a) {
+        return over.point;
+    }
+    // Where `a`'s chart is not written so far, `b`'s numbers would be those of a place of it all the same.
+    let way = strategy.tiled().and_then(|tiled| tiled.level_way_m(a, b));
+    way.map_or(b, |way| ChartPoint::new(a.chart, a.pos + way))
 }
 
 /// Into a chart's own ground one who has crossed its edge comes back so far at most without crossing again, metres.

@@ -52,7 +52,7 @@ pub(crate) fn seen(
 fn under_car(figure: &Figure) -> Presser {
     Presser {
         point: figure.point,
-        along: figure.turn * DVec3::X * CAR_HALF_M,
+        along: figure.level.in_chart(figure.turn * DVec3::X * CAR_HALF_M),
         up: figure.turn * DVec3::Y,
         reach_m: CAR_REACH_M,
         height_m: CAR_HEIGHT_M,

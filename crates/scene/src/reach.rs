@@ -3,7 +3,7 @@
 use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, Tiled};
 use antipode_streaming::Reach;
 use antipode_terrain::RIM_REACH_M;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::world::GROUND_SEARCH_M;
 
@@ -49,6 +49,39 @@ pub(crate) fn of_body(strategy: &dyn Atlas, feet: ChartPoint, velocity: DVec3) -
     for image in strategy.images(feet, reach_m + AHEAD_M) {
         reaches.push(around_body(image.point, reach_m));
         reaches.push(column(image.point));
+    }
+    if let Some(tiled) = strategy.tiled() {
+        reaches.extend(columns_over_edges(strategy, tiled, feet, reach_m));
+    }
+    reaches
+}
+
+/// The columns of chunks of other tiles that come within a distance, metres, as high and low as that: charts are not written so far
+/// past their edges that all of these would hold an image of the place.
+fn columns_over_edges(
+    strategy: &dyn Atlas,
+    tiled: &dyn Tiled,
+    feet: ChartPoint,
+    reach_m: f64,
+) -> Vec<Reach> {
+    let cell_m = f64::from(CHUNK_CELLS);
+    let mut reaches = Vec::new();
+    let charts = tiled.charts_within(feet, reach_m).into_iter();
+    for chart in charts.filter(|chart| *chart != feet.chart) {
+        let half_m = strategy.domain(chart).half_width_m() - WITHIN_M;
+        let side = (half_m / cell_m).ceil() as i32;
+        for (i, j) in (-side..side).flat_map(|i| (-side..side).map(move |j| (i, j))) {
+            let low = DVec2::new(f64::from(i), f64::from(j)) * cell_m;
+            let [low, high] =
+                [low, low + cell_m].map(|it| it.clamp(DVec2::splat(-half_m), DVec2::splat(half_m)));
+            if tiled.away_m(feet, chart, low, high) <= reach_m {
+                reaches.push(Reach {
+                    chart,
+                    min: DVec3::new(low.x, feet.pos.y - reach_m, low.y),
+                    max: DVec3::new(high.x, feet.pos.y + reach_m, high.y),
+                });
+            }
+        }
     }
     reaches
 }
@@ -230,6 +263,39 @@ mod tests {
                         assert!(
                             !there || has(&reaches, end) || has(&reaches, other),
                             "{radius_m} {far} {high}: {end:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn everything_a_pick_may_follow_over_edges_of_squares_is_within_reach() {
+        for radius_m in antipode_geometry::HyperbolicWorld::RADII_M {
+            let space = strategy(Geometry::HyperbolicWorld, radius_m);
+            let half_m = space.domain(ChartId::FIRST).half_width_m();
+            for (x, z) in [
+                (0.0, 0.0),
+                (0.4, 0.1),
+                (0.7, -0.6),
+                (0.98, 0.97),
+                (0.2, 0.9),
+            ] {
+                let feet = ChartPoint::a(DVec3::new(x * half_m, 12.0, z * half_m));
+                let reaches = of_body(&*space, feet, DVec3::ZERO);
+                let eye = antipode_geometry::Eye {
+                    point: ChartPoint::a(feet.pos + DVec3::Y * 1.6),
+                    ..Default::default()
+                };
+                for turn in 0..60 {
+                    let angle = f64::from(turn) * 2.4;
+                    let way = DVec3::new(0.98 * angle.cos(), -0.2, 0.98 * angle.sin());
+                    for distance_m in [5.0, 15.0, 22.5, 29.0] {
+                        let end = space.along(&eye, way.normalize(), distance_m);
+                        assert!(
+                            has(&reaches, end),
+                            "{radius_m} {feet:?} {distance_m}: {end:?}"
                         );
                     }
                 }

@@ -1,6 +1,6 @@
 //! Carrying orders out: one way for scripts, which wait for each, and for the console, which never waits.
 
-use antipode_geometry::{Atlas, ChartPoint};
+use antipode_geometry::{Atlas, ChartPoint, Domain};
 use antipode_room_scene::RoomScene;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
 use antipode_scene::{Item, Kind, Recipe, Scene};
@@ -262,14 +262,18 @@ fn spawn<H: Host + ?Sized>(
 /// Whether a player can stand there; a sentence when not.
 fn check_place(atlas: &dyn Atlas, point: ChartPoint) -> Result<(), String> {
     if !atlas.has_chart(point.chart) {
-        return Err("this space has no such hemisphere".to_owned());
+        return Err("this space has no such hemisphere or square".to_owned());
     }
     let domain = atlas.domain(point.chart);
-    if domain.outside_m(point.pos.xz()) > RIM_SLACK_M {
-        let from_centre_m = point.pos.x.hypot(point.pos.z);
-        let rim_m = domain.half_width_m();
+    let outside_m = domain.outside_m(point.pos.xz());
+    if outside_m > RIM_SLACK_M {
+        let part = match domain {
+            Domain::Rectangle { .. } => "square",
+            _ => "hemisphere",
+        };
+        let half_m = domain.half_width_m();
         return Err(format!(
-            "that point lies {from_centre_m:.1} m from the hemisphere's centre, beyond its rim at {rim_m:.1} m"
+            "that point lies {outside_m:.1} m outside of its {part}, which ends {half_m:.1} m from its middle"
         ));
     }
     match atlas.limits() {

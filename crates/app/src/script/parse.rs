@@ -432,7 +432,7 @@ fn teleport(at: [&str; 3], side: &[&str]) -> Result<Order, String> {
 }
 
 /// What the player is told who names a chart that cannot be.
-const NO_CHART: &str = "a hemisphere is A or B";
+const NO_CHART: &str = "a hemisphere is A or B, and a square a hexadecimal number such as 0x1f";
 
 fn place(at: [&str; 3], side: &[&str]) -> Result<([f64; 3], ChartId), String> {
     let chart = match side {

@@ -28,12 +28,16 @@ pub(super) struct Column {
 }
 
 impl Columns {
+    /// What is known of the column of a chunk, if it is one of these.
     pub fn at(&self, index: IVec3) -> Option<&Column> {
-        let at = index.xz() + self.side;
-        let range = 0..2 * self.side;
-        let is_there = range.contains(&at.x) && range.contains(&at.y);
-        let place = at.x as usize * 2 * self.side as usize + at.y as usize;
-        self.columns.get(place).filter(|_| is_there)
+        let [x, z] = index.xz().to_array();
+        let range = -self.side..self.side;
+        if !range.contains(&x) || !range.contains(&z) {
+            return None;
+        }
+        let width = 2 * self.side as usize;
+        let place = (x + self.side) as usize * width + (z + self.side) as usize;
+        self.columns.get(place)
     }
 
     /// The least and the greatest index along both axes.
@@ -166,4 +170,43 @@ impl Maker<'_> {
 fn past_m(domain: Domain, at: IVec2) -> f64 {
     let low = at.as_dvec2() * f64::from(CHUNK_CELLS);
     domain.least_outside_m(low, low + f64::from(CHUNK_CELLS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Geometry, strategy};
+
+    #[test]
+    fn columns_that_are_none_of_a_tiles_are_not_there() {
+        for radius_m in crate::HyperbolicWorld::RADII_M {
+            let space = strategy(Geometry::HyperbolicWorld, radius_m);
+            let tiled = space.tiled().unwrap();
+            let parts = parts(
+                &*space,
+                tiled,
+                ChunkCoord::containing(ChartPoint::a(DVec3::Y)),
+                2,
+                8.0,
+            );
+            for columns in parts.into_values().filter_map(|part| part.columns) {
+                let side = columns.side;
+                for far in [
+                    side,
+                    side + 1,
+                    1000,
+                    i32::MAX,
+                    -side - 1,
+                    -side - 2,
+                    i32::MIN,
+                ] {
+                    for near in [-side, 0, side - 1] {
+                        assert_eq!(columns.at(IVec3::new(far, 0, near)), None);
+                        assert_eq!(columns.at(IVec3::new(near, 0, far)), None);
+                    }
+                }
+                assert!(columns.at(IVec3::splat(-side)).is_some());
+            }
+        }
+    }
 }

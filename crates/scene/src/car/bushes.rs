@@ -5,7 +5,7 @@
 
 use std::f64::consts::LN_2;
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, LevelMap};
 use antipode_physics::VehicleMotion;
 use antipode_plants::Species;
 use antipode_terrain::Cover;
@@ -57,7 +57,8 @@ pub(super) fn go_through(world: &World, actors: &mut Actors, outbox: &mut Outbox
         let share = met.iter().map(|it| it.share).sum::<f64>().min(1.0);
         let lost = share * speed_m_s * LN_2 / BUSHES_HALVE_M * STEP_S;
         let tuning = physics.tuning();
-        let at = motion.place + motion.turn * tuning.mass_centre;
+        let level = LevelMap::at(&*world.strategy, motion.point());
+        let at = motion.place + level.in_chart(motion.turn * tuning.mass_centre);
         let impulse = motion.velocity * (-lost * tuning.mass_kg);
         physics.push(&mut car.vehicle, at, impulse);
         if rustles {
@@ -75,16 +76,22 @@ pub(super) fn go_through(world: &World, actors: &mut Actors, outbox: &mut Outbox
 /// The bushes that a car is in.
 fn met_by(world: &World, motion: &VehicleMotion) -> Vec<Brush> {
     let near = standing_near(world, motion.point(), REACH_M).into_iter();
+    let level = LevelMap::at(&*world.strategy, motion.point());
     let bushes = near.filter(|(it, _)| it.species == Species::Bush);
     let bushes = bushes.filter(|(it, _)| !world.felled.has(it.coord, it.thing.slot));
     bushes
-        .filter_map(|(it, root)| in_bush(motion, &it, root))
+        .filter_map(|(it, root)| in_bush(motion, level, &it, root))
         .collect()
 }
 
-fn in_bush(motion: &VehicleMotion, it: &Standing, root: ChartPoint) -> Option<Brush> {
+fn in_bush(
+    motion: &VehicleMotion,
+    level: LevelMap,
+    it: &Standing,
+    root: ChartPoint,
+) -> Option<Brush> {
     let (radius_m, height_m) = it.crown_m();
-    let from = motion.turn.inverse() * (root.pos - motion.place);
+    let from = motion.turn.inverse() * level.in_space(root.pos - motion.place);
     let beside = DVec2::new(from.x.abs() - HALF_M.0, from.z.abs() - HALF_M.1);
     let share = (radius_m - beside.max(DVec2::ZERO).length()) / (DEEP * radius_m);
     let is_met = share > 0.0 && (-height_m..ROOF_M).contains(&from.y);

@@ -77,7 +77,7 @@ impl Chase {
     pub fn behind(car: &CarView) -> Self {
         Self {
             point: car.point,
-            velocity: car.velocity,
+            velocity: car.level.in_chart(car.velocity),
             yaw: car.yaw(),
             bonnet: Bonnet::of(car),
             aside: (0.0, 0.0),

@@ -10,7 +10,7 @@ use glam::DVec3;
 /// The view from a car's tail, its own body behind the eye. Left and right are those of a driver who looks back: a mirror swaps them
 /// where it is shown. Width and height are the same until it is fitted to its place.
 pub(crate) fn rear_view(picture: &View, car: &Figure) -> View {
-    let point = car.point.moved(car.turn * MIRROR_M);
+    let point = car.point.moved(car.level.in_chart(car.turn * MIRROR_M));
     let back = car.turn * DVec3::NEG_X;
     let eye = Eye {
         point,

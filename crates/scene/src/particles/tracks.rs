@@ -187,7 +187,7 @@ impl Tracks {
         if from.is_some() && gone_m < PRINT_M {
             return None;
         }
-        let edges = edges(world, &at, touch.normal, axle);
+        let edges = edges(world, &at, touch.normal, car.level.in_chart(axle));
         let before = trail.strength;
         trail.from = Some((at, edges));
         let (_, [left, right]) = from?;
@@ -260,7 +260,7 @@ fn below(world: &World, car: &CarView, hub: DVec3) -> Option<RayHit> {
     ground.cast_ray(hub.pos, down, BELOW_HUB_M)
 }
 
-/// Places on the ground left and right of where a wheel touches it.
+/// Places on the ground left and right of where a wheel touches it; `axle` is a metre of the space along it, in the chart.
 fn edges(world: &World, at: &ChartPoint, normal: DVec3, axle: DVec3) -> [DVec3; 2] {
     let ground = world.physics.chart(at.chart);
     [-HALF_WIDTH_M, HALF_WIDTH_M].map(|side_m| {
