@@ -267,13 +267,13 @@ fn check_place(atlas: &dyn Atlas, point: ChartPoint) -> Result<(), String> {
     let domain = atlas.domain(point.chart);
     let outside_m = domain.outside_m(point.pos.xz());
     if outside_m > RIM_SLACK_M {
-        let part = match domain {
-            Domain::Rectangle { .. } => "square",
-            _ => "hemisphere",
+        let rim = match domain {
+            Domain::Rectangle { .. } => "edge of its square",
+            _ => "rim of its hemisphere",
         };
         let half_m = domain.half_width_m();
         return Err(format!(
-            "that point lies {outside_m:.1} m outside of its {part}, which ends {half_m:.1} m from its middle"
+            "that point lies {outside_m:.1} m beyond the {rim}, {half_m:.1} m from the middle"
         ));
     }
     match atlas.limits() {
@@ -314,6 +314,9 @@ mod tests {
         for y in [0.0, 60.0, 1e8] {
             assert!(at(0.0, y, ChartId::FIRST).is_err_and(|said| said.contains("height")));
         }
+        let squares = strategy(Geometry::HyperbolicWorld, 60.0);
+        let past = ChartPoint::a(DVec3::new(40.0, 20.0, 40.0));
+        assert!(check_place(&*squares, past).is_err_and(|said| said.contains("square")));
         let flat = strategy(Geometry::Euclidean, f64::INFINITY);
         let far = DVec3::new(1e8, 1e8, -1e8);
         assert_eq!(check_place(&*flat, ChartPoint::a(far)), Ok(()));

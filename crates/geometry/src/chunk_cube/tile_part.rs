@@ -174,6 +174,7 @@ fn past_m(domain: Domain, at: IVec2) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
     use super::*;
     use crate::{Geometry, strategy};
 
