@@ -84,7 +84,7 @@ pub enum Command {
         /// The script's file, or - for standard input.
         file: PathBuf,
     },
-    /// Play the built-in tour of the three spaces and make pictures.
+    /// Play the built-in tour of the four spaces and make pictures.
     Tour {
         /// Where the pictures go.
         #[arg(long, default_value = "tour")]

@@ -1,4 +1,4 @@
-//! The built-in tour: a script through the three spaces that leaves pictures behind.
+//! The built-in tour: a script through the four spaces that leaves pictures behind.
 
 use std::path::Path;
 
@@ -34,16 +34,18 @@ pub fn run(out: &Path, common: &Common) -> Result<(), Failure> {
 mod tests {
     #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
+    use antipode_geometry::Geometry;
+
     use crate::script::{Order, parse};
 
     #[test]
     fn the_tour_is_a_sound_script_that_photographs_every_space() {
         let lines = parse(super::SCRIPT).expect("the tour parses");
-        let worlds = lines
-            .iter()
-            .filter(|line| matches!(line.order, Order::New(_)))
-            .count();
-        assert!(worlds >= 3);
+        for geometry in Geometry::ALL {
+            let is_shown =
+                |order: &Order| matches!(order, Order::New(new) if new.geometry == geometry);
+            assert!(lines.iter().any(|line| is_shown(&line.order)), "{geometry}");
+        }
         assert!(
             lines
                 .iter()
