@@ -153,7 +153,8 @@ fn worlds_are_made_renamed_copied_exported_deleted_and_imported_by_hand() {
     game.told_steps(&[("Return", "pressed: New Game")]);
     game.overwrite("Alpha");
     let to_the_seed = [
-        "focus: Hyperbolic",
+        "focus: Hyperbolic lens",
+        "focus: Hyperbolic world",
         "focus: Euclidean",
         "focus: Spherical",
         "focus: Creative",

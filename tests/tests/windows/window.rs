@@ -8,7 +8,7 @@ use antipode_tests::window::{Window, display, settle_settings, with_hints};
 /// Places of buttons in a window of 1280 by 720.
 const NEW_GAME: (u32, u32) = (132, 102);
 const NAME: (u32, u32) = (640, 114);
-const SEED: (u32, u32) = (640, 467);
+const SEED: (u32, u32) = (640, 498);
 const SPHERICAL: (u32, u32) = (870, 250);
 const CREATE: (u32, u32) = (332, 672);
 const SAVE_AND_QUIT: (u32, u32) = (132, 220);
