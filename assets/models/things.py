@@ -324,6 +324,16 @@ def stone():
     return model
 
 
+def crumb():
+    """A lump of crusty bread 17 cm high, pale where it was broken, so that it is seen on any ground."""
+    model = Model()
+    crust, pale = "c9772e", "fbe6ae"
+    ball((0.0, 0.070, 0.0), (0.105, 0.078, 0.090), crust, 0.8, 6, 10, crease=30.0).into(model)
+    ball((0.050, 0.100, 0.030), (0.070, 0.062, 0.072), pale, 0.7, 5, 9, crease=20.0).into(model)
+    ball((-0.050, 0.112, -0.020), (0.050, 0.044, 0.056), pale, 0.7, 5, 8, crease=20.0).into(model)
+    return model
+
+
 def seed():
     """A nut 7 cm high that lies with its tip up."""
     model = Model()

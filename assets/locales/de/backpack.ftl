@@ -32,6 +32,7 @@ item-door-about = Eine von zweien. Stell beide auf: Was in die eine hineingeht, 
 item-log-about = Ein Stück von einem Stamm. Stell es als Pfosten auf, oder mach etwas aus seinem Holz.
 item-stone-about = Leg ihn hin, um damit zu bauen, oder mach etwas aus seinem Fels.
 item-seed-about = Pflanz ihn in weichen Boden: Er wird ein Baum dieser Gegend und wächst von Tag zu Tag.
+item-crumb-about = Leg sie auf deinen Weg: Taste halten und gehen. Karte und Kompass zeigen den Weg an ihnen entlang zurück.
 item-pickaxe-wood-about = Gräbt und baut, langsam. Wo Material gesammelt wird, lässt sie Kupfer und Kristall stehen.
 item-pickaxe-iron-about = Gräbt und baut dreimal so schnell wie Holz. Wo Material gesammelt wird, gräbt sie auch Kupfer.
 item-pickaxe-diamond-about = Gräbt und baut fünfmal so schnell wie Holz. Wo Material gesammelt wird, gräbt sie auch Kristall.

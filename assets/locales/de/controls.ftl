@@ -35,6 +35,7 @@ action-flashlight = Taschenlampe; Licht des Autos
 action-talk = Ansprechen, wer vor dir ist; in Räumen noch einmal lesen
 action-drop = Eins wegwerfen
 action-other-map = Anders hinsehen
+action-large-map = Große Karte
 action-camera = Mit eigenen Augen oder von hinten
 action-hide-display = Anzeige verbergen
 action-hit-shapes = Trefferkörper

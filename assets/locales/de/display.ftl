@@ -18,6 +18,8 @@ compass-home = Zuhause { $metres } m · { $squares ->
    *[other] { $squares } Quadrate
 }
 compass-flag = { $name } · { $metres } m
+compass-way-back = Rückweg
+display-sighting = Drei Fahnen: { $here }° + { $seen }° + { $third }° = { $sum }° · Seiten { $a }, { $b }, { $c } m
 
 dial-raised = Krümmung, angehoben
 dial-horizon = Krümmung, Horizont
@@ -41,6 +43,7 @@ item-door = Tür
 item-log = Baumstück
 item-stone = Stein
 item-seed = Samen
+item-crumb = Brotkrume
 flag-unnamed = Fahne { $number }
 flag-name-title = Wie heißt diese Fahne?
 flag-name = Name der Fahne

@@ -23,6 +23,10 @@ hint-too-many-flag = Diese Welt hat zu viele Fahnen; nimm erst eine auf.
 hint-no-place-for-log = Ein Baumstück braucht freien Boden zum Stehen, höchstens acht Meter entfernt.
 hint-no-place-for-stone = Ein Stein braucht freien Boden zum Liegen, höchstens acht Meter entfernt.
 hint-no-place-for-seed = Ein Samen braucht weichen, ebenen Boden unter freier Luft, einen Schritt von anderen Bäumen, höchstens acht Meter entfernt.
+hint-no-place-for-crumb = Eine Brotkrume braucht Boden, höchstens acht Meter entfernt.
+hint-none-there-crumb = Unter dem Fadenkreuz ist keine Brotkrume.
+hint-too-many-crumb = In dieser Welt sind zu viele Brotkrumen; heb erst eine auf.
+hint-moved-crumb = Du hast die erste Brotkrume aufgehoben und hier hingelegt: Eine Welt hat höchstens 512.
 hint-none-there-log = Unter dem Fadenkreuz ist kein Baumstück.
 hint-none-there-stone = Unter dem Fadenkreuz ist kein Stein.
 hint-too-many-log = Diese Welt hat zu viele Baumstücke; nimm erst eines auf.
@@ -74,11 +78,18 @@ talk-triangle-flat = Ich habe drei Lampen aufgestellt, jede { $side } m von den 
 talk-triangle-pictured = Ich habe drei Lampen aufgestellt, jede { $side } m von den beiden anderen. Voneinander aus gesehen bilden sie zusammen { $sum }°: Das Land ist flach, nur sein Bild ist gekrümmt.
 talk-hello = Hallo! { $words }
 talk-triangle-more = Ich habe drei Lampen aufgestellt, jede { $side } m von den beiden anderen. Voneinander aus gesehen bilden sie zusammen { $sum }°, mehr als 180.
+talk-triangle-less = Ich habe drei Lampen aufgestellt, jede { $side } m von den anderen. Voneinander aus gesehen sind es zusammen { $sum }°, weniger als 180.
 talk-horizon-lower = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Er erscheint { $angle }° tiefer als in einem flachen Bild.
 talk-horizon-flat = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Er liegt genau da, wo ein flaches Bild ihn zeigt.
 talk-horizon-higher = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Er erscheint { $angle }° höher als in einem flachen Bild.
 talk-home-round = Nach Hause sind es von hier { $there } m, oder { $round } m andersherum, um die ganze Welt.
 talk-home-straight = Nach Hause sind es von hier { $there } m. Dieses Land hat kein Ende, also führt kein Weg herum.
+talk-home-squares = Nach Hause sind es { $there } m, { $squares ->
+    [one] { $squares } Quadrat
+   *[other] { $squares } Quadrate
+} weit. Jeder andere Weg ist länger, und die meisten sind viel länger.
+talk-land = Im Umkreis von { $within } m gibt es hier { $times }-mal so viel Land wie auf ebenem Grund.
+talk-square = Geh { $side } m, bieg rechts ab, und das viermal. Auf ebenem Grund wärst du zurück; hier stehst du { $gap } m von da, wo du losgegangen bist.
 
 open-failed = Die Welt konnte nicht geöffnet werden
 open-died = Beim Lesen ist etwas fehlgeschlagen; das Protokoll weiß mehr.

@@ -32,6 +32,7 @@ item-door-about = One of a pair. Put up two: what goes into one comes out of the
 item-log-about = A piece of a trunk. Put it up as a post, or make things of its wood.
 item-stone-about = Put it down to build with, or make things of its rock.
 item-seed-about = Plant it in soft ground: it becomes a tree of that land and grows from day to day.
+item-crumb-about = Lay them along your way: hold the button and walk. Map and compass show the way back along them.
 item-pickaxe-wood-about = Digs and builds, slowly. Where ground is gathered, it leaves copper and crystal.
 item-pickaxe-iron-about = Digs and builds three times as fast as wood. Where ground is gathered, it digs copper, too.
 item-pickaxe-diamond-about = Digs and builds five times as fast as wood. Where ground is gathered, it digs crystal, too.

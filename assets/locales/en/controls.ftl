@@ -35,6 +35,7 @@ action-flashlight = Flashlight; the car’s lights
 action-talk = Talk to the person ahead; in rooms, tell again
 action-drop = Throw one away
 action-other-map = Look another way
+action-large-map = Large map
 action-camera = First or third person
 action-hide-display = Hide the display
 action-hit-shapes = Hit boxes

@@ -21,6 +21,8 @@ compass-home = Home { $metres } m · { $squares ->
    *[other] { $squares } squares
 }
 compass-flag = { $name } · { $metres } m
+compass-way-back = Way back
+display-sighting = Three flags: { $here }° + { $seen }° + { $third }° = { $sum }° · sides { $a }, { $b }, { $c } m
 
 # What the dial under the wheel turns; a few words.
 dial-raised = Curvature, raised
@@ -47,6 +49,7 @@ item-door = Door
 item-log = Log
 item-stone = Stone
 item-seed = Seed
+item-crumb = Breadcrumb
 flag-unnamed = Flag { $number }
 flag-name-title = What is this flag called?
 flag-name = Name of the flag

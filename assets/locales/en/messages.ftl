@@ -24,6 +24,10 @@ hint-too-many-flag = There are too many flags in this world; take one up first.
 hint-no-place-for-log = A log needs free ground to stand on, within eight metres.
 hint-no-place-for-stone = A stone needs free ground to lie on, within eight metres.
 hint-no-place-for-seed = A seed needs soft, level ground under open air, a step away from other trees, within eight metres.
+hint-no-place-for-crumb = A breadcrumb needs ground within eight metres.
+hint-none-there-crumb = There is no breadcrumb under the crosshair.
+hint-too-many-crumb = There are too many breadcrumbs in this world; take one up first.
+hint-moved-crumb = You took up the first breadcrumb and laid it here: a world has 512 of them at most.
 hint-none-there-log = There is no log under the crosshair.
 hint-none-there-stone = There is no stone under the crosshair.
 hint-too-many-log = There are too many logs in this world; take one up first.
@@ -76,11 +80,18 @@ talk-triangle-flat = I put up three lamps, each { $side } m from the other two. 
 talk-triangle-pictured = I put up three lamps, each { $side } m from the other two. Seen from one another they make { $sum }° together: the land is flat, and only its picture is bent.
 talk-hello = Hello! { $words }
 talk-triangle-more = I put up three lamps, each { $side } m from the other two. Seen from one another they make { $sum }° together, more than 180.
+talk-triangle-less = I put up three lamps, each { $side } m from the other two. Seen from one another they make { $sum }° together, less than 180.
 talk-horizon-lower = See the ground { $away } m off, as high as this? It looks { $angle }° lower than it would in a flat picture.
 talk-horizon-flat = See the ground { $away } m off, as high as this? It is just where a flat picture shows it.
 talk-horizon-higher = See the ground { $away } m off, as high as this? It looks { $angle }° higher than it would in a flat picture.
 talk-home-round = Home is { $there } m from here, or { $round } m the other way, right round the world.
 talk-home-straight = Home is { $there } m from here. This land has no end, so there is no way round.
+talk-home-squares = Home is { $there } m from here, { $squares ->
+    [one] { $squares } square
+   *[other] { $squares } squares
+} away. Every other way there is longer, and most are much longer.
+talk-land = Within { $within } m of here there is { $times } times as much land as on flat ground.
+talk-square = Walk { $side } m, turn right, and do that four times. On flat ground you would be back; here you end { $gap } m from where you began.
 
 # Titles of what went wrong, and what is said where nothing more is known.
 open-failed = The world could not be opened

@@ -32,6 +32,7 @@ item-door-about = Una de un par. Coloca las dos: lo que entra por una sale por l
 item-log-about = Un trozo de tronco. Ponlo de pie como poste o haz cosas con su madera.
 item-stone-about = Colócala para construir o haz cosas con su roca.
 item-seed-about = Plántala en terreno blando: será un árbol de esa tierra y crecerá día a día.
+item-crumb-about = Déjalas por tu camino: mantén el botón y camina. El mapa y la brújula muestran el camino de vuelta.
 item-pickaxe-wood-about = Cava y construye, despacio. Donde se reúne material, no puede con el cobre ni el cristal.
 item-pickaxe-iron-about = Cava y construye tres veces más rápido que la madera. Donde se reúne material, cava también cobre.
 item-pickaxe-diamond-about = Cava y construye cinco veces más rápido que la madera. Donde se reúne material, cava también cristal.

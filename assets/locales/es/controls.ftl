@@ -35,6 +35,7 @@ action-flashlight = Linterna; luces del coche
 action-talk = Hablar con quien está delante; en salas, leer otra vez
 action-drop = Tirar uno
 action-other-map = Mirar de otro modo
+action-large-map = Mapa grande
 action-camera = Con los ojos o desde atrás
 action-hide-display = Ocultar los indicadores
 action-hit-shapes = Cuerpos de impacto

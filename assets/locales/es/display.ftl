@@ -18,6 +18,8 @@ compass-home = Casa { $metres } m · { $squares ->
    *[other] { $squares } cuadrados
 }
 compass-flag = { $name } · { $metres } m
+compass-way-back = Camino de vuelta
+display-sighting = Tres banderas: { $here }° + { $seen }° + { $third }° = { $sum }° · lados { $a }, { $b }, { $c } m
 
 dial-raised = Curvatura, elevada
 dial-horizon = Curvatura, horizonte
@@ -41,6 +43,7 @@ item-door = Puerta
 item-log = Tronco
 item-stone = Piedra
 item-seed = Semilla
+item-crumb = Miga de pan
 flag-unnamed = Bandera { $number }
 flag-name-title = ¿Cómo se llama esta bandera?
 flag-name = Nombre de la bandera

@@ -23,6 +23,10 @@ hint-too-many-flag = Hay demasiadas banderas en este mundo; recoge antes una.
 hint-no-place-for-log = Un tronco necesita terreno libre donde apoyarse, a ocho metros como mucho.
 hint-no-place-for-stone = Una piedra necesita terreno libre donde apoyarse, a ocho metros como mucho.
 hint-no-place-for-seed = Una semilla necesita terreno blando y llano, al aire libre y a un paso de otros árboles, a ocho metros como mucho.
+hint-no-place-for-crumb = Una miga necesita terreno a ocho metros como mucho.
+hint-none-there-crumb = No hay ninguna miga bajo la mira.
+hint-too-many-crumb = Hay demasiadas migas en este mundo; recoge una primero.
+hint-moved-crumb = Has recogido la primera miga y la has dejado aquí: un mundo tiene 512 como mucho.
 hint-none-there-log = No hay ningún tronco bajo la mira.
 hint-none-there-stone = No hay ninguna piedra bajo la mira.
 hint-too-many-log = Hay demasiados troncos en este mundo; recoge antes uno.
@@ -74,11 +78,18 @@ talk-triangle-flat = Puse tres lámparas, cada una a { $side } m de las otras do
 talk-triangle-pictured = Puse tres lámparas, cada una a { $side } m de las otras dos. Vistas unas desde otras suman { $sum }°: la tierra es llana y solo su imagen es curva.
 talk-hello = ¡Hola! { $words }
 talk-triangle-more = Puse tres lámparas, cada una a { $side } m de las otras dos. Vistas unas desde otras suman { $sum }°, más de 180.
+talk-triangle-less = Puse tres lámparas, cada una a { $side } m de las otras. Vistas una desde otra suman { $sum }°, menos de 180.
 talk-horizon-lower = ¿Ves el suelo a { $away } m, tan alto como este? Se ve { $angle }° más abajo que en una imagen plana.
 talk-horizon-flat = ¿Ves el suelo a { $away } m, tan alto como este? Está justo donde lo muestra una imagen plana.
 talk-horizon-higher = ¿Ves el suelo a { $away } m, tan alto como este? Se ve { $angle }° más arriba que en una imagen plana.
 talk-home-round = A casa hay { $there } m desde aquí, o { $round } m por el otro lado, dando la vuelta al mundo.
 talk-home-straight = A casa hay { $there } m desde aquí. Esta tierra no tiene fin, así que no hay camino que le dé la vuelta.
+talk-home-squares = Tu casa está a { $there } m, a { $squares ->
+    [one] { $squares } cuadrado
+   *[other] { $squares } cuadrados
+} de aquí. Cualquier otro camino es más largo, y casi todos mucho más.
+talk-land = A menos de { $within } m de aquí hay { $times } veces más tierra que en terreno plano.
+talk-square = Camina { $side } m, gira a la derecha y hazlo cuatro veces. En terreno plano estarías de vuelta; aquí acabas a { $gap } m de donde saliste.
 
 open-failed = No se pudo abrir el mundo
 open-died = Algo falló durante la lectura; el registro dice el resto.

@@ -32,6 +32,7 @@ item-door-about = Jedne z pary. Postaw oboje: co wchodzi w jedne, wychodzi z dru
 item-log-about = Kawałek pnia. Postaw ją jak słup albo zrób coś z jej drewna.
 item-stone-about = Połóż go, żeby budować, albo zrób coś z jego skały.
 item-seed-about = Posadź je w miękkiej ziemi: wyrośnie drzewo tej krainy, z dnia na dzień większe.
+item-crumb-about = Układaj je po drodze: przytrzymaj przycisk i idź. Mapa i kompas pokażą drogę powrotną.
 item-pickaxe-wood-about = Kopie i buduje, powoli. Tam, gdzie zbiera się materiał, nie kopie miedzi ani kryształu.
 item-pickaxe-iron-about = Kopie i buduje trzy razy szybciej niż drewniany. Tam, gdzie zbiera się materiał, kopie też miedź.
 item-pickaxe-diamond-about = Kopie i buduje pięć razy szybciej niż drewniany. Tam, gdzie zbiera się materiał, kopie też kryształ.

@@ -35,6 +35,7 @@ action-flashlight = Latarka; światła samochodu
 action-talk = Rozmowa z osobą z przodu; w pokojach: przeczytaj znowu
 action-drop = Wyrzuć sztukę
 action-other-map = Patrz inaczej
+action-large-map = Duża mapa
 action-camera = Widok z oczu lub zza pleców
 action-hide-display = Ukryj wskaźniki
 action-hit-shapes = Bryły trafień

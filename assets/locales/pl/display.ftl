@@ -20,6 +20,8 @@ compass-home = Dom { $metres } m · { $squares ->
    *[other] { $squares } kwadratów
 }
 compass-flag = { $name } · { $metres } m
+compass-way-back = Droga powrotna
+display-sighting = Trzy flagi: { $here }° + { $seen }° + { $third }° = { $sum }° · boki { $a }, { $b }, { $c } m
 
 # Czym obraca pokrętło pod kółkiem; kilka słów.
 dial-raised = Krzywizna, uniesiona
@@ -46,6 +48,7 @@ item-door = Drzwi
 item-log = Kłoda
 item-stone = Kamień
 item-seed = Nasiono
+item-crumb = Okruszek
 flag-unnamed = Flaga { $number }
 flag-name-title = Jak nazywa się ta flaga?
 flag-name = Nazwa flagi

@@ -24,6 +24,10 @@ hint-too-many-flag = W tym świecie jest za dużo flag; najpierw jakąś zabierz
 hint-no-place-for-log = Kłoda potrzebuje wolnego miejsca na ziemi, nie dalej niż osiem metrów.
 hint-no-place-for-stone = Kamień potrzebuje wolnego miejsca na ziemi, nie dalej niż osiem metrów.
 hint-no-place-for-seed = Nasiono potrzebuje miękkiego, równego terenu pod gołym niebem, o krok od innych drzew, nie dalej niż osiem metrów.
+hint-no-place-for-crumb = Okruszek potrzebuje gruntu nie dalej niż osiem metrów.
+hint-none-there-crumb = Pod celownikiem nie ma okruszka.
+hint-too-many-crumb = W tym świecie jest za dużo okruszków; najpierw jeden zabierz.
+hint-moved-crumb = Zabrałeś pierwszy okruszek i położyłeś go tutaj: świat ma ich najwyżej 512.
 hint-none-there-log = Pod celownikiem nie ma kłody.
 hint-none-there-stone = Pod celownikiem nie ma kamienia.
 hint-too-many-log = W tym świecie jest za dużo kłód; najpierw jakąś zabierz.
@@ -75,11 +79,19 @@ talk-triangle-flat = Ustawiłem trzy lampy, każdą { $side } m od dwóch pozost
 talk-triangle-pictured = Ustawiłem trzy lampy, każdą { $side } m od dwóch pozostałych. Kąty, pod którymi widać je od siebie nawzajem, mają razem { $sum }°: ląd jest płaski, zakrzywiony jest tylko jego obraz.
 talk-hello = Cześć! { $words }
 talk-triangle-more = Ustawiłem trzy lampy, każdą { $side } m od dwóch pozostałych. Kąty, pod którymi widać je od siebie nawzajem, mają razem { $sum }°, więcej niż 180.
+talk-triangle-less = Postawiłem trzy lampy, każdą { $side } m od pozostałych. Widziane jedna z drugiej dają razem { $sum }°, mniej niż 180.
 talk-horizon-lower = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Wygląda o { $angle }° niżej niż na płaskim obrazie.
 talk-horizon-flat = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Leży dokładnie tam, gdzie pokazuje go płaski obraz.
 talk-horizon-higher = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Wygląda o { $angle }° wyżej niż na płaskim obrazie.
 talk-home-round = Do domu jest stąd { $there } m, a w drugą stronę, dookoła świata, { $round } m.
 talk-home-straight = Do domu jest stąd { $there } m. Ten ląd nie ma końca, więc nie da się go obejść.
+talk-home-squares = Do domu jest stąd { $there } m, { $squares ->
+    [one] { $squares } kwadrat
+    [few] { $squares } kwadraty
+   *[other] { $squares } kwadratów
+} dalej. Każda inna droga jest dłuższa, a większość dużo dłuższa.
+talk-land = W promieniu { $within } m jest tu { $times } razy tyle lądu co na płaskim terenie.
+talk-square = Przejdź { $side } m, skręć w prawo i powtórz to cztery razy. Na płaskim terenie byłbyś z powrotem; tutaj kończysz { $gap } m od miejsca, z którego wyszedłeś.
 
 # Tytuły tego, co się nie udało, i zdania, gdy nic więcej nie wiadomo.
 open-failed = Nie udało się otworzyć świata

@@ -32,6 +32,7 @@ item-door-about = 成对的门之一。放好两扇：从一扇进去，就从�
 item-log-about = 一段树干。可以立起来当柱子，也可以用它的木头做东西。
 item-stone-about = 放下来可以搭建，也可以用它的岩石做东西。
 item-seed-about = 种在松软的地里，会长成当地的树，一天天长大。
+item-crumb-about = 沿路撒下：按住按钮往前走。地图和罗盘会带你沿着它们回去。
 item-pickaxe-wood-about = 挖掘和建造，很慢。在采集世界里，挖不动铜和水晶。
 item-pickaxe-iron-about = 挖掘和建造，速度是木镐的三倍。在采集世界里也能挖铜。
 item-pickaxe-diamond-about = 挖掘和建造，速度是木镐的五倍。在采集世界里也能挖水晶。

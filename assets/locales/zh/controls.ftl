@@ -35,6 +35,7 @@ action-flashlight = 手电筒；车灯
 action-talk = 与前面的人交谈；在房间里再看一次说明
 action-drop = 扔掉一个
 action-other-map = 换一种看法
+action-large-map = 大地图
 action-camera = 第一或第三人称
 action-hide-display = 隐藏显示
 action-hit-shapes = 碰撞体

@@ -15,6 +15,8 @@ compass-west = 西
 compass-equator = { $letter } · 赤道 { $metres } 米
 compass-home = 回家 { $metres } 米 · { $squares } 个方块
 compass-flag = { $name } · { $metres } 米
+compass-way-back = 回头路
+display-sighting = 三面旗：{ $here }° + { $seen }° + { $third }° = { $sum }° · 边长 { $a }、{ $b }、{ $c } 米
 
 dial-raised = 曲率，抬升
 dial-horizon = 曲率，地平
@@ -38,6 +40,7 @@ item-door = 门
 item-log = 原木
 item-stone = 石头
 item-seed = 种子
+item-crumb = 面包屑
 flag-unnamed = 旗子 { $number }
 flag-name-title = 这面旗子叫什么名字？
 flag-name = 旗子的名字

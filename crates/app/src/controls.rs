@@ -311,6 +311,7 @@ impl Controls {
             | Action::HideDisplay
             | Action::HitShapes
             | Action::FrameFigures
+            | Action::LargeMap
             | Action::Fullscreen
             | Action::Screenshot
             | Action::PhotoMode

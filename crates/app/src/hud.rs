@@ -62,6 +62,7 @@ pub fn model(
         cheated: scene.cheated(),
         figures,
         compass: None,
+        sighting: None,
         map: None,
         health: Some((scene.health() / FULL_HEALTH) as f32),
         damage: None,

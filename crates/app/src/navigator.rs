@@ -6,7 +6,7 @@ use std::sync::Arc;
 use antipode_language::Texts;
 use antipode_scene::actors::ActorId;
 use antipode_scene::bearings::{Bearings, FlagWay, LandmarkKind};
-use antipode_scene::survey::{Survey, SurveyMap};
+use antipode_scene::survey::{Extent, Survey, SurveyMap};
 use antipode_scene::{Scene, Seen};
 use antipode_settings::Settings;
 use antipode_ui::{
@@ -14,10 +14,14 @@ use antipode_ui::{
     MarkKind, Relief, ReliefNode, tints_of,
 };
 
+use crate::wording;
+
 /// Columns of land that the map takes in for each second: three in a frame of a sixtieth, a small part of its time.
 const COLUMNS_PER_S: f64 = 180.0;
 /// No frame takes in more.
 const MOST_COLUMNS: f64 = 60.0;
+/// So many times as many for the large map, which is looked at instead of the land.
+const WIDE_COLUMNS: f64 = 8.0;
 /// For a single picture, which shows all of the map.
 pub const WHOLE_MAP: usize = usize::MAX;
 /// How long damage is told of, seconds; with reduced motion it fades more slowly, from a weaker beginning.
@@ -29,8 +33,18 @@ const STRUCK_S: f64 = 0.25;
 
 /// How many columns of land the map takes in for a frame after so many seconds: a slow machine's map must keep up
 /// with those who run, too.
-pub fn columns_for(frame_s: f64) -> usize {
-    (COLUMNS_PER_S * frame_s).clamp(1.0, MOST_COLUMNS).round() as usize
+pub fn columns_for(frame_s: f64, extent: Extent) -> usize {
+    let times = match extent {
+        Extent::Near => 1.0,
+        Extent::Wide => WIDE_COLUMNS,
+    };
+    let columns = (COLUMNS_PER_S * frame_s).clamp(1.0, MOST_COLUMNS);
+    (columns * times).round() as usize
+}
+
+/// How much of the land the map shows, the large one or the one on the display.
+pub fn extent_of(is_large: bool) -> Extent {
+    if is_large { Extent::Wide } else { Extent::Near }
 }
 
 /// What the map may survey for a frame.
@@ -38,6 +52,8 @@ pub fn columns_for(frame_s: f64) -> usize {
 pub struct SurveyOrder {
     /// The world's number.
     pub world: u64,
+    /// How much of the land it shows.
+    pub extent: Extent,
     /// How many columns of land may be taken in.
     pub columns: usize,
 }
@@ -69,7 +85,9 @@ impl Navigator {
             flags: ways_shown(texts, scene, bearings.heading_rad),
             ..compass(&bearings)
         });
-        model.map = settings.minimap.then(|| self.map(scene, &bearings, order));
+        let has_map = settings.minimap || order.extent == Extent::Wide;
+        model.sighting = scene.sighting().map(|it| wording::sighting(texts, &it));
+        model.map = has_map.then(|| self.map(scene, &bearings, order));
         model.damage = damage(scene, &bearings, settings);
         let foes = scene.hidden_foes().into_iter();
         model.hidden_foes = foes
@@ -79,7 +97,12 @@ impl Navigator {
     }
 
     fn map(&mut self, scene: &Scene, bearings: &Bearings, order: SurveyOrder) -> MapModel {
-        let plan = self.survey.look(scene, order.world, order.columns);
+        let SurveyOrder {
+            world,
+            extent,
+            columns,
+        } = order;
+        let plan = self.survey.look(scene, world, extent, columns);
         let relief = match self.relief.take() {
             Some((drawn, relief)) if Arc::ptr_eq(&drawn, &plan) => relief,
             _ => Arc::new(relief(&plan)),
@@ -93,10 +116,14 @@ impl Navigator {
                 LandmarkKind::Car => MarkKind::Car,
                 LandmarkKind::Flag => MarkKind::Flag,
                 LandmarkKind::Door => MarkKind::Door,
+                LandmarkKind::Crumb => MarkKind::Crumb,
+                LandmarkKind::Home => MarkKind::Home,
             },
+            name: antipode_ui::legible(&mark.name).into_owned(),
             at: mark.at.as_vec2().to_array(),
         });
         let map = MapModel {
+            is_large: extent == Extent::Wide,
             relief: Arc::clone(&relief),
             heading_rad: bearings.heading_rad as f32,
             north_rad: (bearings.north_rad - bearings.heading_rad) as f32,
@@ -117,23 +144,27 @@ pub fn flag_name(texts: &Texts, id: ActorId, name: &str) -> String {
     }
 }
 
-/// The ways to flags and doors.
+/// The ways to flags and doors, and back along breadcrumbs.
 fn ways_shown(texts: &Texts, scene: &Scene, heading_rad: f64) -> Vec<FlagView> {
-    let view = |way: &FlagWay, name: String, is_door: bool| FlagView {
+    let view = |way: &FlagWay, name: String, mark: MarkKind| FlagView {
         name,
         distance_m: way.distance_m,
         bearing_rad: (way.heading_rad - heading_rad).rem_euclid(TAU),
-        is_door,
+        mark,
     };
     let flags = scene.flag_ways();
     let flags = flags
         .iter()
-        .map(|way| view(way, flag_name(texts, way.id, &way.name), false));
+        .map(|way| view(way, flag_name(texts, way.id, &way.name), MarkKind::Flag));
     let doors = scene.door_ways();
     let doors = doors
         .iter()
-        .map(|way| view(way, texts.say("item-door"), true));
-    flags.chain(doors).collect()
+        .map(|way| view(way, texts.say("item-door"), MarkKind::Door));
+    let back = scene.way_back();
+    let back = back
+        .iter()
+        .map(|way| view(way, texts.say("compass-way-back"), MarkKind::Crumb));
+    flags.chain(doors).chain(back).collect()
 }
 
 fn compass(bearings: &Bearings) -> CompassModel {

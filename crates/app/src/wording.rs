@@ -9,6 +9,7 @@ use antipode_render::RenderError;
 use antipode_room_scene::RoomHint;
 use antipode_rooms::{RoomError, RoomSummary};
 use antipode_scene::notice::Unfit;
+use antipode_scene::sighting::Sighting;
 use antipode_scene::{Hint, Item, Kind, Line, NotUndone, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
@@ -300,6 +301,8 @@ fn line_words(texts: &Texts, line: Line) -> String {
                 "talk-triangle-pictured"
             } else if sum_decidegrees > 1800 {
                 "talk-triangle-more"
+            } else if sum_decidegrees < 1800 {
+                "talk-triangle-less"
             } else {
                 "talk-triangle-flat"
             };
@@ -318,14 +321,55 @@ fn line_words(texts: &Texts, line: Line) -> String {
             let angle = tenths(lower_decidegrees.abs());
             texts.say_with(key, &[("away", away_m.into()), ("angle", angle)])
         }
-        Line::Home { there_m, round_m } => match round_m {
-            Some(round_m) => {
-                let values = [("there", there_m.into()), ("round", round_m.into())];
-                texts.say_with("talk-home-round", &values)
+        Line::Home {
+            there_m,
+            round_m,
+            squares,
+        } => {
+            let there = ("there", there_m.into());
+            match (round_m, squares) {
+                (Some(round_m), _) => {
+                    texts.say_with("talk-home-round", &[there, ("round", round_m.into())])
+                }
+                (None, Some(squares)) => {
+                    texts.say_with("talk-home-squares", &[there, ("squares", squares.into())])
+                }
+                (None, None) => texts.say_with("talk-home-straight", &[there]),
             }
-            None => texts.say_with("talk-home-straight", &[("there", there_m.into())]),
-        },
+        }
+        Line::Land { within_m, tenths } => {
+            let times = Value::decimals(f64::from(tenths) / 10.0, 1);
+            texts.say_with(
+                "talk-land",
+                &[("within", within_m.into()), ("times", times)],
+            )
+        }
+        Line::Square {
+            side_m,
+            gap_decimetres,
+        } => {
+            let gap = Value::decimals(f64::from(gap_decimetres) / 10.0, 1);
+            texts.say_with("talk-square", &[("side", side_m.into()), ("gap", gap)])
+        }
     }
+}
+
+/// What who sights a triangle of flags is told of it.
+pub fn sighting(texts: &Texts, it: &Sighting) -> String {
+    let degrees = it.angles_rad.map(f64::to_degrees);
+    let sum: f64 = degrees.iter().sum();
+    // The side to the flag that one looks at first.
+    let [across, to_third, to_seen] = it.sides_m;
+    let values = [
+        ("here", Value::decimals(degrees[0], 1)),
+        ("seen", Value::decimals(degrees[1], 1)),
+        ("third", Value::decimals(degrees[2], 1)),
+        ("sum", Value::decimals(sum, 1)),
+        ("a", Value::decimals(to_seen, 0)),
+        ("b", Value::decimals(across, 0)),
+        ("c", Value::decimals(to_third, 0)),
+    ];
+    texts.say_with("display-sighting", &values)
 }
 
 /// What an item is called.

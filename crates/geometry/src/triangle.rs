@@ -1,6 +1,8 @@
-//! Triangles of geodesics.
+//! Triangles and squares of geodesics.
 
 use std::f64::consts::PI;
+
+use glam::{DMat3, DVec3};
 
 /// The sum of the angles in radians of a triangle of geodesics whose sides are all `side_m` metres long, in a space of
 /// curvature `curvature_per_m2`. A side too long for a triangle on a sphere, a third of the way round, is cut to it.
@@ -18,8 +20,39 @@ pub fn equilateral_angle_sum_rad(curvature_per_m2: f64, side_m: f64) -> f64 {
     6.0 * (0.5 / (1.0 + c)).sqrt().min(1.0).asin()
 }
 
+/// How far one ends from where one began who walks four sides of `side_m` metres with a right angle to the same hand between
+/// them, in metres, in a space of curvature `curvature_per_m2`; 0 in flat space.
+///
+/// In (X, Z, W), with C and S the cosine and sine of a side in radii on a sphere, and its hyperbolic ones in hyperbolic space, a
+/// side ahead is `T: (X, W) -> (C X + S W, C W -+ S X)` and a quarter turn `Q: (X, Z) -> (-Z, X)`. One begins at (0, 0, 1) and
+/// ends at `p = (T Q)^4 (0, 0, 1)`, at a distance whose sine is the length of (X, Z).
+pub fn square_gap_m(curvature_per_m2: f64, side_m: f64) -> f64 {
+    let root = curvature_per_m2.abs().sqrt();
+    let side = side_m * root;
+    let is_hyperbolic = curvature_per_m2 < 0.0;
+    let (c, s) = if is_hyperbolic {
+        (side.cosh(), side.sinh())
+    } else {
+        (side.cos(), side.sin())
+    };
+    let back = if is_hyperbolic { s } else { -s };
+    let ahead = DMat3::from_cols_array_2d(&[[c, 0.0, back], [0.0, 1.0, 0.0], [s, 0.0, c]]);
+    let turn = DMat3::from_cols_array_2d(&[[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    let end = (0..4).fold(DVec3::Z, |at, _| ahead * (turn * at));
+    let sine = end.truncate().length();
+    if is_hyperbolic {
+        sine.asinh() / root
+    } else if root > 0.0 {
+        sine.atan2(end.z) / root
+    } else {
+        0.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_1_SQRT_2;
+
     use super::*;
 
     #[test]
@@ -40,6 +73,28 @@ mod tests {
             assert!((over / (curvature * area) - 1.0).abs() < 1e-3, "{over}");
         }
         assert!(equilateral_angle_sum_rad(-1.0, 1e6) < 1e-6);
+    }
+
+    /// The first three are those of the golden tiling, by exact numbers a + b phi.
+    #[test]
+    fn four_sides_do_not_close_in_curved_space_and_a_fifth_closes_where_five_squares_meet() {
+        let golden = 0.5 * (1.0 + 5f64.sqrt());
+        let radius_m = 64.0 / golden.acosh();
+        let k = -1.0 / (radius_m * radius_m);
+        for (side_m, gap_m) in [(20.0, 1.599), (30.0, 5.581), (64.0, 64.0)] {
+            let found = square_gap_m(k, side_m);
+            assert!((found / gap_m - 1.0).abs() < 1e-3, "{side_m}: {found}");
+        }
+        assert_eq!(square_gap_m(0.0, 30.0), 0.0);
+        // Of a small square of side s the gap is s^3 |K| / sqrt(2): it turns by its area s^2 |K| about a corner that is s sqrt(1/2)
+        // from its middle.
+        for curvature in [1.0, -1.0] {
+            let small = square_gap_m(curvature, 1e-2);
+            assert!((small / 1e-6 - FRAC_1_SQRT_2).abs() < 1e-3, "{small}");
+        }
+        // Three quarters of the way round closes with three sides; four sides of a quarter end a quarter away.
+        let quarter_m = 0.5 * PI;
+        assert!((square_gap_m(1.0, quarter_m) - quarter_m).abs() < 1e-12);
     }
 
     /// By mpmath with 40 digits.

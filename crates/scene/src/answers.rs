@@ -12,6 +12,7 @@ use crate::bot::{self, BotView};
 use crate::brush::{Brush, Choice};
 use crate::camera::CameraMode;
 use crate::car::CarView;
+use crate::crumb;
 use crate::damage;
 use crate::day;
 use crate::drops::Drop;
@@ -29,6 +30,7 @@ use crate::probing;
 use crate::projectile::Projectile;
 use crate::scene::Scene;
 use crate::setup::WorldSetup;
+use crate::sighting::{self, Sighting};
 use crate::situation::is_ground_ready;
 use crate::sound::{self, Surroundings};
 use crate::tuning::MOST_BOTS;
@@ -270,10 +272,20 @@ impl Scene {
         hit_shapes::hit_shapes(self.now())
     }
 
-    /// Lamps and everyone alive but the player, within a distance along the ground; and cars and flags, of which those
-    /// farther off are marked at the edge in their direction.
+    /// Lamps, breadcrumbs and everyone alive but the player, within a distance on the map; and cars, flags, doors and home, of
+    /// which those farther off are marked at the edge in their direction.
     pub fn landmarks(&self, reach_m: f64) -> Vec<Landmark> {
         bearings::landmarks(&self.sim.world, &self.sim.actors, reach_m)
+    }
+
+    /// The way back along the breadcrumbs that were laid, where some are about.
+    pub fn way_back(&self) -> Option<FlagWay> {
+        crumb::way_back(&self.sim.world, &self.sim.actors)
+    }
+
+    /// The triangle of flags that the player sights, if he stands at one and looks at another.
+    pub fn sighting(&self) -> Option<Sighting> {
+        sighting::sighting(self.now())
     }
 
     /// Headings of the player's chart, radians, to those who could shoot at the player and are not to be seen in the

@@ -1,8 +1,9 @@
 //! Lays things out as on a map around the player: bearings, north, the equator, and what stands about.
 //!
 //! A map is of the sheet at height 0, which lines along the ground never leave in any space: each place is drawn in
-//! the direction in which the shortest line to it sets out, at that line's length (azimuthal equidistant). The picture's
-//! dial has no part in it.
+//! the direction in which the shortest line to it sets out, at that line's length (azimuthal equidistant). In worlds in
+//! squares, whose plane has more room than any sheet of paper, it is drawn nearer, as [`on_map_m`] has it (conformal
+//! disc). The picture's dial has no part in it.
 
 use std::f64::consts::PI;
 
@@ -75,14 +76,20 @@ pub enum LandmarkKind {
     Flag,
     /// A door.
     Door,
+    /// A breadcrumb.
+    Crumb,
+    /// The middle of the first square, in a world in squares.
+    Home,
 }
 
 /// Something on the map.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Landmark {
     /// What it is.
     pub kind: LandmarkKind,
-    /// Metres from the player along +x and +z of the player's chart, as on the map.
+    /// Its name, of what has one; else empty.
+    pub name: String,
+    /// Metres of the map from the player along +x and +z of the player's chart.
     pub at: DVec2,
 }
 
@@ -105,6 +112,18 @@ fn on_sheet(point: ChartPoint) -> ChartPoint {
     ChartPoint::new(point.chart, point.pos.with_y(0.0))
 }
 
+/// How far from a map's middle a place is drawn that is so many metres away along the ground sheet, in metres of the map.
+///
+/// In worlds in squares it is Poincare's disc, which keeps all angles: a length of `d` is seen as `2 R tanh(d / 2 R)`, in the
+/// middle as long as it is, and the disc of radius 2 R holds the whole plane.
+pub(crate) fn on_map_m(strategy: &dyn Strategy, away_m: f64) -> f64 {
+    if strategy.tiled().is_none() {
+        return away_m;
+    }
+    let double_m = 2.0 * strategy.radius_m();
+    double_m * (away_m / double_m).tanh()
+}
+
 impl<'a> Locator<'a> {
     /// A map about an eye's place.
     pub fn new(strategy: &'a dyn Strategy, eye: &'a Eye) -> Self {
@@ -115,7 +134,14 @@ impl<'a> Locator<'a> {
         }
     }
 
-    /// Where a point is on the map: metres along +x and +z of the chart at the map's middle.
+    /// Where a point is on the map, by [`on_map_m`].
+    pub fn on_map(&self, point: ChartPoint) -> DVec2 {
+        let at = self.at(point);
+        let away_m = at.length();
+        at.normalize_or_zero() * on_map_m(self.strategy, away_m)
+    }
+
+    /// The way to a point along the ground sheet: metres along +x and +z of the chart at the map's middle.
     pub fn at(&self, point: ChartPoint) -> DVec2 {
         let view = (self.view)(on_sheet(point));
         let away_m = self.strategy.eye_distance_m(self.eye, view);
@@ -147,7 +173,7 @@ pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
 fn home(strategy: &dyn Strategy, feet: ChartPoint) -> Option<Home> {
     let squares = strategy.tiled()?.edges_from_first(feet.chart)?;
     let eye = map_eye(feet);
-    let at = Locator::new(strategy, &eye).at(ChartPoint::a(DVec3::ZERO));
+    let at = Locator::new(strategy, &eye).at(first_middle());
     Some(Home {
         squares,
         distance_m: at.length(),
@@ -208,48 +234,44 @@ fn ways_to(world: &World, actors: &Actors, item: Item) -> Vec<FlagWay> {
     })
 }
 
-/// Lamps and everyone alive but the player, within a distance along the ground; and cars, flags and doors, of which those
+/// Lamps, breadcrumbs and everyone alive but the player, within a distance on the map; and cars, flags, doors and home, of which those
 /// farther off are marked at the edge in their direction.
 pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Landmark> {
+    use LandmarkKind::{Car, Crumb, Door, Flag, Home, Hostile, Lamp, Neutral};
+    let strategy = &*world.strategy;
     let eye = map_eye(actors.feet());
-    let locator = Locator::new(&*world.strategy, &eye);
-    let lamps = fixture::map_of(actors, Item::Lamp, |_, it| {
-        (LandmarkKind::Lamp, it.foot.point)
-    });
+    let locator = Locator::new(strategy, &eye);
+    let mark = |kind, point| Landmark {
+        kind,
+        name: String::new(),
+        at: locator.on_map(point),
+    };
+    let stand = |item, kind| fixture::map_of(actors, item, |_, it| mark(kind, it.foot.point));
     let bots = bot::living(actors).into_iter().map(|it| {
-        let kind = if it.fights {
-            LandmarkKind::Hostile
-        } else {
-            LandmarkKind::Neutral
-        };
-        (kind, it.point)
+        let kind = if it.fights { Hostile } else { Neutral };
+        mark(kind, it.point)
     });
+    let near = stand(Item::Crumb, Crumb).into_iter();
+    let near = near.chain(stand(Item::Lamp, Lamp)).chain(bots);
+    let near = near.filter(|it| it.at.length() <= reach_m);
     let cars = actors.car_views().into_iter();
-    let cars = cars.filter(|it| !it.driven);
-    let cars = cars.map(|it| (LandmarkKind::Car, it.point));
-    let flags = fixture::map_of(actors, Item::Flag, |_, it| {
-        (LandmarkKind::Flag, it.foot.point)
+    let cars = cars.filter(|it| !it.driven).map(|it| mark(Car, it.point));
+    let flags = fixture::map_of(actors, Item::Flag, |_, it| Landmark {
+        name: it.name.clone(),
+        ..mark(Flag, it.foot.point)
     });
-    let doors = fixture::map_of(actors, Item::Door, |_, it| {
-        (LandmarkKind::Door, it.foot.point)
+    let home = strategy.tiled().map(|_| mark(Home, first_middle()));
+    let far = cars.chain(flags).chain(stand(Item::Door, Door)).chain(home);
+    let far = far.map(|it| Landmark {
+        at: it.at.clamp_length_max(EDGE * reach_m),
+        ..it
     });
-    let marked = cars
-        .chain(flags)
-        .chain(doors)
-        .map(|(kind, point)| Landmark {
-            kind,
-            at: locator.at(point).clamp_length_max(EDGE * reach_m),
-        });
-    lamps
-        .into_iter()
-        .chain(bots)
-        .map(|(kind, point)| Landmark {
-            kind,
-            at: locator.at(point),
-        })
-        .filter(|it| it.at.length() <= reach_m)
-        .chain(marked)
-        .collect()
+    near.chain(far).collect()
+}
+
+/// The middle of the first square of a world in squares.
+fn first_middle() -> ChartPoint {
+    ChartPoint::a(DVec3::ZERO)
 }
 
 #[cfg(test)]

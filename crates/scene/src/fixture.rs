@@ -23,7 +23,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{FIXTURE_REACH_M, REACH_M, STEP_S};
 use crate::world::World;
-use crate::{door_place, felling, flag, lamp};
+use crate::{crumb, door_place, felling, flag, lamp};
 
 mod solid;
 
@@ -154,6 +154,12 @@ pub(crate) trait Behaviour {
         false
     }
 
+    /// How far from all others one has to be to put down one more at one's feet while the button is held, metres; none of what
+    /// is put down one by one.
+    fn laid_apart_m(&self) -> Option<f64> {
+        None
+    }
+
     /// Whether one more than the world can have moves the oldest, where others are refused.
     fn replaces_oldest(&self) -> bool {
         false
@@ -171,6 +177,7 @@ fn behaviour(item: Item) -> &'static dyn Behaviour {
         Item::Lamp => &lamp::Clings,
         Item::Flag => &flag::Named,
         Item::Door => &door_place::Paired,
+        Item::Crumb => &crumb::Laid,
         _ => &Plain,
     }
 }
@@ -216,7 +223,11 @@ pub(crate) fn use_in_hand(
     let now = Situation::of(world, actors, player);
     let crosshair = Crosshair::aimed(now);
     let covered = || crosshair.fixture(held, REACH_M);
-    if actions.primary && !player.primary_before {
+    if actions.primary && player.primary_before {
+        if let Some(it) = held.and_then(|item| laid(now, item)) {
+            put_down(actors, &mut player.inventory, outbox, it.item, Some(it));
+        }
+    } else if actions.primary {
         if covered().is_some_and(|(item, id)| behaviour(item).touch(id, outbox)) {
             return;
         }
@@ -294,6 +305,23 @@ fn is_taken(now: Situation<'_>, it: &Fixture) -> bool {
     };
     let things = || felling::solids_near(now.world, foot, THINGS_M);
     others.iter().any(is_other) || own.is_solid && things().iter().any(is_thing)
+}
+
+/// One of what is laid along a way, at the feet of who has left the others behind.
+fn laid(now: Situation<'_>, item: Item) -> Option<Fixture> {
+    let apart_m = behaviour(item).laid_apart_m()?;
+    let feet = now.feet();
+    let strategy = &*now.world.strategy;
+    let is_near = |_, other: &Fixture| {
+        let there = over(strategy, feet, other.foot.point);
+        there.chart == feet.chart && there.pos.distance(feet.pos) < apart_m
+    };
+    if map_of(now.actors, item, is_near).contains(&true) {
+        return None;
+    }
+    let mut it = Fixture::standing(now.world, item, feet, None)?;
+    it.foot.unchecked = true;
+    Some(it).filter(|it| !is_taken(now, it))
 }
 
 /// The same of what is in a free hand.

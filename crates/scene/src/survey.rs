@@ -4,22 +4,23 @@
 //! This is not part of the simulation. It reads the ground that is loaded and changes nothing.
 
 use std::collections::HashMap;
-use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, Globe, Strategy};
-use glam::{DVec2, DVec3, Vec2, Vec3Swizzles};
+use glam::{DVec3, Vec3Swizzles};
 
 use crate::bearings::{Locator, map_eye};
 use crate::pick::over;
 use crate::scene::Scene;
 
+mod extent;
+mod sheet;
+
+pub use extent::Extent;
+use sheet::draw;
+
 /// Distance of columns in the chart, metres.
 const NODE_M: f64 = 3.0;
-/// How far a map reaches, metres of the space; in a small closed world less, so that nothing is shown twice.
-const REACH_M: f64 = 45.0;
-/// Share of the way to the equator and back that a map of a closed world reaches at most.
-const CLOSED_SHARE: f64 = 0.8;
 /// Columns within this of the player are surveyed again and again: the brush reaches there, metres.
 const CHANGES_M: f64 = 26.0;
 /// Columns that are surveyed again for one call that finds nothing new to survey.
@@ -27,17 +28,8 @@ const AGAIN: usize = 2;
 /// Steps in which a column is searched for ground from above, and halvings of the last one.
 const STEP_M: f64 = 1.0;
 const HALVINGS: u32 = 5;
-/// Heights between contour lines, metres, as on the land.
-const CONTOUR_M: f32 = 8.0;
 /// Heights kept, of places further off too.
 const MOST_KEPT: usize = 20_000;
-/// Where the light of the map comes from, in its own axes, and how strongly slopes take it.
-const LIGHT: DVec2 = DVec2::new(-0.8, 0.6);
-const RELIEF: f32 = 1.4;
-/// Pieces in which an edge of a square is drawn.
-const EDGE_PIECES: u32 = 8;
-/// A patch that is smaller on the map tells no slope, square metres: it is held at the edge.
-const LEAST_PATCH_M2: f32 = 1.0;
 
 /// A column of the chart, by whole multiples of [`NODE_M`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -50,7 +42,7 @@ struct Node {
 /// A column as it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanNode {
-    /// Metres from the player along +x and +z of the player's chart, as on the map.
+    /// Metres of the map from the player along +x and +z of the player's chart.
     pub at: [f32; 2],
     /// Height of the ground, 0 where this world's is lowest to 1 where it is highest.
     pub share: f32,
@@ -65,7 +57,7 @@ pub struct PlanNode {
 /// The land about the player as on a map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SurveyMap {
-    /// How far it reaches, metres.
+    /// How far it reaches, in its own metres.
     pub reach_m: f64,
     /// Columns, of which patches tell by their place in this list.
     pub nodes: Vec<PlanNode>,
@@ -109,6 +101,7 @@ impl Known {
 /// The columns of a map about a place.
 #[derive(Debug)]
 struct Sheet {
+    extent: Extent,
     about: Node,
     /// The nearest first.
     nodes: Vec<Node>,
@@ -134,7 +127,13 @@ pub struct Survey {
 impl Survey {
     /// Surveys at most `columns` new ones about the player of a world, by its number, and gives the map of what is
     /// known. Cheap where nobody moves.
-    pub fn look(&mut self, scene: &Scene, world: u64, columns: usize) -> Arc<SurveyMap> {
+    pub fn look(
+        &mut self,
+        scene: &Scene,
+        world: u64,
+        extent: Extent,
+        columns: usize,
+    ) -> Arc<SurveyMap> {
         if self.world != Some(world) {
             *self = Self {
                 world: Some(world),
@@ -143,8 +142,11 @@ impl Survey {
         }
         let feet = scene.feet();
         let mut sheet = match self.sheet.take() {
-            Some(sheet) if sheet.about == node_of(feet) => sheet,
-            _ => self.sheet_about(&*scene.sim.world.strategy, feet),
+            Some(sheet) if sheet.extent == extent && sheet.about == node_of(feet, extent) => sheet,
+            _ => {
+                self.drawn = None;
+                self.sheet_about(&*scene.sim.world.strategy, feet, extent)
+            }
         };
         let changed = self.measure(scene, &mut sheet, columns);
         let plan = match self.drawn.take() {
@@ -156,11 +158,11 @@ impl Survey {
         plan
     }
 
-    fn sheet_about(&mut self, strategy: &dyn Strategy, feet: ChartPoint) -> Sheet {
+    fn sheet_about(&mut self, strategy: &dyn Strategy, feet: ChartPoint, extent: Extent) -> Sheet {
         if self.kept.len() > MOST_KEPT {
             self.kept.clear();
         }
-        let mut nodes = nodes_about(strategy, feet);
+        let mut nodes = nodes_about(strategy, feet, extent);
         nodes.sort_by(|a, b| a.1.total_cmp(&b.1));
         let near = nodes.partition_point(|(_, away_m)| *away_m < CHANGES_M);
         let nodes: Vec<Node> = nodes.into_iter().map(|(node, _)| node).collect();
@@ -169,8 +171,9 @@ impl Survey {
             .map(|node| self.kept.get(node).copied().unwrap_or(Known::NOTHING))
             .collect();
         Sheet {
-            about: node_of(feet),
-            patches: patches_of(strategy, &nodes),
+            extent,
+            about: node_of(feet, extent),
+            patches: patches_of(strategy, &nodes, extent.step()),
             nodes,
             columns,
             near,
@@ -206,8 +209,10 @@ impl Survey {
     }
 }
 
-fn node_of(point: ChartPoint) -> Node {
-    let whole = |x: f64| (x / NODE_M).round() as i32;
+/// The nearest column that a map of that extent may have.
+fn node_of(point: ChartPoint, extent: Extent) -> Node {
+    let step = extent.step();
+    let whole = |x: f64| (x / (NODE_M * f64::from(step))).round() as i32 * step;
     Node {
         chart: point.chart,
         at: [whole(point.pos.x), whole(point.pos.z)],
@@ -219,28 +224,22 @@ fn column(node: Node) -> ChartPoint {
     ChartPoint::new(node.chart, DVec3::new(x, 0.0, z) * NODE_M)
 }
 
-fn reach_m(strategy: &dyn Atlas) -> f64 {
-    // Half way round lies what is on the other side of the world.
-    let farthest_m = strategy
-        .globe()
-        .map_or(f64::INFINITY, |globe| 0.5 * globe.round_m());
-    REACH_M.min(farthest_m * CLOSED_SHARE)
-}
-
 /// The columns that a map about the feet needs, with how far each is on it.
-fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
+fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint, extent: Extent) -> Vec<(Node, f64)> {
     let eye = map_eye(feet);
     let locator = Locator::new(strategy, &eye);
-    let margin_m = 1.5 * NODE_M;
-    let reach_m = reach_m(strategy) + margin_m;
+    let step = extent.step();
+    let margin_m = 1.5 * NODE_M * f64::from(step);
+    let reach_m = extent.land_m(strategy) + margin_m;
     let mut found = Vec::new();
-    for (middle, around_m) in squares_about(strategy, feet, reach_m) {
+    for (middle, around_m) in squares_about(strategy, feet, reach_m, margin_m) {
         let domain = strategy.domain(middle.chart);
-        let Node { chart, at: [x, z] } = node_of(middle);
-        let around = (around_m / NODE_M).ceil() as i32;
-        for i in x.saturating_sub(around)..=x.saturating_add(around) {
-            for j in z.saturating_sub(around)..=z.saturating_add(around) {
-                let node = Node { chart, at: [i, j] };
+        let Node { chart, at: [x, z] } = node_of(middle, extent);
+        let around = (around_m / (NODE_M * f64::from(step))).ceil() as i32;
+        for i in -around..=around {
+            for j in -around..=around {
+                let [x, z] = [x.saturating_add(i * step), z.saturating_add(j * step)];
+                let node = Node { chart, at: [x, z] };
                 let point = column(node);
                 if domain.outside_m(point.pos.xz()) > margin_m {
                     continue;
@@ -260,16 +259,27 @@ fn squares_about(
     strategy: &dyn Strategy,
     feet: ChartPoint,
     reach_m: f64,
+    margin_m: f64,
 ) -> Vec<(ChartPoint, f64)> {
     if let Some(tiled) = strategy.tiled() {
         let whole = |chart| {
-            let half_m = strategy.domain(chart).half_width_m() + NODE_M;
+            let half_m = strategy.domain(chart).half_width_m() + margin_m;
             (ChartPoint::new(chart, DVec3::ZERO), half_m)
         };
         let charts = tiled.charts_within(feet, reach_m).into_iter();
         return charts.map(whole).collect();
     }
     let span_m = reach_m * strategy.globe().map_or(1.0, |_| Globe::WIDEST);
+    if let Some(globe) = strategy.globe().filter(|globe| reach_m > globe.equator_m()) {
+        // It may reach past the middle of the other hemisphere.
+        let whole = |chart| {
+            (
+                ChartPoint::new(chart, DVec3::ZERO),
+                globe.equator_m() + margin_m,
+            )
+        };
+        return vec![whole(ChartId::FIRST), whole(ChartId::SECOND)];
+    }
     let images = strategy.images(feet, span_m);
     let others = images.iter().map(|image| image.point);
     let all = std::iter::once(feet).chain(others);
@@ -277,7 +287,7 @@ fn squares_about(
 }
 
 /// Squares of four columns that are all there, at least one of them within the chart's domain.
-fn patches_of(strategy: &dyn Atlas, nodes: &[Node]) -> Vec<[u32; 4]> {
+fn patches_of(strategy: &dyn Atlas, nodes: &[Node], step: i32) -> Vec<[u32; 4]> {
     let places: HashMap<Node, u32> = nodes.iter().copied().zip(0..).collect();
     let patch = |node: &Node| {
         let [i, j] = node.at;
@@ -285,7 +295,8 @@ fn patches_of(strategy: &dyn Atlas, nodes: &[Node]) -> Vec<[u32; 4]> {
             let at = [i + di, j + dj];
             places.get(&Node { at, ..*node }).copied()
         };
-        Some([corner(0, 0)?, corner(1, 0)?, corner(0, 1)?, corner(1, 1)?])
+        let [right, below] = [corner(step, 0)?, corner(0, step)?];
+        Some([corner(0, 0)?, right, below, corner(step, step)?])
     };
     nodes
         .iter()
@@ -326,146 +337,4 @@ fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
         }
     }
     f64::midpoint(air, ground)
-}
-
-fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> SurveyMap {
-    let eye = map_eye(feet);
-    let strategy = &*scene.sim.world.strategy;
-    let locator = Locator::new(strategy, &eye);
-    let reach_m = reach_m(strategy);
-    let (low, high) = scene.sim.world.ground.height_range_m();
-    let (low, span) = (low as f32, (high - low).max(1.0) as f32);
-    let mut nodes: Vec<PlanNode> = sheet
-        .nodes
-        .iter()
-        .zip(&sheet.columns)
-        .map(|(node, known)| {
-            let at = locator.at(column(*node)).clamp_length_max(reach_m);
-            PlanNode {
-                at: at.as_vec2().to_array(),
-                share: ((known.height_m - low) / span).clamp(0.0, 1.0),
-                light: 0.0,
-                sky: known.sky,
-                colours: known.colours,
-            }
-        })
-        .collect();
-    let height = |node: u32| sheet.columns[node as usize].height_m;
-    let outside = |node: &u32| {
-        let [x, z] = nodes[*node as usize].at;
-        f64::from(x.hypot(z)) >= reach_m - 1e-3
-    };
-    let patches: Vec<[u32; 4]> = sheet
-        .patches
-        .iter()
-        .filter(|patch| !patch.iter().all(outside))
-        .filter(|patch| patch.iter().all(|node| !height(*node).is_nan()))
-        .copied()
-        .collect();
-    shade(&mut nodes, &patches, height);
-    let contours = contours(&nodes, &patches, height);
-    SurveyMap {
-        reach_m,
-        nodes,
-        patches,
-        contours,
-        edges: edges(strategy, feet, &locator),
-    }
-}
-
-/// The edges of squares within the map's reach. Each is a geodesic, which is straight on no map but through its middle.
-fn edges(strategy: &dyn Strategy, feet: ChartPoint, locator: &Locator<'_>) -> Vec<[[f32; 2]; 2]> {
-    let Some(tiled) = strategy.tiled() else {
-        return Vec::new();
-    };
-    let reach_m = reach_m(strategy);
-    let charts = tiled.charts_within(feet, reach_m);
-    let mut pieces = Vec::new();
-    for (index, chart) in charts.iter().enumerate() {
-        for side in 0..4u8 {
-            let over = tiled.over(*chart, side).map(|(over, _)| over);
-            if charts[..index].iter().any(|before| Some(*before) == over) {
-                continue;
-            }
-            let half_m = strategy.domain(*chart).half_width_m();
-            let turn = DVec2::from_angle(f64::from(side) * FRAC_PI_2);
-            let at = |piece: u32| {
-                let along = 2.0 * f64::from(piece) / f64::from(EDGE_PIECES) - 1.0;
-                let at = half_m * turn.rotate(DVec2::new(1.0, along));
-                locator.at(ChartPoint::new(*chart, DVec3::new(at.x, 0.0, at.y)))
-            };
-            let near = (0..EDGE_PIECES).map(|piece| [piece, piece + 1].map(at));
-            let near = near.filter(|ends| ends.iter().all(|end| end.length() <= reach_m));
-            pieces.extend(near.map(|ends| ends.map(|end| end.as_vec2().to_array())));
-        }
-    }
-    pieces
-}
-
-/// Lets the slopes of the patches about each node face the light, or not.
-fn shade(nodes: &mut [PlanNode], patches: &[[u32; 4]], height: impl Fn(u32) -> f32) {
-    let mut sums = vec![(0.0, 0.0); nodes.len()];
-    for patch in patches {
-        // Both charts of a closed world lie on one map, the other as in a mirror: slopes are told in the map's axes.
-        let place = |corner: usize| Vec2::from(nodes[patch[corner] as usize].at);
-        let [a, b, c, d] = patch.map(&height);
-        let (across, down) = (place(1) - place(0), place(2) - place(0));
-        let area = across.perp_dot(down);
-        if area.abs() < LEAST_PATCH_M2 {
-            continue;
-        }
-        let rises = [b - a + d - c, c - a + d - b].map(|rise| 0.5 * rise);
-        let slope = Vec2::new(
-            rises[0] * down.y - rises[1] * across.y,
-            rises[1] * across.x - rises[0] * down.x,
-        ) / area;
-        let light = -slope.dot(LIGHT.as_vec2()) * RELIEF;
-        for node in patch {
-            let sum = &mut sums[*node as usize];
-            *sum = (sum.0 + light, sum.1 + 1.0);
-        }
-    }
-    for (node, (sum, count)) in nodes.iter_mut().zip(sums) {
-        if count > 0.0 {
-            let mean: f32 = sum / count;
-            node.light = mean.clamp(-1.0, 1.0);
-        }
-    }
-}
-
-/// Lines of equal height, by the two triangles of each patch.
-fn contours(
-    nodes: &[PlanNode],
-    patches: &[[u32; 4]],
-    height: impl Fn(u32) -> f32,
-) -> Vec<[[f32; 2]; 2]> {
-    let mut lines = Vec::new();
-    for [a, b, c, d] in patches {
-        for triangle in [[*a, *b, *c], [*b, *d, *c]] {
-            let heights = triangle.map(&height);
-            let low = heights.iter().copied().fold(f32::MAX, f32::min);
-            let high = heights.iter().copied().fold(f32::MIN, f32::max);
-            let first = (low / CONTOUR_M).floor() as i32 + 1;
-            let last = (high / CONTOUR_M).floor() as i32;
-            for level in first..=last {
-                let level = level as f32 * CONTOUR_M;
-                let crossed = |i: usize, j: usize| {
-                    let (from, to) = (heights[i], heights[j]);
-                    ((from < level) != (to < level)).then(|| {
-                        let share = (level - from) / (to - from);
-                        let [p, q] = [i, j].map(|end| nodes[triangle[end] as usize].at);
-                        [p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share]
-                    })
-                };
-                let ends: Vec<_> = [(0, 1), (1, 2), (2, 0)]
-                    .into_iter()
-                    .filter_map(|(i, j)| crossed(i, j))
-                    .collect();
-                if let [from, to] = ends[..] {
-                    lines.push([from, to]);
-                }
-            }
-        }
-    }
-    lines
 }

@@ -65,6 +65,8 @@ pub enum Action {
     DialDown,
     /// The space's other picture.
     OtherMap,
+    /// The large map, or none.
+    LargeMap,
     /// First or third person.
     Camera,
     /// Hide the display.
@@ -169,7 +171,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 50] = {
+static ACTIONS: [ActionInfo; 51] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -251,6 +253,7 @@ static ACTIONS: [ActionInfo; 50] = {
             &["WheelDown", "pad-left"],
         ),
         line(Action::OtherMap, "other-map", View, &["KeyH", "pad-west"]),
+        line(Action::LargeMap, "large-map", View, &["KeyM"]),
         line(Action::Camera, "camera", View, &["Tab", "pad-north"]),
         line(
             Action::HideDisplay,

@@ -20,7 +20,7 @@ use crate::drawn::Drawn;
 use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::hud;
-use crate::navigator::{Navigator, SurveyOrder, WHOLE_MAP};
+use crate::navigator::{Navigator, SurveyOrder, WHOLE_MAP, extent_of};
 use crate::options;
 use crate::picture::Studio;
 use crate::rooms::Rooms;
@@ -54,6 +54,7 @@ pub struct Runner {
     pub(super) drawn: Option<Drawn>,
     display_hidden: bool,
     figures_shown: bool,
+    large_map_shown: bool,
     hit_shapes_shown: bool,
     navigator: Navigator,
 }
@@ -96,6 +97,7 @@ impl Runner {
             drawn: None,
             display_hidden: false,
             figures_shown: false,
+            large_map_shown: false,
             hit_shapes_shown: false,
             navigator: Navigator::default(),
         }
@@ -292,6 +294,7 @@ impl Runner {
         let (frame_ms, gpu_ms) = (self.frame_ms, self.gpu_ms);
         let fps = frame_ms.map_or(0.0, |ms| 1000.0 / ms) as f32;
         let (navigator, settings) = (&mut self.navigator, &self.config.settings);
+        let large_map = self.large_map_shown;
         let picture = studio.shoot(&frame, texts, |stats| {
             let drawn = drawn.insert(Drawn::new(stats, frame.view.quality));
             let figures = self
@@ -303,6 +306,7 @@ impl Runner {
                 model.mirror = has_mirror;
                 let order = SurveyOrder {
                     world: id,
+                    extent: extent_of(large_map),
                     columns: WHOLE_MAP,
                 };
                 navigator.add_to(&mut model, scene, &seen, texts, settings, order);
@@ -388,6 +392,7 @@ impl Host for Runner {
                 None => self.hit_shapes_shown = !self.hit_shapes_shown,
             },
             Some(Action::FrameFigures) => self.figures_shown = !self.figures_shown,
+            Some(Action::LargeMap) => self.large_map_shown = !self.large_map_shown,
             _ => {}
         }
     }

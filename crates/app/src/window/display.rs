@@ -12,7 +12,7 @@ use super::play::Play;
 use super::room_hud;
 use crate::drawn::Drawn;
 use crate::hud;
-use crate::navigator::{Navigator, SurveyOrder, columns_for};
+use crate::navigator::{Navigator, SurveyOrder, columns_for, extent_of};
 
 /// What the player looks at besides the world.
 #[derive(Debug, Default)]
@@ -20,6 +20,8 @@ pub struct Display {
     pub(super) hidden: bool,
     pub(super) figures: bool,
     pub(super) hit_shapes: bool,
+    /// Whether the map is the large one.
+    pub(super) large_map: bool,
     /// Whether the last picture of the world has a rear mirror.
     has_mirror: bool,
     pub(super) fps: FrameRate,
@@ -48,10 +50,11 @@ impl Display {
         let seen = session.between.seen(scene);
         let mut model = hud::model(texts, scene, &seen, fps, figures);
         model.mirror = self.has_mirror;
-        let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
+        let extent = extent_of(self.large_map);
         let order = SurveyOrder {
             world: play.opened,
-            columns,
+            extent,
+            columns: columns_for(1e-3 * frame_ms.unwrap_or_default(), extent),
         };
         self.navigator
             .add_to(&mut model, scene, &seen, texts, settings, order);

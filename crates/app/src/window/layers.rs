@@ -63,6 +63,7 @@ impl Game {
             Action::PhotoMode | Action::FrameFigures if self.play.phase.visit().is_some() => {
                 self.say_for_worlds(action);
             }
+            Action::LargeMap => display.large_map = !display.large_map,
             Action::FrameFigures => display.figures = !display.figures,
             Action::Fullscreen => {
                 let value = !self.options.config.settings.fullscreen;

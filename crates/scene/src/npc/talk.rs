@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use antipode_geometry::{ChartPoint, Eye, Strategy, equilateral_angle_sum_rad};
+use antipode_geometry::{ChartPoint, Eye, Strategy, equilateral_angle_sum_rad, square_gap_m};
 use glam::DVec3;
 use hecs::Entity;
 
@@ -28,6 +28,9 @@ const HORIZON_M: f64 = 20.0;
 const CALLS_M: f64 = 60.0;
 /// Nearer than this one is at home, in metres.
 const AT_HOME_M: f64 = 6.0;
+/// Within what distance land is counted, and how long the sides are that do not close, in metres.
+const LAND_M: f64 = 250.0;
+const SQUARE_M: f64 = 30.0;
 /// A step by which it is measured how long ways are at a height, in metres.
 const PACE_M: f64 = 0.1;
 
@@ -55,8 +58,24 @@ pub enum Line {
     Home {
         /// The short way, in metres.
         there_m: u32,
-        /// The other way round, in metres; none in a world without end.
+        /// The other way round, in metres, in a closed world.
         round_m: Option<u32>,
+        /// How many squares away it is, in a world in squares.
+        squares: Option<u32>,
+    },
+    /// How much land there is, in a world in squares.
+    Land {
+        /// Within how many metres.
+        within_m: u32,
+        /// Of how many tenths of the land that is within as much of a place of a flat world.
+        tenths: u32,
+    },
+    /// How far one who walks four equal sides with right angles ends from where he began, in a world in squares.
+    Square {
+        /// Length of a side, in metres.
+        side_m: u32,
+        /// How far that is, in tenths of a metre.
+        gap_decimetres: u32,
     },
 }
 
@@ -108,12 +127,36 @@ fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
     let strategy = &*now.world.strategy;
     let home = way(strategy, now.feet(), now.start());
     let first = Dice::new(&[now.world.setup.seed, u64::from(id)]).whole([0, 2]);
-    match (first + told) % 3 {
+    let count = if strategy.tiled().is_some() { 5 } else { 3 };
+    match (first + told) % count {
         0 => triangle(now, home.level_m),
         1 => horizon(now),
         // A player at home need not be told the way.
         2 if home.level_m < AT_HOME_M && strategy.globe().is_none() => horizon(now),
-        _ => way_home(strategy, now.feet(), home),
+        2 => way_home(strategy, now.feet(), home),
+        3 => land(strategy, now.feet()),
+        _ => square(strategy, now.feet()),
+    }
+}
+
+/// The area of a disc of r is `2 pi R^2 (cosh(r/R) - 1)`, and `pi r^2` on flat ground. It is told of the height where one
+/// stands, where lengths and R are as many times longer.
+fn land(strategy: &dyn Strategy, feet: ChartPoint) -> Line {
+    let radii = LAND_M / (strategy.radius_m() * length_at_feet(strategy, feet));
+    let times = 2.0 * (radii.cosh() - 1.0) / (radii * radii);
+    Line::Land {
+        within_m: LAND_M as u32,
+        tenths: (10.0 * times).round() as u32,
+    }
+}
+
+/// Told of the height where one stands, too.
+fn square(strategy: &dyn Strategy, feet: ChartPoint) -> Line {
+    let share = length_at_feet(strategy, feet);
+    let gap_m = share * square_gap_m(strategy.curvature().per_m2(), SQUARE_M / share);
+    Line::Square {
+        side_m: SQUARE_M as u32,
+        gap_decimetres: (10.0 * gap_m).round() as u32,
     }
 }
 
@@ -154,16 +197,25 @@ fn horizon(now: Situation<'_>) -> Line {
 /// The way home, as far as it is where one stands: high above the level that ways are told by they are shorter in a
 /// closed world.
 fn way_home(strategy: &dyn Strategy, feet: ChartPoint, home: Way) -> Line {
-    let heading = home.heading.normalize_or(DVec3::X);
-    let pace = ahead(strategy, feet, heading, PACE_M);
-    let share = apart_m(strategy, feet, pace) / PACE_M;
+    let share = length_at_feet(strategy, feet);
     let there_m = home.level_m * share;
     Line::Home {
         there_m: there_m.round() as u32,
         round_m: strategy
             .globe()
             .map(|globe| (globe.round_m() * share - there_m).round() as u32),
+        squares: strategy
+            .tiled()
+            .and_then(|tiled| tiled.edges_from_first(feet.chart))
+            .map(|squares| squares as u32),
     }
+}
+
+/// How long a way is at the height of one's feet whose foot on the level is 1 m long, in metres. It is the same whichever way
+/// one goes.
+fn length_at_feet(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
+    let pace = ahead(strategy, feet, DVec3::X, PACE_M);
+    apart_m(strategy, feet, pace) / PACE_M
 }
 
 /// English, for logs and scripts.
@@ -197,7 +249,29 @@ impl fmt::Display for Line {
             }
             Self::Home {
                 there_m,
+                squares: Some(squares),
+                ..
+            } => write!(
+                f,
+                "Home is {there_m} m from here, {squares} squares away; no other way is as short."
+            ),
+            Self::Land { within_m, tenths } => write!(
+                f,
+                "Within {within_m} m of here there is {:.1} times as much land as on flat ground.",
+                f64::from(tenths) / 10.0
+            ),
+            Self::Square {
+                side_m,
+                gap_decimetres,
+            } => write!(
+                f,
+                "Walk {side_m} m and turn right, four times: you end {:.1} m from where you began.",
+                f64::from(gap_decimetres) / 10.0
+            ),
+            Self::Home {
+                there_m,
                 round_m: Some(round_m),
+                ..
             } => write!(
                 f,
                 "Home is {there_m} m from here, or {round_m} m the other way round the world."
@@ -205,6 +279,7 @@ impl fmt::Display for Line {
             Self::Home {
                 there_m,
                 round_m: None,
+                squares: None,
             } => write!(
                 f,
                 "Home is {there_m} m from here; this land has no end, so no way leads round."

@@ -2,7 +2,7 @@
 
 use crate::common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, world};
 use crate::common::steps;
-use antipode_geometry::{Eye, Geometry, equilateral_angle_sum_rad};
+use antipode_geometry::{ChartPoint, Eye, Geometry, equilateral_angle_sum_rad};
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{Actions, Hint, Item, Line, NpcMode, Scene, Stack, State, WorldSetup};
 use glam::DVec3;
@@ -138,6 +138,15 @@ fn they_come_out_of_sight_and_go_far_off_out_of_sight_never_too_many() {
     }
 }
 
+/// How many things are told of a space.
+fn lines_in(geometry: Geometry) -> usize {
+    if geometry == Geometry::HyperbolicWorld {
+        5
+    } else {
+        3
+    }
+}
+
 #[test]
 fn who_is_talked_to_says_what_is_true_of_the_place() {
     let mut said = Vec::new();
@@ -153,7 +162,8 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
         let place = beside(&scene, 3.0, 0.0);
         let id = scene.spawn_bot(place, 0.0, false);
         let mut lines = Vec::new();
-        for _ in 0..3 {
+        let count = lines_in(geometry);
+        for _ in 0..count {
             let there = bot(&scene, id).point.moved(DVec3::Y * 1.3);
             look_at(&mut scene, there);
             steps(&mut scene, 1, &talk);
@@ -178,7 +188,7 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
             }
             pass(&mut scene, 0.5);
         }
-        assert_eq!(lines.len(), 3, "{geometry:?}");
+        assert_eq!(lines.len(), count, "{geometry:?}");
         let away = scene
             .head()
             .point
@@ -207,6 +217,24 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
                     assert!((sighted - told).abs() < 0.1, "{geometry:?}: {sighted}");
                     assert_eq!(sum_decidegrees > 1800, geometry == Geometry::Spherical);
                     assert_eq!(pictured, geometry == Geometry::Hyperbolic);
+                    assert_eq!(
+                        sum_decidegrees < 1800,
+                        geometry == Geometry::HyperbolicWorld
+                    );
+                }
+                Line::Land { within_m, tenths } => {
+                    assert_eq!(geometry, Geometry::HyperbolicWorld);
+                    assert_eq!(within_m, 250);
+                    assert!((20..40).contains(&tenths) || tenths > 300, "{tenths}");
+                }
+                Line::Square {
+                    side_m,
+                    gap_decimetres,
+                } => {
+                    assert_eq!(geometry, Geometry::HyperbolicWorld);
+                    let walked_m = walked_square_gap_m(&scene, f64::from(side_m));
+                    let told_m = f64::from(gap_decimetres) / 10.0;
+                    assert!((walked_m - told_m).abs() < 0.1, "{walked_m} {told_m}");
                 }
                 Line::Horizon {
                     lower_decidegrees, ..
@@ -216,7 +244,12 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
                     Geometry::HyperbolicWorld => assert!(lower_decidegrees > 0),
                     Geometry::Spherical => assert_ne!(lower_decidegrees, 0),
                 },
-                Line::Home { there_m, round_m } => {
+                Line::Home {
+                    there_m,
+                    round_m,
+                    squares,
+                } => {
+                    assert_eq!(squares.is_some(), geometry == Geometry::HyperbolicWorld);
                     assert_eq!(round_m.is_some(), geometry == Geometry::Spherical);
                     if let Some(round_m) = round_m {
                         // The player stands four metres before the equator, the home is the pole; round the sphere
@@ -270,6 +303,29 @@ fn sighted_sum_deg(scene: &Scene, side_m: f64) -> f64 {
         ways[0].dot(ways[1]).acos().to_degrees()
     };
     (0..3).map(angle_at).sum()
+}
+
+/// How far one ends from where one began who goes so many metres ahead and turns right, four times, at the height of the
+/// player's feet, by geodesics of the level below and its metres, of which each is `cosh(y/R)` metres there.
+fn walked_square_gap_m(scene: &Scene, side_m: f64) -> f64 {
+    let strategy = scene.strategy();
+    let feet = scene.feet();
+    let share = (feet.pos.y / strategy.radius_m()).cosh();
+    let at = |point: ChartPoint| Eye {
+        point: ChartPoint::new(point.chart, point.pos.with_y(0.0)),
+        ..Eye::default()
+    };
+    let begin = at(feet);
+    let (mut eye, mut ahead) = (begin, DVec3::NEG_Z);
+    for _ in 0..4 {
+        let end = at(strategy.along(&eye, ahead, side_m / share));
+        let back = strategy.view_point(&end, eye.point).truncate().normalize();
+        // One faces away from where one came from: right of that is where its left is.
+        ahead = DVec3::new(back.z, 0.0, -back.x);
+        eye = end;
+    }
+    let last = strategy.view_point(&begin, eye.point);
+    share * strategy.eye_distance_m(&begin, last)
 }
 
 #[test]

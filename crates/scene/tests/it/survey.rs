@@ -4,7 +4,7 @@ use crate::common::twins::Twins;
 use crate::common::{scene, setup, steps};
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::bearings::LandmarkKind;
-use antipode_scene::survey::{PlanNode, Survey, SurveyMap};
+use antipode_scene::survey::{Extent, PlanNode, Survey, SurveyMap};
 use antipode_scene::{Actions, Generator, Scene, WorldSetup};
 use glam::{DVec2, DVec3};
 
@@ -55,13 +55,23 @@ fn the_map_fills_its_circle_everywhere_and_over_the_equator_too() {
             scene.set_flying(true);
             scene.teleport(ChartPoint::a(DVec3::new(x, 30.0, 2.0)));
             steps(&mut scene, 1, &Actions::default());
-            let plan = Survey::default().look(&scene, 1, ALL);
-            let whole = std::f64::consts::PI * plan.reach_m.powi(2);
-            let share = covered_m2(&plan) / whole;
-            // Over the equator strips of both charts may lie on each other.
-            assert!((0.94..1.16).contains(&share), "{geometry} {x}: {share}");
-            let farthest = plan.nodes.iter().map(|it| it.at[0].hypot(it.at[1]));
-            assert!(farthest.fold(0.0, f32::max) <= plan.reach_m as f32 + 1e-3);
+            for extent in [Extent::Near, Extent::Wide] {
+                let plan = Survey::default().look(&scene, 1, extent, ALL);
+                let farthest = plan.nodes.iter().map(|it| it.at[0].hypot(it.at[1]));
+                let farthest_m = f64::from(farthest.fold(0.0, f32::max));
+                assert!(farthest_m <= plan.reach_m + 1e-3);
+                let is_disc = geometry == Geometry::HyperbolicWorld && extent == Extent::Wide;
+                let least_m = if is_disc { 0.79 } else { 0.999 } * plan.reach_m;
+                assert!(farthest_m > least_m, "{geometry} {x}: {farthest_m}");
+                let whole = std::f64::consts::PI * farthest_m.powi(2);
+                let share = covered_m2(&plan) / whole;
+                // Over the equator, and over the edges of squares, strips of both charts may lie on each other.
+                let most = if is_disc { 1.4 } else { 1.16 };
+                assert!(
+                    (0.94..most).contains(&share),
+                    "{geometry} {x} {extent:?}: {share}"
+                );
+            }
         }
     }
 }
@@ -71,7 +81,7 @@ fn heights_are_those_of_the_land_and_a_pit_shows() {
     let mut scene = scene(Geometry::Euclidean);
     steps(&mut scene, 30, &Actions::default());
     let mut survey = Survey::default();
-    let plan = survey.look(&scene, 1, ALL);
+    let plan = survey.look(&scene, 1, Extent::Near, ALL);
     let below = height_m(&scene, share_at(&plan, DVec2::ZERO));
     let feet_m = scene.feet().pos.y;
     assert!((below - feet_m).abs() < 2.5, "{below} {feet_m}");
@@ -88,9 +98,9 @@ fn heights_are_those_of_the_land_and_a_pit_shows() {
     let dug_m = feet_m - scene.feet().pos.y;
     assert!(dug_m > 4.0, "{dug_m}");
     for _ in 0..400 {
-        survey.look(&scene, 1, 4);
+        survey.look(&scene, 1, Extent::Near, 4);
     }
-    let plan = survey.look(&scene, 1, 4);
+    let plan = survey.look(&scene, 1, Extent::Near, 4);
     let (pit, land) = (
         node_at(&plan, DVec2::ZERO),
         node_at(&plan, DVec2::splat(20.0)),
@@ -104,15 +114,15 @@ fn heights_are_those_of_the_land_and_a_pit_shows() {
 fn it_comes_bit_by_bit_and_is_not_made_anew_where_nobody_moves() {
     let scene = scene(Geometry::Hyperbolic);
     let mut survey = Survey::default();
-    let first = survey.look(&scene, 1, 20);
+    let first = survey.look(&scene, 1, Extent::Near, 20);
     let mut last = first.clone();
     for _ in 0..200 {
-        last = survey.look(&scene, 1, 20);
+        last = survey.look(&scene, 1, Extent::Near, 20);
     }
     assert!(first.patches.len() < 20 && last.patches.len() > 600);
-    let again = survey.look(&scene, 1, 20);
+    let again = survey.look(&scene, 1, Extent::Near, 20);
     assert!(std::sync::Arc::ptr_eq(&last, &again));
-    let elsewhere = survey.look(&scene, 2, 20);
+    let elsewhere = survey.look(&scene, 2, Extent::Near, 20);
     assert!(
         elsewhere.patches.len() < 20,
         "another world is surveyed anew"
@@ -228,7 +238,7 @@ fn lands_have_their_own_colours_on_it() {
         .find(|x| biome(x - 20.0) != biome(x + 20.0));
     scene.set_flying(true);
     scene.teleport(ChartPoint::a(DVec3::new(border.unwrap(), 60.0, 0.0)));
-    let plan = Survey::default().look(&scene, 1, ALL);
+    let plan = Survey::default().look(&scene, 1, Extent::Near, ALL);
     let [here, there] = [-25.0, 25.0].map(|x| node_at(&plan, DVec2::new(x, 0.0)));
     assert_ne!(here.colours, there.colours);
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use antipode_language::{Texts, Value};
 use egui::{Align2, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
 
-use super::minimap::{gate, pennant};
+use super::minimap::{MarkKind, mark_on};
 use super::plate::plate;
 use crate::theme::{ACCENT, GRID, PLATE, TEXT, WEAK, small};
 
@@ -28,11 +28,11 @@ pub struct CompassModel {
     pub heading_rad: f64,
     /// Where it leads in a world of this kind.
     pub guide: Option<GuideView>,
-    /// The flags and doors of the world.
+    /// The flags and doors of the world, and the way back.
     pub flags: Vec<FlagView>,
 }
 
-/// The way to a flag or a door.
+/// The way to a flag or a door, or back along breadcrumbs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlagView {
     /// What it is called.
@@ -41,8 +41,8 @@ pub struct FlagView {
     pub distance_m: f64,
     /// Where it is from straight ahead, clockwise, radians.
     pub bearing_rad: f64,
-    /// Whether it is a door.
-    pub is_door: bool,
+    /// As what it is marked.
+    pub mark: MarkKind,
 }
 
 /// The flag that is named below the strip is no farther from straight ahead than this, radians.
@@ -115,8 +115,7 @@ pub(super) fn show(
     quarters(painter, strip, texts, model.heading_rad);
     for flag in &model.flags {
         if let Some(x) = place(strip.shrink2(vec2(8.0, 0.0)), flag.bearing_rad) {
-            let draw = if flag.is_door { gate } else { pennant };
-            draw(painter, pos2(x, strip.max.y - 2.0), 4.5);
+            mark_on(painter, pos2(x, strip.max.y - 2.0), 4.5, flag.mark);
         }
     }
     pointer(painter, strip);
@@ -308,7 +307,7 @@ mod tests {
             name: name.to_owned(),
             distance_m: 10.0,
             bearing_rad,
-            is_door: false,
+            mark: MarkKind::Flag,
         };
         let flags = [
             flag("left", TAU - 0.1),

@@ -1,5 +1,5 @@
 //! The round map of the land around the player. The direction that the player faces is up. It stands at the left, in
-//! the lower half of the screen, where nothing else stands.
+//! the lower half of the screen, where nothing else stands; the large one stands over the middle of the picture.
 
 use std::f32::consts::TAU;
 use std::sync::Arc;
@@ -16,15 +16,22 @@ const SIDE: (f32, f32) = (148.0, 60.0);
 const SHARE: f32 = 0.24;
 /// Width of the ring around the land, in points.
 const RING: f32 = 7.0;
-/// Width of the edges of squares, in points.
+/// Width of the edges of squares, in points, and how much of that a point of a piece's length makes.
 const EDGE: f32 = 1.4;
+const THIN: f32 = 0.2;
+/// What the large map lies on: it is looked at instead of the picture.
+const SHEET: Color32 = Color32::from_rgba_premultiplied(10, 13, 22, 240);
 /// How much of what is behind the land is covered, 0 to 255.
 const COVER: u8 = 225;
+/// The smallest diameter of the large map, in points.
+const LARGE_SIDE: f32 = 120.0;
 /// Height over the lower half's beginning, the middle of the screen: there hints end.
 const BELOW_MIDDLE: f32 = 2.0;
 /// Between the map and the land's name over it, and how much room both take, in points.
 const GAP: f32 = 4.0;
 const NAME: f32 = 30.0;
+/// How far beside a mark its name begins, in points.
+const NAME_BESIDE: f32 = 9.0;
 /// How light the land is by its height, from the lowest, 0 to 255.
 const LIGHTNESS: [f32; 5] = [48.0, 76.0, 110.0, 150.0, 214.0];
 /// How much a land's own lightness counts beside that of a middling one, 0 to 255, and the lightest that ground gets.
@@ -108,13 +115,19 @@ pub enum MarkKind {
     Flag,
     /// A door.
     Door,
+    /// A breadcrumb.
+    Crumb,
+    /// Home.
+    Home,
 }
 
 /// A mark on the map.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MapMark {
     /// What it stands for.
     pub kind: MarkKind,
+    /// What it is called, written beside it on the large map; may be empty.
+    pub name: String,
     /// Where, as of [`ReliefNode`].
     pub at: [f32; 2],
 }
@@ -122,6 +135,8 @@ pub struct MapMark {
 /// The map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapModel {
+    /// Whether it is the large one.
+    pub is_large: bool,
     /// The land.
     pub relief: Arc<Relief>,
     /// Where the player looks, clockwise from the first axis, radians.
@@ -173,6 +188,16 @@ pub(super) fn place(screen: Rect, bottom: f32) -> Option<Place> {
         })
 }
 
+/// Over the middle of the picture between `top` and `bottom`.
+pub(super) fn large_place(screen: Rect, top: f32, bottom: f32) -> Option<Place> {
+    let side = (bottom - top).min(screen.width());
+    let centre = pos2(screen.center().x, f32::midpoint(top, bottom));
+    (side >= LARGE_SIDE).then(|| Place {
+        disc: Rect::from_center_size(centre, vec2(side, side)),
+        is_named: false,
+    })
+}
+
 /// Draws it, under the `name` of the land about the player where there is room for that.
 pub(super) fn show(painter: &Painter, place: Place, texts: &Texts, model: &MapModel, name: &str) {
     let Place { disc, is_named } = place;
@@ -193,21 +218,25 @@ pub(super) fn show(painter: &Painter, place: Place, texts: &Texts, model: &MapMo
         return;
     }
     let (centre, radius) = (disc.center(), 0.5 * disc.width());
-    painter.circle_filled(centre, radius, PLATE);
+    painter.circle_filled(centre, radius, if model.is_large { SHEET } else { PLATE });
     let inner = radius - RING;
     let projection = Projection {
         centre,
         points_per_m: inner / model.relief.reach_m.max(1.0),
         turn: model.heading_rad.sin_cos(),
     };
-    painter.add(land(&model.relief, &projection));
+    // Where patches of two charts lie on each other nothing is to shine through.
+    let cover = if model.is_large { u8::MAX } else { COVER };
+    painter.add(land(&model.relief, &projection, cover));
     for line in &model.relief.contours {
         let ends = line.map(|end| projection.at(end));
         painter.line_segment(ends, Stroke::new(0.8, Color32::from_black_alpha(90)));
     }
     for piece in &model.relief.edges {
         let ends = piece.map(|end| projection.at(end));
-        painter.line_segment(ends, Stroke::new(EDGE, TEXT.gamma_multiply(0.7)));
+        // Far ones are small on a disc that holds a whole plane.
+        let width = (THIN * ends[0].distance(ends[1])).clamp(0.3, 1.0) * EDGE;
+        painter.line_segment(ends, Stroke::new(width, TEXT.gamma_multiply(0.7)));
     }
     painter.circle_stroke(
         centre,
@@ -215,17 +244,30 @@ pub(super) fn show(painter: &Painter, place: Place, texts: &Texts, model: &MapMo
         Stroke::new(2.0, Color32::from_rgb(8, 11, 19)),
     );
     for mark in &model.marks {
-        paint_mark(painter, projection.at(mark.at), mark.kind);
+        let at = projection.at(mark.at);
+        paint_mark(painter, at, mark.kind);
+        if model.is_large && !mark.name.is_empty() {
+            let beside = at + vec2(NAME_BESIDE, 0.0);
+            plate(
+                painter,
+                disc,
+                beside,
+                Align2::LEFT_CENTER,
+                &mark.name,
+                small(),
+                TEXT,
+            );
+        }
     }
     painter.circle_filled(centre, 6.5, Color32::from_rgb(8, 11, 19));
     arrow(painter, centre, 5.5, 0.0);
     rim(painter, centre, radius, texts, model.north_rad);
 }
 
-fn land(relief: &Relief, projection: &Projection) -> Shape {
+fn land(relief: &Relief, projection: &Projection, cover: u8) -> Shape {
     let mut mesh = Mesh::default();
     for node in &relief.nodes {
-        mesh.colored_vertex(projection.at(node.at), tint(node));
+        mesh.colored_vertex(projection.at(node.at), tint(node, cover));
     }
     let count = relief.nodes.len() as u32;
     for [a, b, c, d] in &relief.patches {
@@ -237,7 +279,7 @@ fn land(relief: &Relief, projection: &Projection) -> Shape {
     Shape::mesh(mesh)
 }
 
-fn tint(node: &ReliefNode) -> Color32 {
+fn tint(node: &ReliefNode, cover: u8) -> Color32 {
     let ReliefNode {
         share,
         light,
@@ -257,11 +299,11 @@ fn tint(node: &ReliefNode) -> Color32 {
         let (low, high) = (tints[below][channel], tints[below + 1][channel]);
         ((low + (high - low) * part) * lit).clamp(0.0, 255.0) as u8
     });
-    Color32::from_rgba_unmultiplied(r, g, b, COVER)
+    Color32::from_rgba_unmultiplied(r, g, b, cover)
 }
 
 /// Told apart by shape as well as by colour: lamps are round, neutral figures square, hostile ones three-cornered, cars broad,
-/// flags fly from a pole, and doors are open frames.
+/// flags fly from a pole, doors are open frames, breadcrumbs are dots, and home is a house.
 fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
     let edge = Stroke::new(1.5, Color32::BLACK);
     match kind {
@@ -278,6 +320,10 @@ fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
         }
         MarkKind::Flag => pennant(painter, at + vec2(-2.0, 5.0), 5.0),
         MarkKind::Door => gate(painter, at + vec2(0.0, 5.0), 5.0),
+        MarkKind::Crumb => {
+            painter.circle(at, 2.0, TEXT, Stroke::new(1.0, Color32::BLACK));
+        }
+        MarkKind::Home => house(painter, at, edge),
         MarkKind::Hostile => {
             let corner = |turn: f32| {
                 let (sin, cos) = (turn * TAU).sin_cos();
@@ -289,8 +335,30 @@ fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
     }
 }
 
+/// A wall with a gable.
+fn house(painter: &Painter, at: Pos2, edge: Stroke) {
+    let corners = [
+        (-4.5, 4.5),
+        (-4.5, -1.0),
+        (0.0, -5.5),
+        (4.5, -1.0),
+        (4.5, 4.5),
+    ];
+    let corners = corners.map(|(x, y)| at + vec2(x, y));
+    painter.add(Shape::convex_polygon(corners.to_vec(), ACCENT, edge));
+}
+
+/// The mark of a flag or a door of that half height, which stands on a place; of anything else a mark over it.
+pub(super) fn mark_on(painter: &Painter, foot: Pos2, size: f32, kind: MarkKind) {
+    match kind {
+        MarkKind::Flag => pennant(painter, foot, size),
+        MarkKind::Door => gate(painter, foot, size),
+        _ => paint_mark(painter, foot - vec2(0.0, size), kind),
+    }
+}
+
 /// A flag of that half height, whose pole stands at a place.
-pub(super) fn pennant(painter: &Painter, foot: Pos2, size: f32) {
+fn pennant(painter: &Painter, foot: Pos2, size: f32) {
     let edge = Stroke::new(1.0, Color32::BLACK);
     let top = foot - vec2(0.0, 2.0 * size);
     painter.line_segment([foot, top], Stroke::new(3.0, Color32::BLACK));
@@ -304,7 +372,7 @@ pub(super) fn pennant(painter: &Painter, foot: Pos2, size: f32) {
 }
 
 /// An open frame of that half height, which stands on a place.
-pub(super) fn gate(painter: &Painter, foot: Pos2, size: f32) {
+fn gate(painter: &Painter, foot: Pos2, size: f32) {
     let corners = [(-0.8, 0.0), (-0.8, 2.0), (0.8, 2.0), (0.8, 0.0)];
     let corners = corners.map(|(x, y)| foot + vec2(x * size, -y * size));
     for (width, colour) in [(4.0, Color32::BLACK), (2.0, ACCENT)] {
@@ -376,16 +444,16 @@ mod tests {
             tints,
         };
         let heights: Vec<u32> = (0..=20)
-            .map(|step| luminance(tint(&node(step as f32 / 20.0, 0.0, 1.0))))
+            .map(|step| luminance(tint(&node(step as f32 / 20.0, 0.0, 1.0), COVER)))
             .collect();
         assert!(heights.is_sorted(), "{heights:?}");
-        let lit = |light, sky| luminance(tint(&node(0.5, light, sky)));
+        let lit = |light, sky| luminance(tint(&node(0.5, light, sky), COVER));
         assert!(lit(0.8, 1.0) > lit(-0.8, 1.0));
         assert!(
             lit(0.8, 0.0) < lit(-0.8, 1.0),
             "a pit is darker than any slope"
         );
-        assert_eq!(tint(&node(f32::NAN, 0.0, 1.0)), Color32::TRANSPARENT);
+        assert_eq!(tint(&node(f32::NAN, 0.0, 1.0), COVER), Color32::TRANSPARENT);
     }
 
     #[test]

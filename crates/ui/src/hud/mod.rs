@@ -119,6 +119,8 @@ pub struct HudModel {
     pub figures: Option<FigureModel>,
     /// Which way the player looks, unless it is switched off.
     pub compass: Option<CompassModel>,
+    /// What is found by looking from one flag to another.
+    pub sighting: Option<String>,
     /// The land about the player, unless it is switched off.
     pub map: Option<MapModel>,
     /// The player's health as a share of all there can be; not shown where nothing is known of it or it is full.
@@ -165,6 +167,12 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     });
     let lowest = [position, figures, mirror, strip].map(|it| it.max.y);
     let top = lowest.into_iter().fold(f32::NEG_INFINITY, f32::max) + GRID;
+    if let (Some(map), Some((bar, _, None))) = (&model.map, lower) {
+        let place = minimap::large_place(screen, top, bar.min.y - GRID);
+        if let Some(place) = place.filter(|_| map.is_large) {
+            minimap::show(&painter, place, texts, map, &model.land);
+        }
+    }
     notices(&painter, screen, top, texts, model);
     if let Some(room) = &model.room {
         room::show(&painter, screen, top, room);
@@ -201,7 +209,8 @@ fn lower(painter: &Painter, screen: Rect, model: &HudModel) -> (Rect, f32, Optio
     let bar = hotbar::show(painter, screen, model);
     let bar = brush::row(painter, screen, bar, &model.brush);
     let bottom = gauges::bottom(screen, bar);
-    let place = minimap::place(screen, bottom).filter(|_| model.map.is_some());
+    let is_small = model.map.as_ref().is_some_and(|map| !map.is_large);
+    let place = minimap::place(screen, bottom).filter(|_| is_small);
     (bar, bottom, place)
 }
 
@@ -283,10 +292,10 @@ fn position(painter: &Painter, screen: Rect, texts: &Texts, model: &HudModel) ->
     )
 }
 
-/// In the middle below `top`: what is against what would be done, or what is loading, and what there is to know.
+/// In the middle below `top`: what is against what would be done, what is sighted, or what is loading, and what there is to know.
 fn notices(painter: &Painter, screen: Rect, top: f32, texts: &Texts, model: &HudModel) {
     let mut at = pos2(screen.center().x, top);
-    if let Some(against) = &model.against {
+    if let Some(against) = model.against.as_ref().or(model.sighting.as_ref()) {
         let anchor = Align2::CENTER_TOP;
         let rect = plate(painter, screen, at, anchor, against, small(), TEXT);
         at.y = rect.max.y + GRID;

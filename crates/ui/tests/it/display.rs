@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::common::hud::{full_hud, hud, measured_hud, neither_overlaps_nor_leaves, says};
+use crate::common::hud::{
+    full_hud, hud, large_map, measured_hud, neither_overlaps_nor_leaves, says,
+};
 use crate::common::{SIZES, SMALLEST, everywhere};
 use antipode_ui::{
     CompassModel, CurvatureView, DamageModel, DialKind, FlagView, GuidePlace, GuideView, HudModel,
-    MapModel, SpeechModel,
+    MapModel, MarkKind, SpeechModel,
 };
 use egui::{Shape, vec2};
 use egui_kittest::Harness;
@@ -135,13 +137,33 @@ fn the_display_neither_overlaps_nor_leaves_the_screen_in_any_language() {
             against: Some("too close to the other door".to_owned()),
             ..full_hud()
         };
-        for model in [full_hud(), measured_hud(), fair, refused] {
+        let sighted = HudModel {
+            map: None,
+            ..large_map()
+        };
+        for model in [full_hud(), measured_hud(), fair, refused, sighted] {
             if model.figures.is_some() && size.y < 300.0 {
                 continue;
             }
             neither_overlaps_nor_leaves(language, model, size);
         }
     }
+}
+
+#[test]
+fn the_large_map_names_its_marks_and_lies_over_the_middle() {
+    let name = "The longest name of all!";
+    let size = vec2(1280.0, 720.0);
+    let large = HudModel {
+        compass: None,
+        ..large_map()
+    };
+    assert!(says(&hud(large, size), name));
+    let small = HudModel {
+        compass: None,
+        ..full_hud()
+    };
+    assert!(!says(&hud(small, size), name), "there is no room for it");
 }
 
 #[test]
@@ -211,7 +233,7 @@ fn the_display_survives_any_size_and_any_number() {
                     name: "Home ".repeat(300),
                     distance_m: f64::NAN,
                     bearing_rad,
-                    is_door: false,
+                    mark: MarkKind::Flag,
                 })
                 .to_vec(),
             heading_rad: f64::NAN,
@@ -222,6 +244,7 @@ fn the_display_survives_any_size_and_any_number() {
             }),
         }),
         map: Some(MapModel {
+            is_large: true,
             relief: Arc::default(),
             heading_rad: f32::NAN,
             north_rad: f32::INFINITY,
@@ -243,6 +266,7 @@ fn the_display_survives_any_size_and_any_number() {
         hud(odd.clone(), size);
         hud(full_hud(), size);
         hud(measured_hud(), size);
+        hud(large_map(), size);
         hud(HudModel::default(), size);
         for speed_km_h in [f64::NAN, f64::INFINITY, -1e300] {
             let speed_km_h = Some(speed_km_h);

@@ -64,7 +64,7 @@ pub fn full_hud() -> HudModel {
                 name: "The longest name of all!".to_owned(),
                 distance_m: 1402.1,
                 bearing_rad: 0.05,
-                is_door: false,
+                mark: MarkKind::Flag,
             }],
             heading_rad: 0.9,
             guide: Some(GuideView {
@@ -73,6 +73,7 @@ pub fn full_hud() -> HudModel {
                 bearing_rad: 4.0,
             }),
         }),
+        sighting: None,
         map: Some(map()),
         health: Some(0.4),
         damage: Some(DamageModel {
@@ -107,8 +108,13 @@ pub fn map() -> MapModel {
         MarkKind::Hostile,
         MarkKind::Car,
     ];
-    let mark = |(kind, x): (MarkKind, f32)| MapMark { kind, at: [x, 9.0] };
+    let mark = |(kind, x): (MarkKind, f32)| MapMark {
+        kind,
+        name: "The longest name of all!".to_owned(),
+        at: [x, 9.0],
+    };
     MapModel {
+        is_large: false,
         relief: Arc::new(Relief {
             reach_m: 43.0,
             nodes: nodes.map(node).collect(),
@@ -123,6 +129,20 @@ pub fn map() -> MapModel {
             .zip([-12.0, 0.0, 12.0, 22.0])
             .map(mark)
             .collect(),
+    }
+}
+
+/// With the large map, while one sights a triangle of flags.
+pub fn large_map() -> HudModel {
+    HudModel {
+        map: Some(MapModel {
+            is_large: true,
+            ..map()
+        }),
+        sighting: Some(
+            "Three flags: 51.8° + 51.8° + 51.9° = 155.5° · sides 64, 64, 64 m".to_owned(),
+        ),
+        ..full_hud()
     }
 }
 

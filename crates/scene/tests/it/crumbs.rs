@@ -1,0 +1,64 @@
+//! Breadcrumbs: laid by who walks with the button held, shown on the map, followed back.
+
+use antipode_geometry::{ChartPoint, Eye, Geometry};
+use antipode_scene::bearings::LandmarkKind;
+use antipode_scene::{Actions, Item, NpcMode};
+
+use crate::common::{scene, steps};
+
+/// Over all land, metres.
+const HIGH_M: f64 = 40.0;
+
+#[test]
+fn who_walks_with_the_button_held_lays_a_trail_and_is_led_back_along_it() {
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        scene.set_npcs(NpcMode::Off);
+        steps(&mut scene, 30, &Actions::default());
+        let slots = scene.inventory().slots();
+        let place = slots
+            .iter()
+            .position(|slot| slot.is_some_and(|stack| stack.item == Item::Crumb))
+            .expect("a new player has some");
+        scene.inventory_mut().swap(place as u8, 0);
+        let had = scene.inventory().count(Item::Crumb);
+        let lay = Actions {
+            slot: Some(0),
+            primary: true,
+            forward: 1.0,
+            ..Actions::default()
+        };
+        let begun = scene.feet();
+        steps(&mut scene, 600, &lay);
+        let laid = had - scene.inventory().count(Item::Crumb);
+        // Ten seconds at 4.5 m/s, and one where the crosshair met the ground; rough ground slows.
+        assert!((4..=9).contains(&laid), "{geometry}: {laid}");
+        let marks = scene.landmarks(45.0);
+        let crumbs = marks.iter().filter(|it| it.kind == LandmarkKind::Crumb);
+        assert!(crumbs.count() >= 4, "{geometry}");
+        // Back over what one fell down from.
+        scene.set_flying(true);
+        let end = scene.feet();
+        scene.teleport(ChartPoint::new(end.chart, end.pos.with_y(HIGH_M)));
+        let mut legs = 0;
+        while let Some(way) = scene.way_back() {
+            scene.aim(way.heading_rad, 0.0);
+            let walk = Actions {
+                forward: 1.0,
+                ..Actions::default()
+            };
+            steps(&mut scene, 6, &walk);
+            legs += 1;
+            assert!(legs < 400, "{geometry}: {way:?}");
+        }
+        let level = |point: ChartPoint| ChartPoint::new(point.chart, point.pos.with_y(0.0));
+        let eye = Eye {
+            point: level(begun),
+            ..Eye::default()
+        };
+        let there = level(scene.feet());
+        let off_m = scene.strategy().distance_m(eye.point, there, &eye);
+        // The first one lay where the crosshair met the ground.
+        assert!(off_m < 13.0, "{geometry}: {off_m}");
+    }
+}
