@@ -34,6 +34,7 @@ impl Behaviour for Laid {
 }
 
 /// A place of a way, on the stretch that ends at one of those that were laid.
+#[derive(Clone, Copy)]
 struct Place {
     to: usize,
     at: DVec2,

@@ -1,6 +1,7 @@
 //! Lays out what is known of columns as on a map: heights, light on slopes, contour lines, edges of squares.
 
 use std::f64::consts::FRAC_PI_2;
+use std::iter;
 
 use antipode_geometry::{ChartPoint, Strategy};
 use glam::{DVec2, DVec3, Vec2};
@@ -14,8 +15,10 @@ const CONTOUR_M: f32 = 8.0;
 /// Where the light of the map comes from, in its own axes, and how strongly slopes take it.
 const LIGHT: DVec2 = DVec2::new(-0.8, 0.6);
 const RELIEF: f32 = 1.4;
-/// Pieces in which an edge of a square is drawn.
-const EDGE_PIECES: u32 = 8;
+/// An edge of a square is drawn in pieces of so many metres of the map, so few at least and so many at most.
+const PIECE_M: f64 = 8.0;
+const LEAST_PIECES: f64 = 3.0;
+const MOST_PIECES: f64 = 8.0;
 /// A patch that is smaller on the map tells no slope, square metres: it is held at the edge.
 const LEAST_PATCH_M2: f32 = 1.0;
 
@@ -89,12 +92,17 @@ fn edges(
             }
             let half_m = strategy.domain(*chart).half_width_m();
             let turn = DVec2::from_angle(f64::from(side) * FRAC_PI_2);
-            let at = |piece: u32| {
-                let along = 2.0 * f64::from(piece) / f64::from(EDGE_PIECES) - 1.0;
+            let at = |along: f64| {
                 let at = half_m * turn.rotate(DVec2::new(1.0, along));
                 locator.on_map(ChartPoint::new(*chart, DVec3::new(at.x, 0.0, at.y)))
             };
-            let near = (0..EDGE_PIECES).map(|piece| [piece, piece + 1].map(at));
+            let ends = [-1.0, 1.0].map(at);
+            let count = (ends[0].distance(ends[1]) / PIECE_M).ceil();
+            let count = count.clamp(LEAST_PIECES, MOST_PIECES) as u32;
+            let between = (1..count).map(|it| 2.0 * f64::from(it) / f64::from(count) - 1.0);
+            let whole = iter::once(ends[0]).chain(between.map(at));
+            let whole: Vec<DVec2> = whole.chain([ends[1]]).collect();
+            let near = whole.windows(2).map(|ends| [ends[0], ends[1]]);
             let near = near.filter(|ends| ends.iter().all(|end| end.length() <= reach_m));
             pieces.extend(near.map(|ends| ends.map(|end| end.as_vec2().to_array())));
         }
