@@ -3,7 +3,7 @@
 hints-look = Look around: { $key }
 hints-walk = Walk: { $key }
 hints-jump = Jump: { $key }
-hints-corner = Five squares meet at every corner, not four. Walk round a corner and count them; the map shows their edges.
+hints-corner = Five squares meet at every corner, not four, and a stone stands there. Walk round it and count them. Large map: { $key }
 hints-overhead = Look up: the land over your head is the other side of this world.
 hints-talk = Talk to somebody ahead: { $key }
 hints-car = Get into a car, close by: { $key }

@@ -315,7 +315,8 @@ fn every_language_names_the_keys_in_every_hint() {
         let key = |action| first_input_label(&texts, &profiles, action);
         for lesson in Lesson::ALL {
             let action = match lesson {
-                Lesson::Look | Lesson::Overhead | Lesson::Corner | Lesson::Home => None,
+                Lesson::Look | Lesson::Overhead | Lesson::Home => None,
+                Lesson::Corner => Some(Action::LargeMap),
                 Lesson::Walk => Some(Action::Right),
                 Lesson::Jump => Some(Action::Jump),
                 Lesson::Talk => Some(Action::Talk),
