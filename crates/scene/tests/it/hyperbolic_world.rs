@@ -126,6 +126,135 @@ fn the_map_shows_the_edges_of_squares_five_of_which_meet_at_a_corner() {
     assert_eq!(corner.count(), 5);
 }
 
+/// How far walks lead, metres.
+const FAR_WALK_M: f64 = 10_000.0;
+/// Where one turns back towards home, radii: numbers end at 77.
+const TURNS_BACK_RAD: f64 = 60.0;
+
+/// 10 km by random turns, and back from one turning to the one before as breadcrumbs lead: the same square, and the same hole
+/// to the last bit. By headings alone nobody comes back from so far: one that is off by the last of 53 bits misses by
+/// `R sinh(d/R)` as much, which is the radius at 37 radii.
+fn walk_far_and_back(radius_m: f64, go: fn(&mut Scene, f64)) {
+    let mut scene = world(radius_m);
+    let (place, dug) = hole(&mut scene);
+    scene.set_flying(true);
+    scene.teleport(ChartPoint::new(place.chart, place.pos.with_y(HIGH_M)));
+    let mut dice = 12_345_u64;
+    let mut turnings = vec![scene.feet()];
+    let (mut walked_m, mut farthest) = (0.0, 0);
+    while walked_m < FAR_WALK_M {
+        dice = dice.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        let random = (dice >> 40) as f64 / f64::from(1 << 24);
+        let home = scene.bearings().home.unwrap();
+        farthest = farthest.max(home.squares);
+        let yaw = if home.distance_m > TURNS_BACK_RAD * radius_m {
+            home.heading_rad + random
+        } else {
+            scene.eye().yaw + 3.0 * (random - 0.5)
+        };
+        scene.aim(yaw, 0.0);
+        let way_m = 60.0 + 80.0 * random;
+        go(&mut scene, way_m);
+        walked_m += way_m;
+        turnings.push(scene.feet());
+    }
+    println!(
+        "{radius_m}: {walked_m} m, {} turnings, {farthest} squares off",
+        turnings.len()
+    );
+    assert!(farthest > 30, "{farthest}");
+    let strategy = scene.strategy().clone();
+    while let Some(to) = turnings.pop() {
+        // It is flown past by a step.
+        for _ in 0..100 {
+            let way = strategy
+                .tiled()
+                .unwrap()
+                .level_way_m(scene.feet(), to)
+                .unwrap();
+            let way_m = way.with_y(0.0).length();
+            if way_m < 0.5 {
+                break;
+            }
+            scene.aim(way.z.atan2(way.x), 0.0);
+            go(&mut scene, way_m);
+        }
+    }
+    assert_eq!(scene.feet().chart, ChartId::FIRST);
+    let off_m = plane_m(&scene, scene.feet(), place);
+    assert!(off_m < 0.6, "{off_m}");
+    let found = ground_at(&mut scene, place);
+    assert_eq!(found.to_bits(), dug.to_bits());
+}
+
+/// Digs a hole; returns where, and how high its ground is.
+fn hole(scene: &mut Scene) -> (ChartPoint, f64) {
+    let y = scene.field().surface_height(ChartId::FIRST, 9.0, 7.0);
+    let place = ChartPoint::a(DVec3::new(9.0, y + 0.2, 7.0));
+    let before = ground_at(scene, place);
+    scene.aim(0.0, -1.2);
+    let dig = Actions {
+        slot: Some(2),
+        primary: true,
+        ..Actions::default()
+    };
+    steps(scene, 120, &dig);
+    assert!(scene.settle(LIMIT));
+    let dug = ground_at(scene, place);
+    assert!(dug < before - 0.5, "{before} {dug}");
+    (place, dug)
+}
+
+/// By hops along the geodesic.
+#[test]
+fn ten_kilometres_by_random_turns_and_back_lead_to_the_same_hole() {
+    for radius_m in [60.305, 30.152] {
+        walk_far_and_back(radius_m, |scene, way_m| {
+            let mut left_m = way_m;
+            while left_m > 0.0 {
+                let hop_m = left_m.min(30.0);
+                left_m -= hop_m;
+                let feet = scene.feet();
+                let eye = Eye {
+                    point: ChartPoint::new(feet.chart, feet.pos.with_y(0.0)),
+                    yaw: scene.eye().yaw,
+                    ..Eye::default()
+                };
+                let end = scene.strategy().along(&eye, DVec3::NEG_Z, hop_m);
+                let back = scene
+                    .strategy()
+                    .tiled()
+                    .unwrap()
+                    .level_way_m(end, feet)
+                    .unwrap();
+                scene.teleport(ChartPoint::new(end.chart, end.pos.with_y(HIGH_M)));
+                scene.aim((-back.z).atan2(-back.x), 0.0);
+                scene.step(&Actions::default());
+            }
+        });
+    }
+}
+
+/// As bodies fly: each step of 20 km, which takes minutes.
+#[test]
+#[ignore = "takes minutes"]
+fn ten_kilometres_flown_lead_to_the_same_hole() {
+    for radius_m in [60.305, 30.152] {
+        walk_far_and_back(radius_m, |scene, way_m| {
+            let from = scene.feet();
+            let slow = (way_m / 8.0).min(1.0);
+            let ahead = Actions {
+                forward: slow,
+                sprint: slow == 1.0,
+                ..Actions::default()
+            };
+            while plane_m(scene, from, scene.feet()) < way_m {
+                steps(scene, 1, &ahead);
+            }
+        });
+    }
+}
+
 /// Also where it lies aside: of a conformal map that is true of every corner.
 #[test]
 fn on_the_large_map_five_squares_meet_at_equal_angles_at_every_corner() {
