@@ -23,11 +23,36 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(p.x - middle.x, wrapped.y, p.z - middle.y);
 }
 
-// How far it is to the nearest edges along x and z, the lesser first: these are the same from both sides of an edge and from all
-// five of a corner, whichever way squares are turned there.
+// Within this of an edge grain is read by the edges, metres; with what makes the border ragged.
+const BY_EDGES_M: f32 = 5.0;
+const RAGGED_M: f32 = 1.8;
+// On both sides of that border grain fades away over so many metres, until a pixel seems as wide as this.
+const SEAM_M: f32 = 0.35;
+const SEAM_WIDE_M: f32 = 0.5;
+
+fn edges_away(grain: vec3<f32>) -> vec2<f32> {
+    return 0.5 * (chart.domain_high - chart.domain_low) - abs(grain.xz);
+}
+
+// How far a place lies within the border, metres; less than 0 in the strip along the edges.
+fn within_border(grain: vec3<f32>) -> f32 {
+    let away = edges_away(grain);
+    let ragged = sin(0.83 * grain.x + 0.37 * grain.z) + sin(0.59 * grain.z - 0.91 * grain.x + 1.3);
+    return min(away.x, away.y) - BY_EDGES_M - 0.5 * RAGGED_M * ragged;
+}
+
+// As it is written in the square; and along the edges how far it is to the nearest ones along x and z, the lesser first: these are
+// the same from both sides of an edge and from all five of a corner, whichever way squares are turned there.
 fn grain_at(grain: vec3<f32>) -> vec3<f32> {
-    let inside = 0.5 * (chart.domain_high - chart.domain_low) - abs(grain.xz);
-    return vec3<f32>(min(inside.x, inside.y), grain.y, max(inside.x, inside.y));
+    if within_border(grain) > 0.0 {
+        return grain;
+    }
+    let away = edges_away(grain);
+    return vec3<f32>(min(away.x, away.y), grain.y, max(away.x, away.y));
+}
+
+fn grain_seam(grain: vec3<f32>) -> f32 {
+    return SEAM_WIDE_M * max(1.0 - abs(within_border(grain)) / SEAM_M, 0.0);
 }
 
 // By the slope along the ground, as in a closed world: near the eye, where slopes are seen, view coordinates are those of the
