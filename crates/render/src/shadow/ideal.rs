@@ -46,14 +46,11 @@ impl Light {
         null.truncate().normalize_or(DVec3::Y)
     }
 
-    /// A ball of hyperbolic space that holds a box: its middle, and R sinh of its radius over R, metres. Where charts do not
-    /// say how far it stretches, by its corners, between which it bulges by less than a tenth.
+    /// A ball of hyperbolic space that holds a box: its middle, and R sinh of its radius over R, metres. By its corners, between
+    /// which it bulges by less than a tenth: a bound by how far a chart stretches anywhere about it is e^40 times as much towards
+    /// a corner of a square, and what a map's depth holds goes by the widest of all balls.
     pub(super) fn ball_about(strategy: &dyn Strategy, of: &Caster) -> (ChartPoint, f64) {
         let (middle, eye) = (ChartPoint::new(of.chart, of.middle()), Eye::default());
-        let rises_m = strategy.ball_rises_m(&eye, middle, of.reach().length());
-        if rises_m.is_finite() {
-            return (middle, rises_m);
-        }
         let corner_m = |corner: u32| {
             let sign = |axis: u32| f64::from(2 * (corner >> axis & 1)) - 1.0;
             let by = of.reach() * DVec3::new(sign(0), sign(1), sign(2));
@@ -86,5 +83,43 @@ impl Light {
         let away = (at / radius_m).length().hypot(t * sinh.hypot(1.0));
         let height = |out: f64| 0.5 * radius_m * (out.max(0.0).powi(2) - 1.0);
         Some([height(away - t * sinh), height(away + t * sinh)])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{ChartId, Geometry, strategy};
+
+    use super::*;
+
+    /// Of the size of a chunk with trees, towards the corner of a square.
+    #[test]
+    fn a_ball_holds_its_box_and_is_not_much_larger() {
+        for radius_m in [30.152, 60.305, 120.61] {
+            let space = strategy(Geometry::HyperbolicWorld, radius_m);
+            let share = radius_m / 60.305;
+            for (middle, reach) in [
+                ([0.0, 10.0, 0.0], [18.0, 15.0, 18.0]),
+                ([-17.0, 42.0, 13.5], [24.0, 17.0, 22.0]),
+                ([-24.0, -20.0, -30.0], [12.0, 15.0, 11.0]),
+            ] {
+                let [middle, reach] = [middle, reach].map(|it| DVec3::from(it) * share);
+                let of = Caster::new(ChartId::FIRST, middle - reach, middle + reach);
+                let (about, rises_m) = Light::ball_about(&*space, &of);
+                let ball_m = (rises_m / radius_m).asinh() * radius_m;
+                let mut farthest_m: f64 = 0.0;
+                for i in 0..125 {
+                    let step = |of: i32| f64::from(of % 5) / 2.0 - 1.0;
+                    let by = reach * DVec3::new(step(i), step(i / 5), step(i / 25));
+                    farthest_m = farthest_m.max(space.distance_m(
+                        about,
+                        about.moved(by),
+                        &Eye::default(),
+                    ));
+                }
+                let times = ball_m / farthest_m;
+                assert!((1.0..1.2).contains(&times), "{radius_m} {middle}: {times}");
+            }
+        }
     }
 }
