@@ -64,6 +64,8 @@ struct Chart {
     view: mat4x4<f32>,      // from its ported points, xyz in metres and w without unit, to view coordinates
     home: mat4x4<f32>,      // to the model in which light is told, that of the first chart or of the eye's
     fraction: vec3<f32>,    // the reference from the whole metres that its chunks are measured from
+    joins: u32,             // how a square is joined to those about it: a bit for each side, where it comes second, and three for
+                            // each corner, how many turns it is from the one that comes first
     domain_low: vec2<f32>,  // a rectangle past which other charts draw the land: least x and z from the reference,
     domain_high: vec2<f32>, // and greatest
     origin: vec4<f32>,      // where the reference lies in the chart, as the map tells it: `Space`

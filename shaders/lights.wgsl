@@ -12,7 +12,6 @@
 //   grain_point(wrapped, p)           where grain is read at a vertex: a place that is wrapped as grain repeats, or one from p, metres
 //                                     from the reference in the chart
 //   grain_at(grain)                   and at a point between vertices, from what grain_point gives those
-//   grain_seam(grain)                 how much wider a pixel is to seem there, metres, where that reads grain anew
 //   grain_up(grain)                   which way is up where grain is read
 //   tilted(normal, model_normal, ..)  both normals of a surface that slopes so in the grain's axes
 //   haze_before(view)                 the haze before a view point

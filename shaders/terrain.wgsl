@@ -277,7 +277,7 @@ fn lit_surface(surface: Surface, seen: Seen, share: f32, steps: Steps) -> vec3<f
 
 // Land with the surfaces of its kinds.
 fn surface_light(in: VertexOut, share: f32, steps: Steps, offered: f32) -> vec3<f32> {
-    let wide_m = 0.7 * max(length(steps.grain_x), length(steps.grain_y)) + grain_seam(in.grain);
+    let wide_m = 0.7 * max(length(steps.grain_x), length(steps.grain_y));
     var weights = mat4x4<f32>(in.kinds_a, in.kinds_b, in.kinds_c, in.kinds_d);
     var albedo = in.albedo;
     if offered > 0.0 {

@@ -46,10 +46,6 @@ fn grain_at(grain: vec3<f32>) -> vec3<f32> {
     return grain;
 }
 
-fn grain_seam(grain: vec3<f32>) -> f32 {
-    return 0.0;
-}
-
 fn grain_up(grain: vec3<f32>) -> vec3<f32> {
     return normalize(grain);
 }

@@ -19,10 +19,6 @@ fn grain_at(grain: vec3<f32>) -> vec3<f32> {
     return grain;
 }
 
-fn grain_seam(grain: vec3<f32>) -> f32 {
-    return 0.0;
-}
-
 // The grain's axes are the common ones. Lamps see the ground as it is without its slope.
 fn tilted(normal: vec3<f32>, model_normal: vec4<f32>, slope: vec3<f32>, steps: Steps) -> Tilted {
     let along = slope - normal * dot(normal, slope);

@@ -23,36 +23,49 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(p.x - middle.x, wrapped.y, p.z - middle.y);
 }
 
-// Within this of an edge grain is read by the edges, metres; with what makes the border ragged.
-const BY_EDGES_M: f32 = 5.0;
-const RAGGED_M: f32 = 1.8;
-// On both sides of that border grain fades away over so many metres, until a pixel seems as wide as this.
-const SEAM_M: f32 = 0.35;
-const SEAM_WIDE_M: f32 = 0.5;
+// Grain is read in one of three ways: about a corner, along an edge, and as it is written within the square. Reach from a corner
+// and from an edge, metres, and by how much those borders are ragged.
+const CORNER_M: f32 = 6.0;
+const EDGE_M: f32 = 3.0;
+const RAGGED_M: f32 = 1.2;
+// Squares about a corner each take a fifth of a turn.
+const FIFTH: f32 = 1.25663706;
 
-fn edges_away(grain: vec3<f32>) -> vec2<f32> {
-    return 0.5 * (chart.domain_high - chart.domain_low) - abs(grain.xz);
+fn ragged(at: vec2<f32>) -> f32 {
+    return RAGGED_M * 0.5 * (sin(0.83 * at.x + 0.37 * at.y) + sin(0.59 * at.y - 0.91 * at.x + 1.3));
 }
 
-// How far a place lies within the border, metres; less than 0 in the strip along the edges.
-fn within_border(grain: vec3<f32>) -> f32 {
-    let away = edges_away(grain);
-    let ragged = sin(0.83 * grain.x + 0.37 * grain.z) + sin(0.59 * grain.z - 0.91 * grain.x + 1.3);
-    return min(away.x, away.y) - BY_EDGES_M - 0.5 * RAGGED_M * ragged;
+// All squares at an edge or a corner read the same. Sides are counted from +x by quarter turns towards +z, and corner n is between
+// the sides n and n + 1. With the ways u from side n and v from side n + 1, metres, and the way a along the nearest side, which
+// grows by quarter turns as the count does:
+//   about a corner   v E(j) + u E(j + 1), E(j) being j fifths of a turn, where the square is the j-th about it
+//   along an edge    (u, a), which is (-u, -a) from the other side
+fn grain_place(p: vec2<f32>) -> vec2<f32> {
+    let away = 0.5 * (chart.domain_high - chart.domain_low) - abs(p);
+    let is_right = p.x > 0.0;
+    let is_below = p.y > 0.0;
+    let corner = select(select(2u, 3u, is_right), select(1u, 0u, is_right), is_below);
+    let j = f32((chart.joins >> (4u + 3u * corner)) & 7u);
+    // Side n is that at x where n is even.
+    let u = select(away.y, away.x, (corner & 1u) == 0u);
+    let v = select(away.x, away.y, (corner & 1u) == 0u);
+    let first = vec2<f32>(cos(FIFTH * j), sin(FIFTH * j));
+    let next = vec2<f32>(cos(FIFTH * (j + 1.0)), sin(FIFTH * (j + 1.0)));
+    let about = v * first + u * next;
+
+    let is_side_x = away.x < away.y;
+    let side = select(select(3u, 1u, is_below), select(2u, 0u, is_right), is_side_x);
+    let along = select(select(p.x, -p.x, is_below), select(-p.y, p.y, is_right), is_side_x);
+    let sign = select(1.0, -1.0, ((chart.joins >> side) & 1u) == 1u);
+    let beside = sign * vec2<f32>(min(away.x, away.y), along);
+    let is_at_edge = min(away.x, away.y) < EDGE_M + ragged(beside);
+    let is_at_corner = length(about) < CORNER_M + ragged(about);
+    return select(select(p, beside, is_at_edge), about, is_at_corner);
 }
 
-// As it is written in the square; and along the edges how far it is to the nearest ones along x and z, the lesser first: these are
-// the same from both sides of an edge and from all five of a corner, whichever way squares are turned there.
 fn grain_at(grain: vec3<f32>) -> vec3<f32> {
-    if within_border(grain) > 0.0 {
-        return grain;
-    }
-    let away = edges_away(grain);
-    return vec3<f32>(min(away.x, away.y), grain.y, max(away.x, away.y));
-}
-
-fn grain_seam(grain: vec3<f32>) -> f32 {
-    return SEAM_WIDE_M * max(1.0 - abs(within_border(grain)) / SEAM_M, 0.0);
+    let at = grain_place(grain.xz);
+    return vec3<f32>(at.x, grain.y, at.y);
 }
 
 // By the slope along the ground, as in a closed world: near the eye, where slopes are seen, view coordinates are those of the

@@ -32,6 +32,55 @@ pub trait Tiled {
 
     /// How many edges are between a chart's tile and the first one at least; none where there is no such chart.
     fn edges_from_first(&self, chart: ChartId) -> Option<usize>;
+
+    /// How a chart's tile is joined to those about it.
+    fn joins(&self, chart: ChartId) -> Joins {
+        Joins::of(chart, |chart, side| self.over(chart, side))
+    }
+}
+
+/// What of a tile tells those on both sides of an edge and about a corner apart, so that all of them can read one pattern there.
+/// Sides are counted as in [`Tiled::over`]; corner n lies between the sides n and n + 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Joins {
+    /// Whether the tile over a side comes first by its chart.
+    pub is_second: [bool; 4],
+    /// How many tiles one goes through about a corner, each over the later of its two sides there, from the one whose chart comes
+    /// first to this one.
+    pub about: [u8; 4],
+}
+
+/// No more tiles meet at a corner.
+const MOST_ABOUT: u8 = 7;
+
+impl Joins {
+    /// By what lies over sides. At the end of a world, where that is nothing, a tile comes first.
+    pub fn of(chart: ChartId, over: impl Fn(ChartId, u8) -> Option<(ChartId, u8)>) -> Self {
+        let is_second = [0, 1, 2, 3].map(|side| over(chart, side).is_some_and(|it| it.0 < chart));
+        let about = [0, 1, 2, 3].map(|corner| {
+            let (mut at, mut corner) = (chart, corner);
+            let mut first = (chart, 0);
+            for steps in 1..=MOST_ABOUT {
+                let Some(next) = over(at, (corner + 1) % 4) else {
+                    return 0;
+                };
+                (at, corner) = next;
+                if at == chart {
+                    return (steps - first.1) % steps;
+                }
+                first = first.min((at, steps));
+            }
+            0
+        });
+        Self { is_second, about }
+    }
+
+    /// For shaders: a bit for each side, then three for each corner.
+    pub fn bits(self) -> u32 {
+        let sides = (0..4).map(|side| u32::from(self.is_second[side]) << side);
+        let corners = (0..4).map(|corner| u32::from(self.about[corner]) << (4 + 3 * corner));
+        sides.chain(corners).sum()
+    }
 }
 
 /// The outward steps over the sides of a domain, as [`Tiled::over`] counts them.

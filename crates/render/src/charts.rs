@@ -37,7 +37,8 @@ pub struct ChartUniform {
     pub home: [[f32; 4]; 4],
     /// The reference from the whole metres that chunks are measured from.
     pub fraction: [f32; 3],
-    padding: f32,
+    /// How a square is joined to those about it: [`Joins::bits`](antipode_geometry::Joins::bits).
+    pub joins: u32,
     /// A rectangle past which other charts draw the land: the least x and z from the reference, and the greatest, metres.
     pub domain_low: [f32; 2],
     /// See above.
@@ -68,7 +69,9 @@ impl ChartUniform {
             view: columns(frame.view.chart_matrix(chart)),
             home: columns(strategy.light_matrix(eye, chart)),
             fraction: fraction.as_vec3().into(),
-            padding: 0.0,
+            joins: strategy
+                .tiled()
+                .map_or(0, |tiled| tiled.joins(chart).bits()),
             domain_low: low.into(),
             domain_high: high.into(),
             origin: strategy.port_origin(eye, chart).as_vec4().into(),

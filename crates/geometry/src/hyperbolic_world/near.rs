@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3, DVec4, Vec3Swizzles};
 
 use super::world::{HyperbolicWorld, inverse};
 use crate::tiling::{EDGE_TANH, TilePath};
-use crate::{CHUNK_CELLS, ChartId, ChartPoint, Tiled};
+use crate::{CHUNK_CELLS, ChartId, ChartPoint, Joins, Tiled};
 
 /// Land is there no farther than so many radii, where a metre is 1/74 of the radius's metres across: within are 366 tiles.
 const LAND_RAD: f64 = 5.0;
@@ -151,5 +151,9 @@ impl Tiled for HyperbolicWorld {
 
     fn edges_from_first(&self, chart: ChartId) -> Option<usize> {
         Some(TilePath::from_number(chart.number()).ok()?.len())
+    }
+
+    fn joins(&self, chart: ChartId) -> Joins {
+        self.tiles.joins(chart)
     }
 }

@@ -3,8 +3,8 @@
 use glam::{DMat4, DVec2};
 
 use super::cache::Cache;
-use crate::ChartId;
 use crate::tiling::{Frame, Isometry, Side, Tile, TilePath, TilingError, rings};
+use crate::{ChartId, Joins};
 
 /// Places in the tables: ten times as many as the charts within 5 radii, of which there are 400 with those at the edge. Of two
 /// charts that are asked about in turn few then have one place.
@@ -20,6 +20,7 @@ pub(super) struct Tiles {
     charts: Cache<Tile, ChartId>,
     around: Cache<ChartId, [Option<ChartId>; AROUND]>,
     norths: Cache<ChartId, DVec2>,
+    joins: Cache<ChartId, Joins>,
     over: Cache<ChartId, [Option<Over>; 4]>,
     /// The ways over edges, by the side left and the side come in by.
     crossings: [[DMat4; 4]; 4],
@@ -37,6 +38,7 @@ impl Tiles {
             charts: Cache::of_places(PLACES),
             around: Cache::of_places(PLACES),
             norths: Cache::of_places(PLACES),
+            joins: Cache::of_places(PLACES),
             over: Cache::of_places(PLACES),
             crossings: Side::ALL.map(|side| Side::ALL.map(|back| crossing(side, back))),
         }
@@ -110,6 +112,12 @@ impl Tiles {
     pub fn north(&self, chart: ChartId) -> Option<DVec2> {
         let carried = || Some(path(chart).ok()?.sides().fold(DVec2::NEG_X, north_over));
         self.norths.value(chart, carried)
+    }
+
+    /// How a chart's tile is joined to those about it.
+    pub fn joins(&self, chart: ChartId) -> Joins {
+        let found = || Some(Joins::of(chart, |chart, side| self.over(chart, side)));
+        self.joins.value(chart, found).unwrap_or_default()
     }
 
     fn found_way(&self, from: ChartId, to: ChartId) -> Option<DMat4> {

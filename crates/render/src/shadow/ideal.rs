@@ -111,11 +111,8 @@ mod tests {
                 for i in 0..125 {
                     let step = |of: i32| f64::from(of % 5) / 2.0 - 1.0;
                     let by = reach * DVec3::new(step(i), step(i / 5), step(i / 25));
-                    farthest_m = farthest_m.max(space.distance_m(
-                        about,
-                        about.moved(by),
-                        &Eye::default(),
-                    ));
+                    farthest_m =
+                        farthest_m.max(space.distance_m(about, about.moved(by), &Eye::default()));
                 }
                 let times = ball_m / farthest_m;
                 assert!((1.0..1.2).contains(&times), "{radius_m} {middle}: {times}");

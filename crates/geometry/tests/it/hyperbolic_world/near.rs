@@ -238,3 +238,24 @@ proptest! {
         prop_assert!(away_m <= sampled_m + 1e-6 && sampled_m < away_m + 0.6, "{away_m} {sampled_m}");
     }
 }
+
+#[test]
+fn squares_at_an_edge_and_about_a_corner_are_told_apart_alike_from_all() {
+    let world = HyperbolicWorld::new(60.305);
+    let charts = world.charts_within(ChartPoint::a(DVec3::new(20.0, 0.0, 11.0)), 250.0);
+    for chart in charts {
+        let joins = world.joins(chart);
+        for side in 0..4u8 {
+            let (over, back) = world.over(chart, side).unwrap();
+            let there = world.joins(over);
+            assert_ne!(
+                joins.is_second[usize::from(side)],
+                there.is_second[usize::from(back)]
+            );
+            // About the corner at this side's end, from which the next square has its own corner at its side's beginning.
+            let here = joins.about[usize::from((side + 3) % 4)];
+            assert_eq!(there.about[usize::from(back)], (here + 1) % 5);
+        }
+        assert_eq!(joins.bits() >> 16, 0);
+    }
+}
