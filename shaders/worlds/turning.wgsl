@@ -28,11 +28,19 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
 const CORNER_M: f32 = 6.0;
 const EDGE_M: f32 = 3.0;
 const RAGGED_M: f32 = 1.2;
-// Squares about a corner each take a fifth of a turn.
-const FIFTH: f32 = 1.25663706;
+// E(j): turned by j fifths of a turn.
+const FIFTHS = array<vec2<f32>, 6>(
+    vec2<f32>(1.0, 0.0),
+    vec2<f32>(0.30901699, 0.95105652),
+    vec2<f32>(-0.80901699, 0.58778525),
+    vec2<f32>(-0.80901699, -0.58778525),
+    vec2<f32>(0.30901699, -0.95105652),
+    vec2<f32>(1.0, 0.0),
+);
 
 fn ragged(at: vec2<f32>) -> f32 {
-    return RAGGED_M * 0.5 * (sin(0.83 * at.x + 0.37 * at.y) + sin(0.59 * at.y - 0.91 * at.x + 1.3));
+    let waves = fract(vec2<f32>(0.131 * at.x + 0.059 * at.y, 0.094 * at.y - 0.145 * at.x));
+    return RAGGED_M * (abs(2.0 * waves.x - 1.0) + abs(2.0 * waves.y - 1.0) - 1.0);
 }
 
 // All squares at an edge or a corner read the same. Sides are counted from +x by quarter turns towards +z, and corner n is between
@@ -45,13 +53,12 @@ fn grain_place(p: vec2<f32>) -> vec2<f32> {
     let is_right = p.x > 0.0;
     let is_below = p.y > 0.0;
     let corner = select(select(2u, 3u, is_right), select(1u, 0u, is_right), is_below);
-    let j = f32((chart.joins >> (4u + 3u * corner)) & 7u);
+    let j = min((chart.joins >> (4u + 3u * corner)) & 7u, 4u);
     // Side n is that at x where n is even.
     let u = select(away.y, away.x, (corner & 1u) == 0u);
     let v = select(away.x, away.y, (corner & 1u) == 0u);
-    let first = vec2<f32>(cos(FIFTH * j), sin(FIFTH * j));
-    let next = vec2<f32>(cos(FIFTH * (j + 1.0)), sin(FIFTH * (j + 1.0)));
-    let about = v * first + u * next;
+    var turned = FIFTHS;
+    let about = v * turned[j] + u * turned[j + 1u];
 
     let is_side_x = away.x < away.y;
     let side = select(select(3u, 1u, is_below), select(2u, 0u, is_right), is_side_x);
