@@ -4,11 +4,29 @@ use glam::{DVec2, DVec3, IVec2, IVec3, Vec3Swizzles};
 
 use crate::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain};
 
-/// A world whose charts are tiles, of which there may be more in view than share a corner with the player's. What is near
+/// How far a box of a ground plan is from a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Away {
+    /// To the nearest of it, metres, as [`Tiled::away_m`] has it.
+    pub nearest_m: f64,
+    /// The way to its middle, metres: x and z of [`Tiled::level_way_m`].
+    pub way_m: DVec2,
+}
+
+/// A world whose charts are tiles, all with one domain, of which there may be more in view than share a corner with the player's. What is near
 /// is told by lengths on the level y = 0.
 pub trait Tiled {
     /// The charts whose domains come within so many metres of a place, nearest first; the place's own is among them.
     fn charts_within(&self, at: ChartPoint, reach_m: f64) -> Vec<ChartId>;
+
+    /// Of each of these charts, how far some boxes are from the place, each from its least x and z to its greatest: many at once, for
+    /// a quarter of what they cost one by one. Nothing where the place's chart is not there.
+    fn boxes_within(
+        &self,
+        at: ChartPoint,
+        reach_m: f64,
+        boxes: &[[DVec2; 2]],
+    ) -> Vec<(ChartId, Vec<Away>)>;
 
     /// How far it is from a place to the nearest of a box of a chart's ground plan from its least x and z to its greatest,
     /// metres: 0 inside, infinite where there is no such chart.
