@@ -2,7 +2,7 @@
 
 use antipode_geometry::tiling::{Frame, Side};
 use antipode_geometry::{
-    Atlas, BodyChart, ChartId, ChartPoint, ChunkCoord, ChunkCube, Eye, HyperbolicWorld, Map,
+    Atlas, BodyChart, ChartId, ChartPoint, ChunkCoord, ChunkCube, Eye, HyperbolicWorld, Map, Optics,
 };
 use divan::{Bencher, black_box, counter::ItemsCount};
 use glam::DVec3;
@@ -139,4 +139,13 @@ fn chunk_cube<const RADIUS_M: u32>(bencher: Bencher<'_, '_>, reach: u16) {
     let world = HyperbolicWorld::new(f64::from(RADIUS_M));
     let centre = ChunkCoord::containing(ChartPoint::a(DVec3::ONE));
     bencher.bench_local(|| ChunkCube::about(&world, black_box(centre), reach, 8.0));
+}
+
+#[divan::bench(args = RADII)]
+fn sight_cell(bencher: Bencher<'_, '_>, radii: f64) {
+    let (world, eye, points) = scene(radii);
+    each(bencher, &points, |point| {
+        let low = point.pos.min(DVec3::ZERO);
+        black_box(world.sight_cell(&eye, point.chart, low, low + 20.0));
+    });
 }

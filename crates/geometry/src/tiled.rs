@@ -37,6 +37,21 @@ pub trait Tiled {
     /// not there.
     fn level_way_m(&self, from: ChartPoint, to: ChartPoint) -> Option<DVec3>;
 
+    /// Between which lines of a chart's grid a place lies, metres: lines go on from edge to edge of the plane, so that every place has
+    /// some x and some z, though the chart be written nowhere near. None where one of the charts is not there.
+    fn grid_lines_m(&self, at: ChartPoint, chart: ChartId) -> Option<DVec2>;
+
+    /// The least and the greatest azimuth at which a box of a chart's ground plan is seen from a place, from its least x and z to its
+    /// greatest, radians as [`crate::SightCell::azimuth_rad`]; less than half a turn apart. None where the place lies over the box,
+    /// or one of the charts is not there.
+    fn azimuths_rad(
+        &self,
+        at: ChartPoint,
+        chart: ChartId,
+        low: DVec2,
+        high: DVec2,
+    ) -> Option<[f64; 2]>;
+
     /// How far land is to be there in place of a flat view of so many metres: no farther than that, nor than it is of use, and
     /// with at most twice as much land as the flat view's square of that half side. It never falls with the view.
     fn land_reach_m(&self, view_m: f64) -> f64;

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use glam::{DMat2, DMat4, DVec2, DVec3, DVec4, Vec3Swizzles};
 
+use super::plan::azimuths_rad;
 use super::world::{HyperbolicWorld, inverse};
 use crate::tiling::{EDGE_TANH, TilePath};
 use crate::{Away, CHUNK_CELLS, ChartId, ChartPoint, Tiled};
@@ -209,6 +210,24 @@ impl Tiled for HyperbolicWorld {
         let outwards = self.outwards(from.pos);
         let along = outwards.way_m(outwards.to_frame * (way * self.level(to.pos)));
         Some(DVec3::new(along.x, to.pos.y - from.pos.y, along.y))
+    }
+
+    fn azimuths_rad(
+        &self,
+        at: ChartPoint,
+        chart: ChartId,
+        low: DVec2,
+        high: DVec2,
+    ) -> Option<[f64; 2]> {
+        let (corners, middle) = self.plan_corners(at, chart, low, high)?;
+        azimuths_rad(corners, middle)
+    }
+
+    /// The line X = a W is that of `tanh(x/R) = a`.
+    fn grid_lines_m(&self, at: ChartPoint, chart: ChartId) -> Option<DVec2> {
+        let point = self.tiles.way(at.chart, chart)? * self.level(at.pos);
+        let lines = DVec2::new(point.x, point.z) / point.w;
+        Some(DVec2::new(lines.x.atanh(), lines.y.atanh()) * self.chart.radius_m)
     }
 
     fn land_reach_m(&self, view_m: f64) -> f64 {
