@@ -1,7 +1,9 @@
 //! Time to see, cross and carry in the hyperbolic world, by how far from the root: in radii, about 2300 m being 38.
 
 use antipode_geometry::tiling::{Frame, Side};
-use antipode_geometry::{Atlas, BodyChart, ChartId, ChartPoint, Eye, HyperbolicWorld, Map};
+use antipode_geometry::{
+    Atlas, BodyChart, ChartId, ChartPoint, ChunkCoord, ChunkCube, Eye, HyperbolicWorld, Map, Optics,
+};
 use divan::{Bencher, black_box, counter::ItemsCount};
 use glam::DVec3;
 
@@ -129,4 +131,21 @@ fn of_a_new_world(bencher: Bencher<'_, '_>, radii: f64) {
             }
             world
         });
+}
+
+/// The cube about a chunk, by its reach: what bodies need, and views of 4, 8 and 16 chunks.
+#[divan::bench(args = [4, 5, 9, 17], consts = [30, 60, 120])]
+fn chunk_cube<const RADIUS_M: u32>(bencher: Bencher<'_, '_>, reach: u16) {
+    let world = HyperbolicWorld::new(f64::from(RADIUS_M));
+    let centre = ChunkCoord::containing(ChartPoint::a(DVec3::ONE));
+    bencher.bench_local(|| ChunkCube::about(&world, black_box(centre), reach, 8.0));
+}
+
+#[divan::bench(args = RADII)]
+fn sight_cell(bencher: Bencher<'_, '_>, radii: f64) {
+    let (world, eye, points) = scene(radii);
+    each(bencher, &points, |point| {
+        let low = point.pos.min(DVec3::ZERO);
+        black_box(world.sight_cell(&eye, point.chart, low, low + 20.0));
+    });
 }

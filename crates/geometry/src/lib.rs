@@ -76,7 +76,7 @@ pub use shader::MapShader;
 pub use sight::{BoundingCylinder, SightCell, azimuth_spread};
 pub use spherical::{DEFAULT_SPHERE_RADIUS_M, Globe, Spherical};
 pub use strategy::Strategy;
-pub use tiled::{Joins, Tiled};
+pub use tiled::{Away, Joins, Tiled};
 pub use triangle::{equilateral_angle_sum_rad, square_gap_m};
 pub use uniform::SpaceUniform;
 pub use view_mode::ViewMode;

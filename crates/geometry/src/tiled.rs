@@ -4,11 +4,29 @@ use glam::{DVec2, DVec3, IVec2, IVec3, Vec3Swizzles};
 
 use crate::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain};
 
-/// A world whose charts are tiles, of which there may be more in view than share a corner with the player's. What is near
+/// How far a box of a ground plan is from a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Away {
+    /// To the nearest of it, metres, as [`Tiled::away_m`] has it.
+    pub nearest_m: f64,
+    /// The way to its middle, metres: x and z of [`Tiled::level_way_m`].
+    pub way_m: DVec2,
+}
+
+/// A world whose charts are tiles, all with one domain, of which there may be more in view than share a corner with the player's. What is near
 /// is told by lengths on the level y = 0.
 pub trait Tiled {
     /// The charts whose domains come within so many metres of a place, nearest first; the place's own is among them.
     fn charts_within(&self, at: ChartPoint, reach_m: f64) -> Vec<ChartId>;
+
+    /// Of each of these charts, how far some boxes are from the place, each from its least x and z to its greatest: many at once, for
+    /// a quarter of what they cost one by one. Nothing where the place's chart is not there.
+    fn boxes_within(
+        &self,
+        at: ChartPoint,
+        reach_m: f64,
+        boxes: &[[DVec2; 2]],
+    ) -> Vec<(ChartId, Vec<Away>)>;
 
     /// How far it is from a place to the nearest of a box of a chart's ground plan from its least x and z to its greatest,
     /// metres: 0 inside, infinite where there is no such chart.
@@ -18,6 +36,21 @@ pub trait Tiled {
     /// out along the axes of the first's chart, and with the height from the one to the other. None where one of the charts is
     /// not there.
     fn level_way_m(&self, from: ChartPoint, to: ChartPoint) -> Option<DVec3>;
+
+    /// Between which lines of a chart's grid a place lies, metres: lines go on from edge to edge of the plane, so that every place has
+    /// some x and some z, though the chart be written nowhere near. None where one of the charts is not there.
+    fn grid_lines_m(&self, at: ChartPoint, chart: ChartId) -> Option<DVec2>;
+
+    /// The least and the greatest azimuth at which a box of a chart's ground plan is seen from a place, from its least x and z to its
+    /// greatest, radians as [`crate::SightCell::azimuth_rad`]; less than half a turn apart. None where the place lies over the box,
+    /// or one of the charts is not there.
+    fn azimuths_rad(
+        &self,
+        at: ChartPoint,
+        chart: ChartId,
+        low: DVec2,
+        high: DVec2,
+    ) -> Option<[f64; 2]>;
 
     /// How far land is to be there in place of a flat view of so many metres: no farther than that, nor than it is of use, and
     /// with at most twice as much land as the flat view's square of that half side. It never falls with the view.

@@ -13,6 +13,8 @@ use crate::{ChartGround, Obstacle, Solid};
 #[derive(Debug, Default)]
 pub struct PhysicsWorld {
     charts: BTreeMap<ChartId, ChartGround>,
+    /// How often what is solid may have changed.
+    changes: u64,
     /// What a chart has in which nothing is solid.
     nothing: ChartGround,
 }
@@ -30,7 +32,13 @@ impl PhysicsWorld {
 
     /// What is solid in a chart, to be changed.
     pub fn chart_mut(&mut self, chart: ChartId) -> &mut ChartGround {
+        self.changes += 1;
         self.charts.entry(chart).or_default()
+    }
+
+    /// Grows whenever what is solid may have changed, but for obstacles: what was found is right while this stays.
+    pub(crate) fn changes(&self) -> u64 {
+        self.changes
     }
 
     /// Moves the floating origins of charts that have ground to where bodies are, each as
@@ -40,7 +48,8 @@ impl PhysicsWorld {
         let own = player.chart;
         self.charts
             .retain(|chart, ground| *chart == own || !ground.is_empty());
-        self.chart_mut(own).recentre(player.pos);
+        let here = self.charts.entry(own).or_default();
+        here.recentre(player.pos);
         for focus in others.filter(|focus| focus.chart != own) {
             if let Some(ground) = self.charts.get_mut(&focus.chart) {
                 ground.recentre(focus.pos);
@@ -50,8 +59,9 @@ impl PhysicsWorld {
 
     /// Says which small solids stand on the terrain, in place of those that did.
     pub fn set_solids(&mut self, solids: &[Solid]) {
+        self.changes += 1;
         for it in solids {
-            self.chart_mut(it.chart());
+            self.charts.entry(it.chart()).or_default();
         }
         for (chart, ground) in &mut self.charts {
             let own = solids.iter().filter(|it| it.chart() == *chart);
@@ -65,7 +75,7 @@ impl PhysicsWorld {
             ground.obstacles_mut().clear();
         }
         for obstacle in obstacles {
-            let ground = self.chart_mut(obstacle.chart);
+            let ground = self.charts.entry(obstacle.chart).or_default();
             ground.obstacles_mut().push(obstacle);
         }
     }

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use glam::{DVec3, IVec2, IVec3, Vec3Swizzles};
+use glam::{DVec2, IVec2, IVec3, Vec3Swizzles};
 
 use super::Part;
-use crate::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain, Tiled};
+use crate::{Atlas, Away, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain, Tiled};
 
 /// Never within any distance.
 const NEVER: u16 = u16::MAX;
@@ -45,6 +45,15 @@ impl Columns {
         [-self.side, self.side - 1]
     }
 
+    /// The one that is nearest to the cube's middle, by its index.
+    fn nearest(&self) -> IVec2 {
+        let nearest = self.within(NEVER).min_by_key(|(at, column)| {
+            let way = column.way.as_i64vec2();
+            (way.length_squared(), at.to_array())
+        });
+        nearest.map_or(IVec2::ZERO, |(at, _)| at)
+    }
+
     /// The columns within a distance, by their indices.
     pub fn within(&self, distance: u16) -> impl Iterator<Item = (IVec2, &Column)> {
         let width = 2 * self.side as usize;
@@ -57,14 +66,20 @@ impl Columns {
     }
 }
 
-/// What is known of all tiles of a cube.
-struct Maker<'a> {
-    tiled: &'a dyn Tiled,
-    /// The middle of the cube.
-    at: ChartPoint,
-    /// How far each distance reaches, metres.
-    reaches_m: Vec<f64>,
-    past_m: f64,
+/// The columns of any tile: all have one domain.
+struct Layout {
+    side: i32,
+    /// What of each column that comes into the domain lies in it, from the least x and z to the greatest, metres.
+    own: Vec<[DVec2; 2]>,
+    columns: Vec<Place>,
+}
+
+/// A column of a [`Layout`].
+struct Place {
+    /// Of `own`, what is as near: what lies past an edge is as far as the column beside it in the domain.
+    own: usize,
+    is_near_domain: bool,
+    is_own: bool,
 }
 
 /// The parts of the cube about a chunk, whose distances are told along the level, in place of its square: of land that grows with
@@ -78,30 +93,24 @@ pub(super) fn parts(
 ) -> BTreeMap<ChartId, Part> {
     let cell = f64::from(CHUNK_CELLS);
     let reaches = (0..=reach).map(|chunks| tiled.land_reach_m((f64::from(chunks) + 0.5) * cell));
-    let maker = Maker {
-        tiled,
-        at: ChartPoint::new(centre.chart, centre.centre()),
-        reaches_m: reaches.collect(),
-        past_m,
-    };
-    let farthest_m = maker.reaches_m.last().copied().unwrap_or_default();
-    let charts = tiled.charts_within(maker.at, farthest_m).into_iter();
-    let parts = charts.map(|chart| {
-        let columns = maker.columns(chart, atlas.domain(chart));
-        let nearest = columns.within(NEVER).min_by_key(|(at, column)| {
-            let way = column.way.as_i64vec2();
-            (way.length_squared(), at.to_array())
-        });
-        let at = nearest.map_or(IVec2::ZERO, |(at, _)| at);
+    let reaches_m: Vec<_> = reaches.collect();
+    let farthest_m = reaches_m.last().copied().unwrap_or_default();
+    let domain = atlas.domain(centre.chart);
+    let layout = Layout::new(domain, past_m);
+    let at = ChartPoint::new(centre.chart, centre.centre());
+    let tiles = tiled.boxes_within(at, farthest_m, &layout.own).into_iter();
+    let parts = tiles.map(|(chart, away)| {
+        let columns = layout.columns(&away, &reaches_m);
         let middle = if chart == centre.chart {
             centre.index
         } else {
+            let at = columns.nearest();
             IVec3::new(at.x, centre.index.y, at.y)
         };
         let part = Part {
             middle,
             wider: 0,
-            domain: atlas.domain(chart),
+            domain,
             columns: Some(columns),
         };
         (chart, part)
@@ -109,65 +118,72 @@ pub(super) fn parts(
     parts.collect()
 }
 
-impl Maker<'_> {
-    fn columns(&self, chart: ChartId, domain: Domain) -> Columns {
-        let side = domain.side_chunks(self.past_m).clamp(1, i32::from(NEVER));
-        let inner_side = domain.side_chunks(0.0).clamp(1, side);
-        let mut columns = Columns {
-            side,
-            columns: Vec::new(),
+impl Layout {
+    fn new(domain: Domain, past_m: f64) -> Self {
+        let side = domain.side_chunks(past_m).clamp(1, i32::from(NEVER));
+        let inner = domain.side_chunks(0.0).clamp(1, side);
+        let place = |at: IVec2| {
+            let outside_m = outside_m(domain, at);
+            let [x, z] = at
+                .clamp(IVec2::splat(-inner), IVec2::splat(inner - 1))
+                .to_array();
+            Place {
+                own: ((x + inner) * 2 * inner + z + inner) as usize,
+                is_near_domain: outside_m <= past_m,
+                is_own: outside_m < 0.0,
+            }
         };
-        // What lies past an edge is as far as the column beside it in the domain; that is known first.
-        let mut own = BTreeMap::new();
-        let all = (-side..side).flat_map(|x| (-side..side).map(move |z| IVec2::new(x, z)));
-        columns.columns = all
-            .map(|at| {
-                let past_m = past_m(domain, at);
-                let inner = at.clamp(IVec2::splat(-inner_side), IVec2::splat(inner_side - 1));
-                let nearest = *own
-                    .entry(inner.to_array())
-                    .or_insert_with(|| self.column(chart, domain, inner));
-                Column {
-                    within: if past_m <= self.past_m {
-                        nearest.within
-                    } else {
-                        NEVER
-                    },
-                    way: nearest.way,
-                    is_own: past_m < 0.0,
-                }
-            })
-            .collect();
-        columns
+        Self {
+            side,
+            own: square(inner).map(|at| own_box(domain, at)).collect(),
+            columns: square(side).map(place).collect(),
+        }
     }
 
-    fn column(&self, chart: ChartId, domain: Domain, at: IVec2) -> Column {
-        let coord = ChunkCoord::new(chart, IVec3::new(at.x, 0, at.y));
-        let (low, high) = (coord.min().xz(), coord.max().xz());
-        // Of a column that an edge runs through counts what is in the domain.
-        let (low, high) = match domain {
-            Domain::Rectangle {
-                low: least,
-                high: most,
-            } => (low.clamp(least, most), high.clamp(least, most)),
-            _ => (low, high),
+    /// The columns of a tile whose own are so far away.
+    fn columns(&self, away: &[Away], reaches_m: &[f64]) -> Columns {
+        let column = |away: &Away| {
+            let within = reaches_m.partition_point(|reach_m| *reach_m <= away.nearest_m);
+            let is_near = within < reaches_m.len();
+            let way = away.way_m / f64::from(CHUNK_CELLS);
+            (
+                if is_near { within as u16 } else { NEVER },
+                way.round().as_ivec2(),
+            )
         };
-        let away_m = self.tiled.away_m(self.at, chart, low, high);
-        let within = self.reaches_m.partition_point(|reach_m| *reach_m <= away_m);
-        let is_near = within < self.reaches_m.len();
-        let middle = 0.5 * (low + high);
-        let to = ChartPoint::new(chart, DVec3::new(middle.x, 0.0, middle.y));
-        let way = self.tiled.level_way_m(self.at, to).unwrap_or_default().xz();
-        Column {
-            within: if is_near { within as u16 } else { NEVER },
-            way: (way / f64::from(CHUNK_CELLS)).round().as_ivec2(),
-            is_own: true,
+        let own: Vec<_> = away.iter().map(column).collect();
+        let columns = self.columns.iter().map(|place| {
+            let (within, way) = own.get(place.own).copied().unwrap_or((NEVER, IVec2::ZERO));
+            Column {
+                within: if place.is_near_domain { within } else { NEVER },
+                way,
+                is_own: place.is_own,
+            }
+        });
+        Columns {
+            side: self.side,
+            columns: columns.collect(),
         }
     }
 }
 
+/// The columns up to `side` to either side of the middle, as [`Columns`] has them in their order.
+fn square(side: i32) -> impl Iterator<Item = IVec2> {
+    (-side..side).flat_map(move |x| (-side..side).map(move |z| IVec2::new(x, z)))
+}
+
+/// What of a column is in the domain, where an edge runs through it.
+fn own_box(domain: Domain, at: IVec2) -> [DVec2; 2] {
+    let low = at.as_dvec2() * f64::from(CHUNK_CELLS);
+    let corners = [low, low + f64::from(CHUNK_CELLS)];
+    match domain {
+        Domain::Rectangle { low, high } => corners.map(|it| it.clamp(low, high)),
+        _ => corners,
+    }
+}
+
 /// How far outside of a domain a column lies, metres; less than 0 where some of it is inside.
-fn past_m(domain: Domain, at: IVec2) -> f64 {
+fn outside_m(domain: Domain, at: IVec2) -> f64 {
     let low = at.as_dvec2() * f64::from(CHUNK_CELLS);
     domain.least_outside_m(low, low + f64::from(CHUNK_CELLS))
 }
@@ -175,6 +191,8 @@ fn past_m(domain: Domain, at: IVec2) -> f64 {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use glam::DVec3;
+
     use super::*;
     use crate::{Geometry, strategy};
 

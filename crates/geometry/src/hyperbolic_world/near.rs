@@ -3,11 +3,12 @@
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
-use glam::{DVec2, DVec3, DVec4, Vec3Swizzles};
+use glam::{DMat2, DMat4, DVec2, DVec3, DVec4, Vec3Swizzles};
 
+use super::plan::azimuths_rad;
 use super::world::{HyperbolicWorld, inverse};
 use crate::tiling::{EDGE_TANH, TilePath};
-use crate::{CHUNK_CELLS, ChartId, ChartPoint, Joins, Tiled};
+use crate::{Away, CHUNK_CELLS, ChartId, ChartPoint, Joins, Tiled};
 
 /// Land is there no farther than so many radii, where a metre is 1/74 of the radius's metres across: within are 366 tiles.
 const LAND_RAD: f64 = 5.0;
@@ -65,7 +66,86 @@ fn away_rad(point: DVec4, low: DVec2, high: DVec2) -> f64 {
         .acosh()
 }
 
+/// A chart that comes near a place.
+#[derive(Clone, Copy)]
+struct NearChart {
+    away_m: f64,
+    chart: ChartId,
+    /// From the model of the place's chart to its own.
+    way: DMat4,
+}
+
+/// What tells ways on the level from a place.
+struct Outwards {
+    /// From the model of the place's chart to the place's frame.
+    to_frame: DMat4,
+    /// From the frame to the axes of the chart there.
+    to_chart: DMat2,
+    radius_m: f64,
+}
+
+impl Outwards {
+    /// The way to what is seen at a point of the frame, metres: x and z.
+    fn way_m(&self, seen: DVec4) -> DVec2 {
+        let ahead = DVec2::new(seen.x, seen.z);
+        let length_m = ahead.length().asinh() * self.radius_m;
+        (self.to_chart * ahead).normalize_or_zero() * length_m
+    }
+}
+
+/// A box of a ground plan: its corners by X/W and Z/W, and its middle.
+struct PlanBox {
+    low: DVec2,
+    high: DVec2,
+    middle: DVec4,
+}
+
 impl HyperbolicWorld {
+    /// Breadth first, each tile's way found from that of the tile before: no way is asked for that is not needed again. The
+    /// disc about the place is connected, so that all of its tiles are found over edges of tiles that it comes into.
+    fn near_charts(&self, at: ChartPoint, reach_m: f64) -> Vec<NearChart> {
+        let level = self.level(at.pos);
+        let mut found = vec![NearChart {
+            away_m: 0.0,
+            chart: at.chart,
+            way: DMat4::IDENTITY,
+        }];
+        let mut known = HashSet::from([at.chart]);
+        let mut next = 0;
+        while let Some(&NearChart { chart, way, .. }) = found.get(next) {
+            next += 1;
+            for (over, crossing) in self.tiles.crossings(chart) {
+                if known.len() >= MOST_TILES || !known.insert(over) {
+                    continue;
+                }
+                let way = *crossing * way;
+                let away_m = self.square_away_m(way * level);
+                if away_m <= reach_m {
+                    found.push(NearChart {
+                        away_m,
+                        chart: over,
+                        way,
+                    });
+                }
+            }
+        }
+        found.sort_by(|a, b| {
+            let by_distance = a.away_m.total_cmp(&b.away_m);
+            by_distance.then(a.chart.cmp(&b.chart))
+        });
+        found
+    }
+
+    fn outwards(&self, pos: DVec3) -> Outwards {
+        let foot = pos.with_y(0.0);
+        let [x, z] = [DVec3::X, DVec3::Z].map(|axis| self.chart.in_chart(foot, axis).xz());
+        Outwards {
+            to_frame: inverse(self.chart.frame(foot)),
+            to_chart: DMat2::from_cols(x, z),
+            radius_m: self.chart.radius_m,
+        }
+    }
+
     /// X/W and Z/W at a place of the ground plan, where a point has such.
     fn tangents(&self, at: DVec2) -> DVec2 {
         let point = self.chart.point(DVec3::new(at.x, 0.0, at.y));
@@ -80,32 +160,41 @@ impl HyperbolicWorld {
 }
 
 impl Tiled for HyperbolicWorld {
-    /// Breadth first, each tile's point found from that of the tile before: no way is asked for that is not needed again. The
-    /// disc about the place is connected, so that all of its tiles are found over edges of tiles that it comes into.
     fn charts_within(&self, at: ChartPoint, reach_m: f64) -> Vec<ChartId> {
-        let mut found = vec![(0.0, at.chart)];
-        let mut known = HashSet::from([at.chart]);
-        let mut walk = vec![(at.chart, self.level(at.pos))];
-        let mut next = 0;
-        while let Some(&(chart, point)) = walk.get(next) {
-            next += 1;
-            for side in 0..4 {
-                let Some((over, way)) = self.tiles.crossing(chart, side) else {
-                    continue;
-                };
-                if known.len() >= MOST_TILES || !known.insert(over) {
-                    continue;
-                }
-                let there = way * point;
-                let away_m = self.square_away_m(there);
-                if away_m <= reach_m {
-                    found.push((away_m, over));
-                    walk.push((over, there));
-                }
-            }
+        let near = self.near_charts(at, reach_m).into_iter();
+        near.map(|it| it.chart).collect()
+    }
+
+    fn boxes_within(
+        &self,
+        at: ChartPoint,
+        reach_m: f64,
+        boxes: &[[DVec2; 2]],
+    ) -> Vec<(ChartId, Vec<Away>)> {
+        if self.tiles.frame(at.chart).is_none() {
+            return Vec::new();
         }
-        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        found.into_iter().map(|(_, chart)| chart).collect()
+        let plan = |[low, high]: &[DVec2; 2]| {
+            let middle = low.midpoint(*high);
+            PlanBox {
+                low: self.tangents(*low),
+                high: self.tangents(*high),
+                middle: self.level(DVec3::new(middle.x, 0.0, middle.y)),
+            }
+        };
+        let plans: Vec<_> = boxes.iter().map(plan).collect();
+        let (level, outwards) = (self.level(at.pos), self.outwards(at.pos));
+        let aways = |it: NearChart| {
+            let point = it.way * level;
+            let back = outwards.to_frame * inverse(it.way);
+            let away = |plan: &PlanBox| Away {
+                nearest_m: away_rad(point, plan.low, plan.high) * self.chart.radius_m,
+                way_m: outwards.way_m(back * plan.middle),
+            };
+            (it.chart, plans.iter().map(away).collect())
+        };
+        let near = self.near_charts(at, reach_m).into_iter();
+        near.map(aways).collect()
     }
 
     fn away_m(&self, at: ChartPoint, chart: ChartId, low: DVec2, high: DVec2) -> f64 {
@@ -118,12 +207,27 @@ impl Tiled for HyperbolicWorld {
 
     fn level_way_m(&self, from: ChartPoint, to: ChartPoint) -> Option<DVec3> {
         let way = self.tiles.way(to.chart, from.chart)?;
-        let foot = from.pos.with_y(0.0);
-        let seen = inverse(self.chart.frame(foot)) * (way * self.level(to.pos));
-        let ahead = DVec3::new(seen.x, 0.0, seen.z);
-        let length_m = ahead.length().asinh() * self.chart.radius_m;
-        let along = self.chart.in_chart(foot, ahead).xz().normalize_or_zero() * length_m;
+        let outwards = self.outwards(from.pos);
+        let along = outwards.way_m(outwards.to_frame * (way * self.level(to.pos)));
         Some(DVec3::new(along.x, to.pos.y - from.pos.y, along.y))
+    }
+
+    fn azimuths_rad(
+        &self,
+        at: ChartPoint,
+        chart: ChartId,
+        low: DVec2,
+        high: DVec2,
+    ) -> Option<[f64; 2]> {
+        let (corners, middle) = self.plan_corners(at, chart, low, high)?;
+        azimuths_rad(corners, middle)
+    }
+
+    /// The line X = a W is that of `tanh(x/R) = a`.
+    fn grid_lines_m(&self, at: ChartPoint, chart: ChartId) -> Option<DVec2> {
+        let point = self.tiles.way(at.chart, chart)? * self.level(at.pos);
+        let lines = DVec2::new(point.x, point.z) / point.w;
+        Some(DVec2::new(lines.x.atanh(), lines.y.atanh()) * self.chart.radius_m)
     }
 
     fn land_reach_m(&self, view_m: f64) -> f64 {

@@ -31,6 +31,28 @@ impl HyperbolicWorld {
         (low.x <= high.x && low.z <= high.z).then_some([low, high])
     }
 
+    /// The corners of a box of a chart's ground plan, in their order, and its middle, in the disc about a place's foot; none where one
+    /// of the charts is not there.
+    pub(super) fn plan_corners(
+        &self,
+        at: ChartPoint,
+        chart: ChartId,
+        low: DVec2,
+        high: DVec2,
+    ) -> Option<([DVec2; 4], DVec2)> {
+        let foot = self.chart.frame(at.pos.with_y(0.0));
+        let sight = inverse(foot) * self.tiles.way(chart, at.chart)?;
+        // A multiple of the point has the same place in the disc: (tanh x, 0, tanh z, 1).
+        let tanh = |it: DVec2| (it / self.chart.radius_m).to_array().map(f64::tanh);
+        let disc = |[a, b]: [f64; 2]| {
+            let at = sight * DVec4::new(a, 0.0, b, 1.0);
+            DVec2::new(at.x, at.z) / at.w
+        };
+        let ([x, z], [far_x, far_z]) = (tanh(low), tanh(high));
+        let corners = [[x, z], [far_x, z], [far_x, far_z], [x, far_z]];
+        Some((corners.map(disc), disc(tanh(low.midpoint(high)))))
+    }
+
     /// A place as high as eyes can be; what is no number counts as 0.
     fn within_heights(&self, pos: DVec3) -> DVec3 {
         let most_m = HIGH_RAD * self.chart.radius_m;
@@ -74,27 +96,11 @@ impl Optics for HyperbolicWorld {
         let Some([min, max]) = self.written(min, max) else {
             return SightCell::NOWHERE;
         };
-        let Some(way) = self.tiles.way(chart, eye.point.chart) else {
+        let Some((corners, middle)) = self.plan_corners(eye.point, chart, min.xz(), max.xz())
+        else {
             return SightCell::NOWHERE;
         };
-        let foot = self.chart.frame(eye.point.pos.with_y(0.0));
-        let sight = inverse(foot) * way;
-        let disc = |x: f64, z: f64| {
-            let at = sight * self.chart.point(DVec3::new(x, 0.0, z));
-            DVec2::new(at.x, at.z) / at.w
-        };
-        let corners = [
-            (min.x, min.z),
-            (max.x, min.z),
-            (max.x, max.z),
-            (min.x, max.z),
-        ];
-        let middle = 0.5 * (min + max);
-        let plan = plan(
-            corners.map(|(x, z)| disc(x, z)),
-            disc(middle.x, middle.z),
-            radius_m,
-        );
+        let plan = plan(corners, middle, radius_m);
         Axis::new(-radius_m.powi(-2), eye.point.pos.y).cell(&plan, [min.y, max.y])
     }
 

@@ -26,8 +26,7 @@ pub(super) fn plan(corners: [DVec2; 4], middle: DVec2, radius_m: f64) -> Plan {
         .map(|(from, to)| to_segment(from, to))
         .fold(f64::INFINITY, f64::min);
     let farthest = corners.iter().map(|it| it.length()).fold(0.0, f64::max);
-    let turns = |(from, to): (DVec2, DVec2)| from.perp_dot(to) > 0.0;
-    let around = sides.clone().all(turns) || !sides.clone().any(turns);
+    let around = is_around(corners);
     let metres = |disc: f64| radius_m * disc.atanh();
     let far_m = radius_m * FARTHEST_RAD;
     let greatest_m = if farthest < FARTHEST_RAD.tanh() {
@@ -42,13 +41,33 @@ pub(super) fn plan(corners: [DVec2; 4], middle: DVec2, radius_m: f64) -> Plan {
             level_m: [0.0, greatest_m],
         };
     }
-    let aside = |corner: &DVec2| middle.perp_dot(*corner).atan2(middle.dot(*corner)).abs();
-    let half_width_rad = corners.iter().map(aside).fold(0.0, f64::max);
+    let [least, most] = spread_rad(corners, middle);
+    let half_width_rad = most.max(-least);
     Plan {
         azimuth_rad: middle.y.atan2(middle.x),
         half_width_rad: half_width_rad + SLACK_RAD,
         level_m: [metres(nearest.min(1.0)).min(far_m), greatest_m],
     }
+}
+
+/// The least and the greatest azimuth of a quadrilateral from the disc's middle; none where it lies around that.
+pub(super) fn azimuths_rad(corners: [DVec2; 4], middle: DVec2) -> Option<[f64; 2]> {
+    let heading = middle.y.atan2(middle.x);
+    let spread = || spread_rad(corners, middle).map(|aside| heading + aside);
+    (!is_around(corners)).then(spread)
+}
+
+/// How far its corners are to the sides of a direction.
+fn spread_rad(corners: [DVec2; 4], ahead: DVec2) -> [f64; 2] {
+    let aside = corners.map(|corner| ahead.perp_dot(corner).atan2(ahead.dot(corner)));
+    let least = aside.into_iter().fold(0.0, f64::min);
+    [least, aside.into_iter().fold(0.0, f64::max)]
+}
+
+/// Whether the middle of the disc lies in it.
+fn is_around(corners: [DVec2; 4]) -> bool {
+    let turns = (0..4).map(|i| corners[i].perp_dot(corners[(i + 1) % 4]) > 0.0);
+    turns.clone().all(|it| it) || !turns.clone().any(|it| it)
 }
 
 /// How far the nearest place between two is from the middle.
@@ -91,6 +110,11 @@ mod tests {
         let plan = plan(square(middle, 0.1), middle, 10.0);
         assert!((plan.azimuth_rad - 0.5 * PI).abs() < 1e-12);
         assert!((plan.half_width_rad - 0.25_f64.atan()).abs() < 1e-8);
+        let corners = square(DVec2::new(0.3, 0.5), 0.1);
+        let middle = DVec2::new(0.3, 0.4);
+        let [least, most] = azimuths_rad(corners, middle).unwrap_or_default();
+        assert!((least - 1.0_f64.atan()).abs() < 1e-12 && (most - 3.0_f64.atan()).abs() < 1e-12);
+        assert_eq!(azimuths_rad(square(DVec2::ZERO, 0.1), DVec2::ZERO), None);
         let [near, far] = plan.level_m.map(|it| (it / 10.0).tanh());
         assert!((near - 0.4).abs() < 1e-12 && (far - 0.1_f64.hypot(0.6)).abs() < 1e-12);
     }

@@ -75,14 +75,14 @@ impl Tiles {
         }))
     }
 
-    /// The chart over a side of another, and what takes points of the one's model to the other's.
-    pub fn crossing(&self, chart: ChartId, side: u8) -> Option<(ChartId, DMat4)> {
-        let (over, back) = self.over(chart, side)?;
-        let way = self
-            .crossings
-            .get(usize::from(side))?
-            .get(usize::from(back))?;
-        Some((over, *way))
+    /// The charts over the sides of another that are there, and what takes points of the one's model to the other's.
+    pub fn crossings(&self, chart: ChartId) -> impl Iterator<Item = (ChartId, &DMat4)> {
+        let all = self.over.value(chart, || self.found_over(chart));
+        let sides = all.into_iter().flatten().zip(&self.crossings);
+        sides.filter_map(|(over, ways)| {
+            let (chart, back) = over?;
+            Some((chart, ways.get(usize::from(back))?))
+        })
     }
 
     fn found_around(&self, chart: ChartId) -> Option<[Option<ChartId>; AROUND]> {

@@ -121,8 +121,8 @@ impl Arena {
     }
 
     /// Whether the ground about the site is all that is wanted, and as the world has it.
-    pub fn is_laid(&self, world: &PhysicsWorld, needs: &[(Want, DVec3)]) -> bool {
-        let laid = self.laid.as_ref();
+    pub fn is_laid(&mut self, world: &PhysicsWorld, needs: &[(Want, DVec3)]) -> bool {
+        let laid = self.laid.as_mut();
         laid.is_some_and(|(laid, _)| laid.is_enough(world, needs))
     }
 

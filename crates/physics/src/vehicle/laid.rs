@@ -109,6 +109,8 @@ pub(super) struct Laid {
     charts: Vec<ChartId>,
     asked: Vec<Asked>,
     sources: Vec<Source>,
+    /// The world's count of changes when the sources were last found to be as they are.
+    changes: u64,
 }
 
 impl Laid {
@@ -154,24 +156,34 @@ impl Laid {
             charts,
             asked,
             sources,
+            changes: world.changes(),
         };
         (laid, shapes)
     }
 
     /// Whether it is all that is wanted, and as the world has it.
-    pub fn is_enough(&self, world: &PhysicsWorld, needs: &[(Want, DVec3)]) -> bool {
+    pub fn is_enough(&mut self, world: &PhysicsWorld, needs: &[(Want, DVec3)]) -> bool {
         let has = |(want, _): &(Want, DVec3)| {
             self.charts.contains(&want.chart) && self.wants.iter().any(|it| it.holds(want))
         };
-        needs.iter().all(has) && {
-            let found = found(world, &self.asked);
-            let is_same = |(source, (earth, chart, it)): (&Source, &(Earth, ChartId, &Ground))| {
-                (source.0, source.1, source.2, source.3, source.4)
-                    == (*earth, *chart, it.coord, it.number(), it.origin)
-                    && source.5.is_like(&it.block)
-            };
-            found.len() == self.sources.len() && self.sources.iter().zip(&found).all(is_same)
+        if !needs.iter().all(has) {
+            return false;
         }
+        let is_same = self.changes == world.changes() || self.is_as_found(world);
+        if is_same {
+            self.changes = world.changes();
+        }
+        is_same
+    }
+
+    fn is_as_found(&self, world: &PhysicsWorld) -> bool {
+        let found = found(world, &self.asked);
+        let is_same = |(source, (earth, chart, it)): (&Source, &(Earth, ChartId, &Ground))| {
+            (source.0, source.1, source.2, source.3, source.4)
+                == (*earth, *chart, it.coord, it.number(), it.origin)
+                && source.5.is_like(&it.block)
+        };
+        found.len() == self.sources.len() && self.sources.iter().zip(&found).all(is_same)
     }
 }
 

@@ -11,6 +11,7 @@ mod land;
 mod land_index;
 mod quality;
 mod refine;
+mod rings;
 mod skyline;
 mod stats;
 mod subdivider;
@@ -35,6 +36,7 @@ pub use subdivider::{Refined, Subdivider};
 
 use bend::Bend;
 use glam::IVec2;
+use rings::Rings;
 use skyline::{Grid, Skyline};
 
 /// What rounding takes from a cell at most, in radians, or as a part of a slope or a distance.
@@ -94,8 +96,15 @@ impl Planner {
             candidates(frame, land_index, scale, &tolerance, &mut stats)
         };
         let bounds = Bounds::new(frame, scale, self.bend(frame, scale));
-        if hides(frame, land_index, &tolerance) {
-            candidates = unhidden(frame, land_index, candidates, scale, &tolerance, &mut stats);
+        let mut rings = Rings::of(frame);
+        if hides(frame, &mut rings, land_index, &tolerance) {
+            for candidate in &mut candidates {
+                let coord = land_index.land()[candidate.place].coord;
+                let column = IVec2::new(coord.index.x, coord.index.z);
+                candidate.ring = rings.ring(coord.chart, column).unwrap_or(0);
+            }
+            let land = (land_index, &mut rings);
+            candidates = unhidden(frame, land, candidates, scale, &tolerance, &mut stats);
         }
         candidates.sort_unstable_by(|a, b| {
             let nearer = a.cell.nearest_m.total_cmp(&b.cell.nearest_m);
@@ -139,11 +148,17 @@ impl Planner {
 }
 
 /// Whether land hides land in a frame.
-fn hides(frame: &Frame, land_index: &LandIndex, tolerance: &Tolerance) -> bool {
+fn hides(
+    frame: &Frame,
+    rings: &mut Rings<'_>,
+    land_index: &LandIndex,
+    tolerance: &Tolerance,
+) -> bool {
+    let space = &frame.view.strategy;
     tolerance.hides
         && !frame.view.is_moved()
-        && frame.view.strategy.keeps_azimuths()
-        && !skyline::is_underground(frame, land_index.columns())
+        && (space.keeps_azimuths() || space.tiled().is_some())
+        && !skyline::is_underground(frame, rings, land_index.columns())
 }
 
 /// All chunks: what a view that is moved shows of them is not known.
@@ -177,7 +192,6 @@ fn candidates(
             stats.triangles_outside += group.triangles;
             continue;
         }
-        let grid = Grid::of(frame, group.cylinder.chart);
         for place in land_index.chunks(group) {
             let chunk = &land_index.land()[place];
             let chart = chunk.coord.chart;
@@ -188,17 +202,12 @@ fn candidates(
                     stats.triangles_small += chunk.triangles;
                     stats.error_at_least(scale.spans_px(&cell));
                 }
-                Some(cell) => {
-                    let column = IVec2::new(chunk.coord.index.x, chunk.coord.index.z);
-                    let ring = grid.ring(column).unwrap_or(0);
-                    let shows_land = true;
-                    seen.push(Candidate {
-                        place,
-                        cell,
-                        ring,
-                        shows_land,
-                    });
-                }
+                Some(cell) => seen.push(Candidate {
+                    place,
+                    cell,
+                    ring: 0,
+                    shows_land: true,
+                }),
                 None => stats.triangles_outside += chunk.triangles,
             }
         }
@@ -220,10 +229,10 @@ fn roomy(mut cell: SightCell) -> SightCell {
 /// Leaves out what the skyline of nearer land hides, or all but hides.
 ///
 /// A ray leaves the eye's column through columns of ever greater steps in x and z, so columns are taken in
-/// rings of equal sums of steps. Every column in sight distance raises the skyline, in the picture or not.
+/// rings of equal sums of steps ([`Rings`]). Every column in sight distance raises the skyline, in the picture or not.
 fn unhidden(
     frame: &Frame,
-    land_index: &LandIndex,
+    (land_index, rings): (&LandIndex, &mut Rings<'_>),
     mut candidates: Vec<Candidate>,
     scale: PictureScale,
     tolerance: &Tolerance,
@@ -239,10 +248,10 @@ fn unhidden(
     let mut chart = None;
     for (column, at) in columns.iter().zip(0..) {
         if chart.replace(column.chart) != Some(column.chart) {
-            grids.push(Grid::of(frame, column.chart));
+            grids.push(rings.grid(column.chart));
         }
         let number = grids.len() - 1;
-        let ring = grids[number].ring_of_hiding(column.place);
+        let ring = rings.ring_of_hiding(column.chart, column.place);
         order.extend(ring.map(|ring| (ring, at, number as u32)));
     }
     order.sort_unstable();

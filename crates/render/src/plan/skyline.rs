@@ -1,20 +1,21 @@
 //! The skyline of nearer land, azimuth by azimuth.
 //!
 //! A column of ground that is solid below some height blocks every ray that enters it below that height. In
-//! a space that keeps azimuths that is all rays of its azimuths up to the slope at which its top is seen.
+//! a space that keeps azimuths that is all rays of its azimuths up to the slope at which its top is seen; and so it is in a world in
+//! tiles, where the plan of a ray is straight.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
 
 use antipode_frame::Frame;
 use antipode_geometry::{
-    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain, SightCell, SquareFrame, Strategy,
-    azimuth_spread,
+    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, SightCell, SquareFrame, Strategy, azimuth_spread,
 };
 use glam::{DVec2, DVec3, IVec2, Vec3Swizzles};
 
 use super::bounds::PictureScale;
 use super::land::PARTS;
+use super::rings::Rings;
 
 /// Azimuths are told apart to 360/1024 of a degree.
 const BINS: usize = 1024;
@@ -72,29 +73,21 @@ pub struct Grid {
     home: IVec2,
     /// The eye's place in its own chart, x and z in metres.
     eye: DVec2,
-    domain: Domain,
+    /// Whether azimuths are those of the picture and not of the chart.
+    is_tile: bool,
 }
 
 impl Grid {
     /// That of a chart.
     pub fn of(frame: &Frame, chart: ChartId) -> Self {
-        let eye = frame.view.eye.point;
+        let (space, eye) = (&*frame.view.strategy, frame.view.eye.point);
+        let is_tile = space.tiled().is_some();
         Self {
-            lies: lies(&*frame.view.strategy, chart, eye.chart),
+            lies: (!is_tile).then(|| lies(space, chart, eye.chart)).flatten(),
             home: ChunkCoord::containing(eye).index.xz(),
             eye: eye.pos.xz(),
-            domain: frame.view.strategy.domain(chart),
+            is_tile,
         }
-    }
-
-    /// The ring of a column that may hide others: past the edge of its domain a chart has land only near by, and where that
-    /// ends a mesh has neither ground nor air.
-    pub fn ring_of_hiding(&self, place: IVec2) -> Option<u32> {
-        let low = place.as_dvec2() * f64::from(CHUNK_CELLS);
-        let past_m = self
-            .domain
-            .most_outside_m(low, low + f64::from(CHUNK_CELLS));
-        self.ring(place).filter(|_| past_m <= 0.0)
     }
 
     /// Steps in x plus steps in z from the eye's column to one; none where that cannot be said.
@@ -140,13 +133,9 @@ fn lies(strategy: &dyn Strategy, chart: ChartId, other: ChartId) -> Option<(Squa
 }
 
 /// Whether the eye is inside the ground, where land is seen from its back and hides nothing.
-pub fn is_underground(frame: &Frame, columns: &[Column]) -> bool {
-    let mut charts = columns.chunk_by(|a, b| a.chart == b.chart);
-    let over = charts.find_map(|same| {
-        let grid = Grid::of(frame, same[0].chart);
-        let is_over = |column: &&Column| grid.ring_of_hiding(column.place) == Some(0);
-        same.iter().find(is_over)
-    });
+pub fn is_underground(frame: &Frame, rings: &mut Rings<'_>, columns: &[Column]) -> bool {
+    let mut columns = columns.iter();
+    let over = columns.find(|it| rings.ring_of_hiding(it.chart, it.place) == Some(0));
     let Some(column) = over else {
         return false;
     };
@@ -195,7 +184,7 @@ impl<'a> Skyline<'a> {
     /// Blocks what a column of a ring blocks; `grid` is that of its chart.
     pub fn raise(&mut self, column: &Column, grid: &Grid, ring: u32) {
         let side = f64::from(CHUNK_CELLS);
-        let Some([from, to]) = grid.seen_at(column.corner(), side) else {
+        let Some([from, to]) = self.seen_at(column, grid, column.corner(), side) else {
             // The eye's own column blocks what its parts do.
             return self.raise_parts(column, grid, ring);
         };
@@ -213,6 +202,16 @@ impl<'a> Skyline<'a> {
         }
     }
 
+    /// The azimuths at which a square of a column is seen; `None` where the eye stands over it.
+    fn seen_at(&self, column: &Column, grid: &Grid, corner: DVec2, side: f64) -> Option<[f64; 2]> {
+        if !grid.is_tile {
+            return grid.seen_at(corner, side);
+        }
+        let view = &self.frame.view;
+        let tiled = view.strategy.tiled()?;
+        tiled.azimuths_rad(view.eye.point, column.chart, corner, corner + side)
+    }
+
     /// The cell of a level square of the chart.
     fn top(&self, chart: ChartId, corner: DVec2, side: f64, top_m: f64) -> SightCell {
         let min = DVec3::new(corner.x, top_m, corner.y);
@@ -228,7 +227,7 @@ impl<'a> Skyline<'a> {
         for z in (0..PARTS).step_by(together) {
             for x in (0..PARTS).step_by(together) {
                 let corner = column.corner() + part_m * DVec2::new(x as f64, z as f64);
-                if let Some(azimuths) = grid.seen_at(corner, side) {
+                if let Some(azimuths) = self.seen_at(column, grid, corner, side) {
                     let top_m = column.solid_below_m([x, z], together);
                     let top = || self.top(column.chart, corner, side, top_m);
                     if let Some((bins, slope)) = self.blocked(azimuths, ring, top) {
@@ -316,7 +315,7 @@ mod tests {
                 lies: Some((frame, middle)),
                 home,
                 eye: DVec2::ZERO,
-                domain: Domain::Everywhere,
+                is_tile: false,
             };
             for place in [IVec2::ZERO, IVec2::new(2, -3), IVec2::new(-4, 1)] {
                 let within = (place.as_dvec2() + 0.25) * side;

@@ -10,6 +10,8 @@ use glam::{DVec3, IVec2, IVec3, Vec3};
 use super::testing::{Numbers, frame, spaces};
 use super::*;
 
+mod tiles;
+
 const HEIGHT_PX: u32 = 720;
 
 /// Land as chunks have it: some of their boxes, mostly solid below.
@@ -103,7 +105,8 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
         }
     }
     let land_index = LandIndex::new(land.to_vec());
-    if hides(frame, &land_index, &tolerance) {
+    let mut rings = Rings::of(frame);
+    if hides(frame, &mut rings, &land_index, &tolerance) {
         seen.sort_by_key(|candidate| candidate.ring);
         let mut columns = land_index.columns().to_vec();
         let ring_of = |column: &skyline::Column| {
@@ -116,7 +119,7 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
         seen.retain_mut(|candidate| {
             while next < columns.len() && ring_of(&columns[next]) < candidate.ring {
                 if !left_out.contains(&columns[next].place) {
-                    let grid = Grid::of(frame, columns[next].chart);
+                    let grid = rings.grid(columns[next].chart);
                     skyline.raise(&columns[next], &grid, ring_of(&columns[next]));
                 }
                 next += 1;
@@ -210,7 +213,10 @@ fn tracts_and_what_is_wanted_of_the_skyline_change_no_decision() {
 /// The land of a chunk where the ground is as high as `height_m` says at x and z in whole metres of the chart, and
 /// straight between; nothing where none of it lies in the chunk.
 fn chunk(index: IVec3, height_m: impl Fn(f64, f64) -> f64) -> Option<ChunkLand> {
-    let coord = ChunkCoord::new(ChartId::FIRST, index);
+    chunk_of(ChunkCoord::new(ChartId::FIRST, index), height_m)
+}
+
+fn chunk_of(coord: ChunkCoord, height_m: impl Fn(f64, f64) -> f64) -> Option<ChunkLand> {
     let cells = CHUNK_CELLS as u32;
     let over = |x: u32, z: u32| {
         let at = coord.origin() + DVec3::new(f64::from(x), 0.0, f64::from(z));

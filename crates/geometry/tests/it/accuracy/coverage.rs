@@ -97,6 +97,10 @@ const EXCUSED: &[(&str, &str)] = &[
     ),
     ("Metric::in_chart", "its inverse: src/pace.rs"),
     (
+        "world_optics::plan_corners",
+        "corners of cells, which must hold what is seen: tests/it/hyperbolic_world/picture.rs",
+    ),
+    (
         "LevelMap::at",
         "Metric::in_chart as a matrix: src/level_map.rs measures lengths that go by it",
     ),

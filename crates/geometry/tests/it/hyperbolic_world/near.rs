@@ -210,6 +210,37 @@ fn the_land_about_a_corner_is_the_same_whichever_of_the_five_charts_tells() {
     }
 }
 
+/// What is asked of many boxes at once is what is asked of each.
+#[test]
+fn boxes_are_as_far_together_as_one_by_one() {
+    for world in worlds() {
+        let half_m = world.domain(ChartId::FIRST).half_width_m();
+        let quarter = DVec2::splat(0.5 * half_m);
+        let boxes = [[-2.0, -1.0], [-1.0, 0.0], [0.0, 2.0]].map(|it| it.map(|it| it * quarter));
+        let far = beyond(ChartId::FIRST, &[Side::new(1)].repeat(30));
+        for chart in [ChartId::FIRST, far] {
+            let at = ChartPoint::new(chart, DVec3::new(0.7, 0.3, -0.4) * half_m);
+            let reach_m = 2.5 * world.radius_m();
+            let found = world.boxes_within(at, reach_m, &boxes);
+            let charts: Vec<_> = found.iter().map(|(chart, _)| *chart).collect();
+            assert_eq!(charts, world.charts_within(at, reach_m));
+            assert!(charts.len() > 20 && found.iter().all(|(_, aways)| aways.len() == 3));
+            for (chart, aways) in found {
+                for ([low, high], away) in boxes.into_iter().zip(aways) {
+                    let nearest_m = world.away_m(at, chart, low, high);
+                    let middle = low.midpoint(high);
+                    let to = ChartPoint::new(chart, DVec3::new(middle.x, 0.0, middle.y));
+                    let way_m = world.level_way_m(at, to).unwrap().xz();
+                    assert!((away.nearest_m - nearest_m).abs() < 1e-6, "{chart:?}");
+                    assert!(away.way_m.distance(way_m) < 1e-6, "{chart:?}");
+                }
+            }
+        }
+        let nowhere = ChartPoint::new(ChartId::new(u128::MAX), DVec3::ZERO);
+        assert!(world.boxes_within(nowhere, 50.0, &boxes).is_empty());
+    }
+}
+
 proptest! {
     #![proptest_config(cases(400))]
 
