@@ -68,6 +68,29 @@ pub fn beside(atlas: &dyn Atlas, coord: ChunkCoord, step: IVec3) -> ChunkCoord {
     over().unwrap_or(next)
 }
 
+/// The most tiles that are looked for about a corner.
+const MOST_ABOUT: usize = 8;
+
+/// The tiles about a corner of a chart's domain, each with the number that the corner has there: the chart's own first, then as
+/// one comes round over the edges. Corners are counted as sides are, each between a side and the next. Empty where the way round
+/// does not close, at the end of the world.
+pub fn about_corner(tiled: &dyn Tiled, chart: ChartId, corner: u8) -> Vec<(ChartId, u8)> {
+    let first = (chart, corner % 4);
+    let (mut about, mut at) = (vec![first], first);
+    while let Some((over, back)) = tiled.over(at.0, at.1) {
+        // Come in over a side, one has the corner between it and the one before.
+        at = (over, (back + 3) % 4);
+        if at == first {
+            return about;
+        }
+        if about.len() == MOST_ABOUT {
+            break;
+        }
+        about.push(at);
+    }
+    Vec::new()
+}
+
 /// Where a point is as seen from a place of a chart: as written there, and else in the direction and at the distance at which
 /// the shortest way on the level leads to it, metres. None where no way is known.
 pub fn as_seen_from(atlas: &dyn Atlas, place: ChartPoint, point: ChartPoint) -> Option<DVec3> {

@@ -3,6 +3,7 @@
 //! Places are a pure function of seed and field; shapes of the species, its age and how large it is in the picture. No
 //! input or output, no GPU.
 
+mod corner;
 mod growth;
 mod habitat;
 mod noise;

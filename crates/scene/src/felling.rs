@@ -220,7 +220,8 @@ pub(crate) fn struck(now: Situation<'_>, actions: &Actions) -> Option<Standing> 
         .tool
         .filter(|mark| actions.primary && mark.hits)?;
     tool::strength_in_hand(now)?;
-    at(now.world, mark.point)
+    // A sign is there for whoever comes.
+    at(now.world, mark.point).filter(|it| it.species != Species::CornerStone)
 }
 
 /// What stands within so many metres of a place, and its root as the place's chart has it.
@@ -352,13 +353,13 @@ fn come_down(
     outbox.effects.push(Effect::Chopped { at: it.root() });
     if it.species.is_tree() {
         actors.enter(Falling::begin(it, way));
-    } else if it.species == Species::Boulder {
-        break_boulder(world, actors, player, outbox, &it, way);
+    } else if it.species.is_stone() {
+        break_stone(world, actors, player, outbox, &it, way);
     }
 }
 
-/// A boulder falls to stones, away from the blow.
-fn break_boulder(
+/// A boulder or such falls to stones, away from the blow.
+fn break_stone(
     world: &mut World,
     actors: &mut Actors,
     player: &mut Player,
