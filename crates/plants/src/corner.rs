@@ -11,7 +11,7 @@
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use antipode_geometry::tiled::about_corner;
-use antipode_geometry::{Atlas, ChartId};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord};
 use antipode_terrain::{FIRST_PLANTED, Field, Thing};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 
@@ -34,8 +34,8 @@ pub(crate) struct Corner {
     at: DVec2,
     /// How many quarter turns from +x to +z lead there from that at +x and +z.
     quarters: u8,
-    /// Whether its stone is the square's.
-    is_own: bool,
+    /// The square whose the stone is, and which of its corners this is.
+    owner: (ChartId, u8),
 }
 
 /// Those of a chart; none but in a world in squares of which five meet.
@@ -46,15 +46,51 @@ pub(crate) fn corners(space: &dyn Atlas, chart: ChartId) -> Vec<Corner> {
     let half_m = space.domain(chart).half_width_m();
     let corner = |quarters: u8| {
         let about = about_corner(tiled, chart, quarters);
-        let least = about.iter().map(|(tile, _)| *tile).min()?;
-        let (x, z) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][usize::from(quarters)];
+        let owner = about.iter().min().copied()?;
         (about.len() == SQUARES).then_some(Corner {
-            at: DVec2::new(x, z) * half_m,
+            at: place_of(half_m, quarters),
             quarters,
-            is_own: least == chart,
+            owner,
         })
     };
     (0..4).filter_map(corner).collect()
+}
+
+/// Where a corner lies in the plan of a square of half such a width, metres.
+fn place_of(half_m: f64, quarters: u8) -> DVec2 {
+    let (x, z) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][usize::from(quarters % 4)];
+    DVec2::new(x, z) * half_m
+}
+
+/// A hair within the square of a corner: so it is one of the square's chunks that has it.
+fn within(corner: DVec2) -> DVec3 {
+    let at = corner * (1.0 - 1e-6);
+    DVec3::new(at.x, 0.0, at.y)
+}
+
+/// What is solid on a chunk of stones that are other squares', told from its corner, and the chunk that each is a thing of. Whoever
+/// comes from a square meets what is solid in its chart.
+pub fn stones_of_others(field: &Field, coord: ChunkCoord) -> Vec<(Thing, ChunkCoord)> {
+    let space = &**field.strategy();
+    if !field.generator().has_things() {
+        return Vec::new();
+    }
+    let others = corners(space, coord.chart).into_iter();
+    let others = others.filter(|it| it.owner.0 != coord.chart);
+    let solid = |it: Corner| {
+        let (root, thing) = it.stone(field, coord.chart)?;
+        let is_here = ChunkCoord::containing(ChartPoint::new(
+            coord.chart,
+            within(it.at).with_y(root.y),
+        )) == coord;
+        let (owner, quarters) = it.owner;
+        let half_m = space.domain(owner).half_width_m();
+        let home = within(place_of(half_m, quarters)).with_y(root.y);
+        let root = (root - coord.origin()).as_vec3();
+        let home = ChunkCoord::containing(ChartPoint::new(owner, home));
+        is_here.then_some((Thing { root, ..thing }, home))
+    };
+    others.filter_map(solid).collect()
 }
 
 impl Corner {
@@ -63,18 +99,19 @@ impl Corner {
         self.at.distance(at) > reach_m + CLEAR_M
     }
 
-    /// The stone, if it is the chart's, is wanted, and has ground: its root in the chart, and all else of it.
-    pub fn stone(
+    /// The stone, if it is the chart's and is wanted.
+    pub fn own_stone(
         &self,
         field: &Field,
         chart: ChartId,
         is_wanted: impl Fn(DVec3) -> bool,
     ) -> Option<(DVec3, Thing)> {
-        // A hair within its square, so that it is one of the square's chunks that has it.
-        let within = self.at * (1.0 - 1e-6);
-        if !self.is_own || !is_wanted(DVec3::new(within.x, 0.0, within.y)) {
-            return None;
-        }
+        let is_own = self.owner.0 == chart && is_wanted(within(self.at));
+        is_own.then(|| self.stone(field, chart)).flatten()
+    }
+
+    /// The stone, if it has ground: its root in the chart, and all else of it.
+    fn stone(&self, field: &Field, chart: ChartId) -> Option<(DVec3, Thing)> {
         let footing = field.thin_footing(chart, self.at.x, self.at.y)?;
         let thing = Thing {
             root: Vec3::ZERO,

@@ -14,6 +14,7 @@ mod solid;
 mod species;
 mod undergrowth;
 
+pub use corner::stones_of_others;
 pub use growth::Growth;
 pub use placement::{placed, placed_near, tree_at};
 pub use seat::top_m;

@@ -135,7 +135,7 @@ impl<'a> Plan<'a> {
             Some((root, Thing { slot, ..thing }))
         });
         let corners = self.corners.iter().filter(move |_| grows);
-        grown.chain(corners.filter_map(move |it| it.stone(self.field, self.chart, is_wanted)))
+        grown.chain(corners.filter_map(move |it| it.own_stone(self.field, self.chart, is_wanted)))
     }
 
     /// The thing of a cell, if it has one and that is wanted where it stands.
