@@ -222,8 +222,7 @@ pub(crate) fn struck(now: Situation<'_>, actions: &Actions) -> Option<Standing> 
         .tool
         .filter(|mark| actions.primary && mark.hits)?;
     tool::strength_in_hand(now)?;
-    // A sign is there for whoever comes.
-    at(now.world, mark.point).filter(|it| it.species != Species::CornerStone)
+    at(now.world, mark.point)
 }
 
 /// What stands within so many metres of a place, and its root as the place's chart has it.
@@ -286,6 +285,10 @@ pub(crate) fn chop(
     if outbox.sounds.stroke_is_due(true, STEP_S) {
         outbox.sounds.push(SoundEvent::Dug { cover: Cover::Soil });
         outbox.effects.push(Effect::Chopped { at: struck_at });
+    }
+    // A sign is there for whoever comes.
+    if it.species == Species::CornerStone {
+        return;
     }
     let key = (it.coord, it.thing.slot);
     let done = player

@@ -108,8 +108,9 @@ fn a_tool_fells_no_corner_stone_and_without_its_ground_it_goes_to_pieces() {
     assert_eq!(scene.probe().plants.unwrap().ahead, Some("corner stone"));
     steps(&mut scene, 6 * SECOND, &primary());
     assert_eq!(felled(&scene), 0);
-    look_at(&mut scene, root.moved(DVec3::Y * -0.2));
-    for _ in 0..40 {
+    let foot = before_corner(&scene, at, 0.6);
+    for _ in 0..60 {
+        look_at(&mut scene, foot.moved(DVec3::Y * -0.3));
         steps(&mut scene, SECOND / 2, &primary());
         assert!(scene.settle(LIMIT));
         if felled(&scene) > 0 {
