@@ -79,10 +79,9 @@ pub fn stones_of_others(field: &Field, coord: ChunkCoord) -> Vec<(Thing, ChunkCo
     let others = others.filter(|it| it.owner.0 != coord.chart);
     let solid = |it: Corner| {
         let (root, thing) = it.stone(field, coord.chart)?;
-        let is_here = ChunkCoord::containing(ChartPoint::new(
-            coord.chart,
-            within(it.at).with_y(root.y),
-        )) == coord;
+        let is_here =
+            ChunkCoord::containing(ChartPoint::new(coord.chart, within(it.at).with_y(root.y)))
+                == coord;
         let (owner, quarters) = it.owner;
         let half_m = space.domain(owner).half_width_m();
         let home = within(place_of(half_m, quarters)).with_y(root.y);

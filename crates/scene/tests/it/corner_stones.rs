@@ -122,6 +122,25 @@ fn a_tool_fells_no_corner_stone_and_without_its_ground_it_goes_to_pieces() {
     assert_eq!(plants.near.get("corner stone"), None);
     let drops = scene.probe().drops;
     assert!(drops.iter().any(|it| it.stack.item == Item::Stone));
+    // Where the ground is there again nothing is in the way, whichever square one comes from.
+    for _ in 0..70 {
+        scene.undo_stroke();
+        steps(&mut scene, 1, &Actions::default());
+        assert!(scene.settle(LIMIT));
+    }
+    for at in about_corner(space.tiled().unwrap(), ChartId::FIRST, 0) {
+        stand_before(&mut scene, at, root, [2.0, 1.1]);
+        let ahead = Actions {
+            forward: 1.0,
+            ..Actions::default()
+        };
+        let mut nearest_m = f64::INFINITY;
+        for _ in 0..2 * SECOND {
+            steps(&mut scene, 1, &ahead);
+            nearest_m = nearest_m.min(away_m(&scene, root));
+        }
+        assert!(nearest_m < 0.3, "{at:?}: {nearest_m} m");
+    }
 }
 
 #[test]
