@@ -6,7 +6,7 @@ use std::sync::Arc;
 use antipode_geometry::tiled::about_corner;
 use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry};
 use antipode_plants::{Species, placed_near};
-use antipode_scene::{Actions, Generator, Item, Mode, Scene, WorldSetup};
+use antipode_scene::{Actions, Generator, Item, Scene, WorldSetup};
 use antipode_storage::{RecordKind, WorldStore};
 use glam::{DVec2, DVec3};
 
@@ -16,7 +16,6 @@ use crate::common::{LIMIT, setup, steps};
 fn squares(radius_m: f64) -> WorldSetup {
     WorldSetup {
         generator: Generator::Planted,
-        mode: Mode::Gathering,
         radius_m,
         seed: 7,
         ..setup(Geometry::HyperbolicWorld)
@@ -65,6 +64,7 @@ fn away_m(scene: &Scene, root: ChartPoint) -> f64 {
 
 fn primary() -> Actions {
     Actions {
+        slot: Some(2),
         primary: true,
         ..Actions::default()
     }
@@ -123,10 +123,18 @@ fn a_tool_fells_no_corner_stone_and_without_its_ground_it_goes_to_pieces() {
     let drops = scene.probe().drops;
     assert!(drops.iter().any(|it| it.stack.item == Item::Stone));
     // Where the ground is there again nothing is in the way, whichever square one comes from.
-    for _ in 0..70 {
-        scene.undo_stroke();
-        steps(&mut scene, 1, &Actions::default());
+    let builds = Actions {
+        secondary: true,
+        ..Actions::default()
+    };
+    for _ in 0..60 {
+        stand_before(&mut scene, at, root, [2.5, -1.0]);
+        steps(&mut scene, SECOND / 4, &builds);
+        scene.teleport(root.moved(DVec3::Y));
         assert!(scene.settle(LIMIT));
+        if scene.ground_height().is_some_and(|y| y > root.pos.y) {
+            break;
+        }
     }
     for at in about_corner(space.tiled().unwrap(), ChartId::FIRST, 0) {
         stand_before(&mut scene, at, root, [2.0, 1.1]);
