@@ -123,10 +123,7 @@ mod tests {
             } else {
                 ChartId::FIRST
             };
-            let leaf = |chart, pos, yaw| Leaf {
-                foot: ChartPoint::new(chart, pos),
-                yaw,
-            };
+            let leaf = |chart, pos, yaw| Leaf::at(&*space, ChartPoint::new(chart, pos), yaw);
             let doors = Doorway {
                 leaves: [
                     leaf(ChartId::FIRST, DVec3::new(20.0, 8.0, 3.0), 0.3),

@@ -1,21 +1,20 @@
 //! A pair of doors: two upright frames, and the isometry by which what goes into one comes out of the other.
 //!
-//! A leaf is a rectangle that stands upright in its chart. Its own axes are x through it, the way its front looks, y up
-//! and z to the right of that, from its foot. Whoever passes one leaf keeps his place and his way in those axes and
+//! A leaf is a rectangle that stands upright. Its own axes are x through it, the way its front looks, y up
+//! and z to the right of that, from its foot, in metres of the space there ([`LevelMap`]). Whoever passes one leaf keeps his place and his way in those axes and
 //! has them in the axes of the other: in at the front, out at the back. Both faces work alike, and there and back
 //! is the identity.
 //!
-//! Bodies are rigid in metres of the chart, so they go by the chart's own turn about the upright and translation
-//! ([`Doorway::pass`]): with yaws a and b of the leaves a heading h becomes h + b - a, and a place p becomes
-//! `foot_b + R(b) R(a)^-1 (p - foot_a)`. Pictures go by the isometry of the space ([`Doorway::eye`]): a place that one leaf's
+//! Bodies go by these axes ([`Doorway::pass`]): with yaws a and b of the leaves a heading h becomes h + b - a, and with the
+//! level maps M a place p becomes `foot_b + M_b R(b) R(a)^-1 M_a^-1 (p - foot_a)`. Pictures go by the isometry of the space ([`Doorway::eye`]): a place that one leaf's
 //! foot sees at v is taken to the place that the other's foot sees at v. Where maps are symmetric about the upright, as
 //! in flat space and through a hyperbolic lens, both are the same; on the sphere they are at the foot.
 
 use glam::DVec3;
 
-use crate::{Atlas, ChartPoint, Crossing, Eye, Map};
+use crate::{Atlas, ChartPoint, Crossing, Eye, LevelMap, Map, Metric};
 
-/// Half the width of the opening, metres of the chart.
+/// Half the width of the opening, metres.
 pub const HALF_WIDTH_M: f64 = 0.95;
 /// Height of the opening over the foot, metres.
 pub const HEIGHT_M: f64 = 2.2;
@@ -34,12 +33,23 @@ const AXIS_M: f64 = 0.5;
 pub struct Leaf {
     /// The middle of its lower edge.
     pub foot: ChartPoint,
-    /// The heading that its front looks along, radians from +x towards +z of its chart.
+    /// The heading that its front looks along, radians from +x towards +z of the frame at its foot, in which bodies have theirs.
     pub yaw: f64,
+    /// How its metres lie in its chart.
+    pub level: LevelMap,
 }
 
 impl Leaf {
-    /// The unit direction of its front, through it.
+    /// One that stands somewhere in a space.
+    pub fn at<M: Metric + ?Sized>(space: &M, foot: ChartPoint, yaw: f64) -> Self {
+        Self {
+            foot,
+            yaw,
+            level: LevelMap::at(space, foot),
+        }
+    }
+
+    /// The unit direction of its front, through it, in the frame at its foot.
     pub fn through(&self) -> DVec3 {
         DVec3::new(self.yaw.cos(), 0.0, self.yaw.sin())
     }
@@ -51,14 +61,27 @@ impl Leaf {
 
     /// A place of its chart in its own axes, metres.
     pub fn local(&self, pos: DVec3) -> DVec3 {
-        let off = pos - self.foot.pos;
+        let off = self.level.in_space(pos - self.foot.pos);
         DVec3::new(off.dot(self.through()), off.y, off.dot(self.aside()))
     }
 
     /// A place of its own axes in its chart.
     pub fn place(&self, local: DVec3) -> ChartPoint {
         let level = self.through() * local.x + self.aside() * local.z;
-        self.foot.moved(level + DVec3::Y * local.y)
+        self.foot
+            .moved(self.level.in_chart(level) + DVec3::Y * local.y)
+    }
+
+    /// The upright plane through it in a chart that its foot was carried to: the unit direction across it, and how many metres of
+    /// the chart one along it is.
+    pub fn plane<M: Metric + ?Sized>(&self, space: &M, there: &Crossing) -> (DVec3, f64) {
+        if self.level == LevelMap::SAME {
+            return (there.turn_vector(self.through()), 1.0);
+        }
+        let aside = there.turn_vector(self.aside());
+        let along = LevelMap::at(space, there.point).in_chart(aside);
+        let across = DVec3::new(along.z, 0.0, -along.x);
+        (across.normalize_or(DVec3::X), along.length())
     }
 
     /// The corners of the opening, metres of its own axes: from below on its left side round to below on its right.
@@ -252,10 +275,8 @@ mod tests {
             ChartId::FIRST
         };
         let pos = DVec3::new(level_m * angle.cos(), height_m, level_m * angle.sin());
-        Leaf {
-            foot: ChartPoint::new(chart, pos),
-            yaw,
-        }
+        let space = strategy(geometry, RADIUS_M);
+        Leaf::at(&*space, ChartPoint::new(chart, pos), yaw)
     }
 
     fn numbers() -> impl Strategy<Value = [f64; 4]> {
@@ -346,6 +367,56 @@ mod tests {
                 // Straight on it does not come back.
                 let on = far.place(local + DVec3::X * (-2.0 * side));
                 assert_eq!(pair.met(&*space, out, on), None);
+            }
+        }
+    }
+
+    /// To 1 %, wherever a leaf stands and however it looks: between its posts, over its sill, and as bodies find it.
+    #[test]
+    fn an_opening_is_as_large_in_the_space_wherever_it_stands() {
+        for (geometry, radius_m, pos) in [
+            (
+                Geometry::HyperbolicWorld,
+                60.305,
+                DVec3::new(29.0, 9.0, 30.5),
+            ),
+            (
+                Geometry::HyperbolicWorld,
+                30.152,
+                DVec3::new(-14.0, 5.0, 14.5),
+            ),
+            (
+                Geometry::HyperbolicWorld,
+                120.61,
+                DVec3::new(2.0, 12.0, -60.0),
+            ),
+            (Geometry::Spherical, 64.0, DVec3::new(60.0, 8.0, 66.0)),
+        ] {
+            let space = strategy(geometry, radius_m);
+            let eye = Eye::default();
+            for turn in 0..12 {
+                let foot = ChartPoint::new(ChartId::FIRST, pos);
+                let leaf = Leaf::at(&*space, foot, f64::from(turn) * 0.5);
+                let far_m = |a, b| space.distance_m(leaf.place(a), leaf.place(b), &eye);
+                let post = DVec3::Z * HALF_WIDTH_M;
+                let wide = far_m(-post, post) / (2.0 * HALF_WIDTH_M);
+                let deep = far_m(-DVec3::X, DVec3::X) / 2.0;
+                let high = far_m(DVec3::ZERO, DVec3::Y * HEIGHT_M) / HEIGHT_M;
+                for share in [wide, deep, high] {
+                    assert!(
+                        (share - 1.0).abs() < 0.01,
+                        "{geometry} {pos} {turn}: {share}"
+                    );
+                }
+                let [a, b] = [-DVec3::X, DVec3::X].map(|it| it * 0.3);
+                let pair = Doorway {
+                    leaves: [leaf, leaf],
+                };
+                let beside = |z: f64| {
+                    let [from, to] = [a, b].map(|it| leaf.place(it + DVec3::Z * z));
+                    pair.met(&*space, from, to).is_some()
+                };
+                assert!(beside(0.99 * HALF_WIDTH_M) && !beside(1.01 * HALF_WIDTH_M));
             }
         }
     }

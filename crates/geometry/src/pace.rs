@@ -62,8 +62,8 @@ mod tests {
                 ChartPoint::new(chart, level.with_y(y * RADIUS_M))
             };
             let leaves = [
-                Leaf { foot: foot(ChartId::FIRST, far, low), yaw },
-                Leaf { foot: foot(chart, other, high), yaw: looks },
+                Leaf::at(&*space, foot(ChartId::FIRST, far, low), yaw),
+                Leaf::at(&*space, foot(chart, other, high), looks),
             ];
             let pair = Doorway { leaves };
             let from = leaves[0].place(DVec3::new(0.0, 1.2, 0.6));

@@ -67,9 +67,7 @@ pub trait Tiled {
     fn edges_from_first(&self, chart: ChartId) -> Option<usize>;
 
     /// How a chart's tile is joined to those about it.
-    fn joins(&self, chart: ChartId) -> Joins {
-        Joins::of(chart, |chart, side| self.over(chart, side))
-    }
+    fn joins(&self, chart: ChartId) -> Joins;
 }
 
 /// What of a tile tells those on both sides of an edge and about a corner apart, so that all of them can read one pattern there.
@@ -78,34 +76,23 @@ pub trait Tiled {
 pub struct Joins {
     /// Whether the tile over a side comes first by its chart.
     pub is_second: [bool; 4],
-    /// How many tiles one goes through about a corner, each over the later of its two sides there, from the one whose chart comes
-    /// first to this one.
+    /// How many tiles one goes through about a corner, as [`about_corner`] does, from this one to the one whose chart comes first.
     pub about: [u8; 4],
 }
 
-/// No more tiles meet at a corner.
-const MOST_ABOUT: u8 = 7;
-
 impl Joins {
     /// By what lies over sides. At the end of a world, where that is nothing, a tile comes first.
-    pub fn of(chart: ChartId, over: impl Fn(ChartId, u8) -> Option<(ChartId, u8)>) -> Self {
-        let is_second = [0, 1, 2, 3].map(|side| over(chart, side).is_some_and(|it| it.0 < chart));
-        let about = [0, 1, 2, 3].map(|corner| {
-            let (mut at, mut corner) = (chart, corner);
-            let mut first = (chart, 0);
-            for steps in 1..=MOST_ABOUT {
-                let Some(next) = over(at, (corner + 1) % 4) else {
-                    return 0;
-                };
-                (at, corner) = next;
-                if at == chart {
-                    return (steps - first.1) % steps;
-                }
-                first = first.min((at, steps));
-            }
-            0
-        });
-        Self { is_second, about }
+    pub fn of(tiled: &dyn Tiled, chart: ChartId) -> Self {
+        let is_first = |side| tiled.over(chart, side).is_none_or(|(over, _)| chart < over);
+        let about = |corner| {
+            let about = about_corner(tiled, chart, corner);
+            let places = about.iter().zip(0..);
+            places.min().map_or(0, |(_, place)| place)
+        };
+        Self {
+            is_second: [0, 1, 2, 3].map(|side| !is_first(side)),
+            about: [0, 1, 2, 3].map(about),
+        }
     }
 
     /// For shaders: a bit for each side, then three for each corner.
@@ -148,6 +135,29 @@ pub fn beside(atlas: &dyn Atlas, coord: ChunkCoord, step: IVec3) -> ChunkCoord {
         Some(ChunkCoord::new(chart, index))
     };
     over().unwrap_or(next)
+}
+
+/// The most tiles that are looked for about a corner.
+const MOST_ABOUT: usize = 8;
+
+/// The tiles about a corner of a chart's domain, each with the number that the corner has there: the chart's own first, then as
+/// one comes round over the edges. Corners are counted as sides are, each between a side and the next. Empty where the way round
+/// does not close, at the end of the world.
+pub fn about_corner(tiled: &dyn Tiled, chart: ChartId, corner: u8) -> Vec<(ChartId, u8)> {
+    let first = (chart, corner % 4);
+    let (mut about, mut at) = (vec![first], first);
+    while let Some((over, back)) = tiled.over(at.0, at.1) {
+        // Come in over a side, one has the corner between it and the one before.
+        at = (over, (back + 3) % 4);
+        if at == first {
+            return about;
+        }
+        if about.len() == MOST_ABOUT {
+            break;
+        }
+        about.push(at);
+    }
+    Vec::new()
 }
 
 /// Where a point is as seen from a place of a chart: as written there, and else in the direction and at the distance at which

@@ -3,6 +3,7 @@
 //! Places are a pure function of seed and field; shapes of the species, its age and how large it is in the picture. No
 //! input or output, no GPU.
 
+mod corner;
 mod growth;
 mod habitat;
 mod noise;
@@ -13,6 +14,7 @@ mod solid;
 mod species;
 mod undergrowth;
 
+pub use corner::stones_of_others;
 pub use growth::Growth;
 pub use placement::{placed, placed_near, tree_at};
 pub use seat::top_m;

@@ -12,6 +12,7 @@ use antipode_geometry::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, NoiseFrame
 use antipode_terrain::{Field, Footing, Thing};
 use glam::{DVec2, DVec3, IVec2, Vec3};
 
+use crate::corner::{Corner, SLOT, corners};
 use crate::habitat::Habitat;
 use crate::noise::{Draw, grove};
 use crate::species::{Age, Species};
@@ -26,6 +27,7 @@ const JITTER: f64 = 0.55;
 const CLEAR_M: f64 = 10.0;
 /// Nothing grows farther out, metres.
 const FARTHEST_M: f64 = 1e9;
+const _: () = assert!(ACROSS * ACROSS <= SLOT as i32, "cells have numbers below");
 /// How far about a place borders of biomes are looked for, so that they are ragged, metres.
 const RAGGED_M: f64 = 9.0;
 /// The least upright part of a normal on which trees, bushes and boulders stand.
@@ -85,6 +87,8 @@ struct Plan<'a> {
     chart: ChartId,
     /// How the space of the noise lies in the chart, where they are square with each other.
     frame: Option<SquareFrame>,
+    /// Where nothing grows for the stones there.
+    corners: Vec<Corner>,
 }
 
 impl<'a> Plan<'a> {
@@ -97,6 +101,7 @@ impl<'a> Plan<'a> {
             field,
             chart,
             frame,
+            corners: corners(&**field.strategy(), chart),
         }
     }
 
@@ -118,17 +123,19 @@ impl<'a> Plan<'a> {
     fn things(
         &self,
         corners: [DVec3; 2],
-        is_wanted: impl Fn(DVec3) -> bool,
+        is_wanted: impl Fn(DVec3) -> bool + Copy,
     ) -> impl Iterator<Item = (DVec3, Thing)> {
         let far_m = corners.map(|at| at.abs().max_element());
         // Nobody comes there, and cells have their numbers.
         let is_far = far_m[0].max(far_m[1]) > FARTHEST_M;
         let grows = self.field.generator().has_things() && !is_far;
         let cells = grows.then(|| self.cells(corners)).into_iter().flatten();
-        cells.filter_map(move |(cell, slot)| {
-            let (root, thing) = self.thing(cell, &is_wanted)?;
+        let grown = cells.filter_map(move |(cell, slot)| {
+            let (root, thing) = self.thing(cell, is_wanted)?;
             Some((root, Thing { slot, ..thing }))
-        })
+        });
+        let corners = self.corners.iter().filter(move |_| grows);
+        grown.chain(corners.filter_map(move |it| it.own_stone(self.field, self.chart, is_wanted)))
     }
 
     /// The thing of a cell, if it has one and that is wanted where it stands.
@@ -159,7 +166,11 @@ impl<'a> Plan<'a> {
             turn_rad: TAU * (draw.share() - 0.25 * f32::from(turned)),
             scale: 0.86 + 0.28 * draw.share(),
         };
-        holds(species, &footing).then_some((pos.with_y(footing.height_m), thing))
+        let reach_m = species.radius_m(age) * f64::from(thing.scale);
+        let at = DVec2::new(pos.x, pos.z);
+        let leaves_corners = self.corners.iter().all(|it| it.leaves(at, reach_m));
+        (leaves_corners && holds(species, &footing))
+            .then_some((pos.with_y(footing.height_m), thing))
     }
 
     /// What would grow at a place, by its biome and its groves.

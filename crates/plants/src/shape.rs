@@ -3,6 +3,7 @@
 mod boulder;
 mod broadleaf;
 mod canopy;
+mod corner_stone;
 mod crown;
 mod low;
 mod mesh;

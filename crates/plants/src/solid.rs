@@ -3,8 +3,9 @@
 use std::f32::consts::TAU;
 
 use antipode_terrain::Thing;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
+use crate::corner::in_chart;
 use crate::species::{Age, Species, Trunk};
 
 /// Corners around a trunk.
@@ -48,13 +49,22 @@ fn add_solid(
     } else {
         TAPER.1
     };
+    let out = |n: u32| {
+        // Upwards seen, from +x to -z: counter-clockwise from above.
+        let (sin, cos) = (TAU * n as f32 / AROUND as f32 + thing.turn_rad).sin_cos();
+        let out = Vec2::new(cos, -sin);
+        if thing.species == Species::CornerStone.byte() {
+            in_chart(out, thing.turn_rad)
+        } else {
+            out
+        }
+    };
     let first = corners.len() as u32;
     let rings = [(-BELOW_M, radius_m), (height_m, radius_m * taper)];
     for (y, radius_m) in rings {
         corners.extend((0..AROUND).map(|n| {
-            // Upwards seen, from +x to -z: counter-clockwise from above.
-            let (sin, cos) = (TAU * n as f32 / AROUND as f32 + thing.turn_rad).sin_cos();
-            (thing.root + Vec3::new(cos * radius_m, y, -sin * radius_m)).to_array()
+            let out = out(n) * radius_m;
+            (thing.root + Vec3::new(out.x, y, out.y)).to_array()
         }));
     }
     let top = corners.len() as u32;

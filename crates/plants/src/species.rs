@@ -30,6 +30,8 @@ pub enum Species {
     Stump = 40,
     /// A boulder.
     Boulder = 48,
+    /// A prism with a sign, where five squares meet. It has one size.
+    CornerStone = 49,
 }
 
 /// How old a plant is; of a boulder, how large.
@@ -96,7 +98,7 @@ struct Lengths {
 
 impl Species {
     /// All.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Oak,
         Self::Spruce,
         Self::Birch,
@@ -109,7 +111,13 @@ impl Species {
         Self::Bush,
         Self::Stump,
         Self::Boulder,
+        Self::CornerStone,
     ];
+
+    /// Whether it is of stone, and breaks to stones.
+    pub fn is_stone(self) -> bool {
+        self >= Self::Boulder
+    }
 
     /// Whether it is a tree: it falls, and there is wood in it.
     pub fn is_tree(self) -> bool {
@@ -141,13 +149,14 @@ impl Species {
             Self::Bush => "bush",
             Self::Stump => "stump",
             Self::Boulder => "boulder",
+            Self::CornerStone => "corner stone",
         }
     }
 
     /// How high it stands over its root, metres.
     pub fn height_m(self, age: Age) -> f64 {
         let factor = match (self, age) {
-            (_, Age::Grown) => 1.0,
+            (Self::CornerStone, _) | (_, Age::Grown) => 1.0,
             (Self::Boulder, Age::Young) => 0.5,
             (Self::Boulder, Age::Old) => 2.0,
             (_, Age::Young) => 0.4,
@@ -159,7 +168,7 @@ impl Species {
     /// How far its crown reaches sideways from the upright line through its root, metres.
     pub fn radius_m(self, age: Age) -> f64 {
         let factor = match (self, age) {
-            (_, Age::Grown) => 1.0,
+            (Self::CornerStone, _) | (_, Age::Grown) => 1.0,
             (Self::Boulder, Age::Young) => 0.5,
             (Self::Boulder, Age::Old) => 2.0,
             (_, Age::Young) => 0.36,
@@ -178,10 +187,10 @@ impl Species {
                 height_m: self.height_m(age),
             }),
             _ => {
-                let stout = match age {
-                    Age::Young => 0.4,
-                    Age::Grown => 1.0,
-                    Age::Old => 1.7,
+                let stout = match (self, age) {
+                    (Self::CornerStone, _) | (_, Age::Grown) => 1.0,
+                    (_, Age::Young) => 0.4,
+                    (_, Age::Old) => 1.7,
                 };
                 let height_m = lengths.bare / lengths.height * self.height_m(age);
                 Some(Trunk {
@@ -208,6 +217,7 @@ impl Species {
             Self::Bush => (1.1, 0.95, 0.0, 0.0),
             Self::Stump => (0.45, 0.42, STUMP_M, 0.45),
             Self::Boulder => (1.0, 0.9, 0.9, 1.0),
+            Self::CornerStone => (1.6, 0.35, 0.33, 1.5),
         };
         Lengths {
             height,

@@ -23,16 +23,13 @@ const STEP_DOWN_M: f64 = 1.6;
 /// No body's middle is farther from a leaf than this when a part of it has gone through, metres.
 const REACHES_M: f64 = 3.0;
 
-pub(crate) fn leaf_of(it: &Fixture) -> Leaf {
-    Leaf {
-        foot: it.foot.point,
-        yaw: it.yaw_rad,
-    }
+pub(crate) fn leaf_of(space: &dyn Strategy, it: &Fixture) -> Leaf {
+    Leaf::at(space, it.foot.point, it.yaw_rad)
 }
 
 /// The pair, the older leaf first, if both stand.
-pub(crate) fn pair(actors: &Actors) -> Option<Doorway> {
-    let leaves = fixture::map_of(actors, Item::Door, |_, it| leaf_of(it));
+pub(crate) fn pair(space: &dyn Strategy, actors: &Actors) -> Option<Doorway> {
+    let leaves = fixture::map_of(actors, Item::Door, |_, it| leaf_of(space, it));
     match leaves[..] {
         [older, newer] => Some(Doorway {
             leaves: [older, newer],
@@ -132,13 +129,13 @@ fn is_in_reach(space: &dyn Atlas, leaf: &Leaf, stroke: &Stroke) -> bool {
 }
 
 /// A leaf's opening in the chart of a stroke's middle.
-fn gate(space: &dyn Atlas, leaf: &Leaf, middle: ChartPoint) -> Option<Gate> {
+fn gate(space: &dyn Strategy, leaf: &Leaf, middle: ChartPoint) -> Option<Gate> {
     let crossing = space.carry_near(leaf.foot, middle)?;
-    let way = crossing.turn_vector(leaf.through());
+    let (way, metre) = leaf.plane(space, &crossing);
     Some(Gate {
         foot: crossing.point.pos,
         heading_rad: way.z.atan2(way.x),
-        half_width_m: HALF_WIDTH_M,
+        half_width_m: HALF_WIDTH_M * metre,
         height_m: HEIGHT_M,
     })
 }

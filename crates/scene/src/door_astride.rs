@@ -61,7 +61,7 @@ pub(crate) fn show_astride(
 
 /// What of a car is where: all of it where it is, or, if it stands in a door, what is on either side of that.
 pub(crate) fn car_parts(
-    space: &dyn Atlas,
+    space: &dyn Strategy,
     doors: Option<&Doorway>,
     physics: &VehiclePhysics,
     motion: &VehicleMotion,
@@ -101,13 +101,12 @@ fn stands_in(
 }
 
 /// What is kept of a figure whose origin is there, on a side of a leaf.
-fn cut(space: &dyn Atlas, leaf: &Leaf, side: f64, origin: ChartPoint) -> Cut {
+fn cut(space: &dyn Strategy, leaf: &Leaf, side: f64, origin: ChartPoint) -> Cut {
     // The leaf as it lies in the chart of the origin.
-    let (foot, way) = match space.carry_near(leaf.foot, origin) {
-        Some(crossing) => (crossing.point.pos, crossing.turn_vector(leaf.through())),
-        None => (leaf.foot.pos, leaf.through()),
-    };
-    let way: DVec3 = way * side;
+    let there = space.carry_near(leaf.foot, origin);
+    let there = there.unwrap_or(Crossing::within(leaf.foot));
+    let foot = there.point.pos;
+    let way = leaf.plane(space, &there).0 * side;
     Cut {
         heading_rad: way.z.atan2(way.x),
         from_m: way.dot(foot - origin.pos),

@@ -46,7 +46,7 @@ impl Behaviour for Paired {
     }
 
     fn unfit(&self, now: Situation<'_>, it: &Fixture) -> Option<Unfit> {
-        let leaf = leaf_of(it);
+        let leaf = leaf_of(&*now.world.strategy, it);
         let solid = |at: ChartPoint| now.world.ground.is_solid(at);
         let unfit = ground_against(&solid, &leaf, &RULE);
         unfit.or_else(|| is_crowded(now, &leaf).then_some(Unfit::Crowded))
@@ -142,7 +142,7 @@ mod tests {
         let mut dice = Dice(23);
         let places = (0..20).map(|place| {
             let space = strategy(Geometry::Spherical, radius_m);
-            let field = Field::new(place / 5, space);
+            let field = Field::new(place / 5, space.clone());
             let (out, round) = (dice.next().sqrt(), TAU * dice.next());
             let chart = if dice.next() < 0.5 {
                 ChartId::FIRST
@@ -157,7 +157,7 @@ mod tests {
             let ground = heights.map(at).find(|at| solid(*at)).unwrap();
             (0..8).any(|turn| {
                 let yaw = FRAC_PI_4 * f64::from(turn);
-                let leaf = Leaf { foot: ground, yaw };
+                let leaf = Leaf::at(&*space, ground, yaw);
                 ground_against(&solid, &leaf, rule).is_none()
             })
         });

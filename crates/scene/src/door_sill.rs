@@ -80,7 +80,7 @@ fn sill_m(solid: impl Fn(ChartPoint) -> bool, leaf: &Leaf) -> Heights {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::ChartId;
+    use antipode_geometry::{ChartId, LevelMap};
 
     use super::*;
 
@@ -89,6 +89,7 @@ mod tests {
         let leaf = Leaf {
             foot: ChartPoint::new(ChartId::FIRST, DVec3::new(7.0, 5.0, -3.0)),
             yaw: 0.0,
+            level: LevelMap::SAME,
         };
         let slope = |at: ChartPoint| at.pos.y < 5.0 + 0.5 * (at.pos.z + 3.0);
         for (column, found_m) in (0..).zip(sill_m(slope, &leaf)) {

@@ -32,6 +32,8 @@ use crate::world::World;
 
 /// How far from what is solid of a thing a tool may be to strike it, metres.
 const STRIKES_M: f64 = 0.2;
+/// No solid thing is farther from its middle line to its outside, metres.
+const STOUTEST_M: f64 = 2.5;
 /// What it takes to fell the thinnest thing, and more for each metre of its radius, as tools dig: seconds with a wooden pickaxe.
 const TOUGHNESS: (f64, f64) = (0.6, 7.0);
 /// How much more wood a tree has than its trunk, for its branches.
@@ -247,8 +249,15 @@ pub(crate) fn solids_near(world: &World, place: ChartPoint, within_m: f64) -> Ve
     solid.map(|(it, _)| it).collect()
 }
 
-/// What solid thing stands at a point.
+/// What solid thing stands at a point, whichever chart it is of.
 fn at(world: &World, point: ChartPoint) -> Option<Standing> {
+    let images = world.strategy.images(point, STOUTEST_M).into_iter();
+    let mut all = std::iter::once(point).chain(images.map(|it| it.point));
+    all.find_map(|point| in_chart(world, point))
+}
+
+/// What solid thing of the chart of a point stands there.
+fn in_chart(world: &World, point: ChartPoint) -> Option<Standing> {
     let middle = ChunkCoord::containing(point);
     let near = (0..18).map(|n| IVec3::new(n % 3 - 1, -(n / 9), n / 3 % 3 - 1));
     let mut all = near.flat_map(|by| {
@@ -276,6 +285,10 @@ pub(crate) fn chop(
     if outbox.sounds.stroke_is_due(true, STEP_S) {
         outbox.sounds.push(SoundEvent::Dug { cover: Cover::Soil });
         outbox.effects.push(Effect::Chopped { at: struck_at });
+    }
+    // A sign is there for whoever comes.
+    if it.species == Species::CornerStone {
+        return;
     }
     let key = (it.coord, it.thing.slot);
     let done = player
@@ -352,13 +365,13 @@ fn come_down(
     outbox.effects.push(Effect::Chopped { at: it.root() });
     if it.species.is_tree() {
         actors.enter(Falling::begin(it, way));
-    } else if it.species == Species::Boulder {
-        break_boulder(world, actors, player, outbox, &it, way);
+    } else if it.species.is_stone() {
+        break_stone(world, actors, player, outbox, &it, way);
     }
 }
 
-/// A boulder falls to stones, away from the blow.
-fn break_boulder(
+/// A boulder or such falls to stones, away from the blow.
+fn break_stone(
     world: &mut World,
     actors: &mut Actors,
     player: &mut Player,

@@ -2,7 +2,7 @@
 //! ground below it disappears, and comes up when the player builds over it. All kinds are one component; what a kind does
 //! besides is its `Behaviour`.
 
-use antipode_geometry::{ChartPoint, Eye};
+use antipode_geometry::{ChartPoint, Eye, LevelMap};
 use antipode_items::{Item, Stands};
 use glam::DVec3;
 use hecs::Entity;
@@ -362,8 +362,21 @@ pub(crate) fn foreseen(now: Situation<'_>) -> Option<Figure> {
         } else {
             Presence::Barred
         },
-        ..Figure::standing(it.item.into(), it.foot.point, it.yaw_rad)
+        ..figure(now, &it)
     })
+}
+
+/// How one stands in a picture.
+pub(crate) fn figure(now: Situation<'_>, it: &Fixture) -> Figure {
+    let level = match it.item {
+        // As what leads on from it.
+        Item::Door => LevelMap::at(&*now.world.strategy, it.foot.point),
+        _ => LevelMap::SAME,
+    };
+    Figure {
+        level,
+        ..Figure::standing(it.item.into(), it.foot.point, it.yaw_rad)
+    }
 }
 
 /// What is against putting the one in hand where the crosshair is, of what is shown as it would stand.

@@ -164,7 +164,7 @@ impl Scene {
         let (taken, course) = restore::things(world, actors, lens, records, notices);
         self.kept.handed = taken;
         restore::seat(world, actors, player, driving);
-        world.doors = door::pair(actors);
+        world.doors = door::pair(&*world.strategy, actors);
         let course = course.unwrap_or(CourseRecord {
             time_of_day_s: world.time_of_day_s,
             simulated_s: played_s,

@@ -102,7 +102,7 @@ fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
 /// What was put down, bullets, and what lies about.
 fn show_things(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
     seen.extend(fixture::map(now.actors, |id, it| {
-        let figure = Figure::standing(it.item.into(), it.foot.point, it.yaw_rad);
+        let figure = fixture::figure(now, it);
         (Who::Fixture(it.item, id), figure)
     }));
     let bullet = |id, bullet: &Projectile| {

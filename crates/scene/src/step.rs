@@ -44,7 +44,7 @@ impl Simulation {
             outbox,
         } = self;
         outbox.fired = false;
-        world.doors = door::pair(actors);
+        world.doors = door::pair(&*world.strategy, actors);
         let head = Situation::of(world, actors, player).head();
         world.centre_on(head.point, actors.feet());
         player.gaze.take_aim(actions.aimed);

@@ -267,6 +267,11 @@ impl EditStore {
         }
     }
 
+    /// What was felled of a column, a bit for each slot.
+    pub(crate) fn felled(&self, column: Column) -> u128 {
+        self.lock().felled.get(&column).copied().unwrap_or_default()
+    }
+
     /// Takes over what was felled of a column in earlier visits, before anything is made.
     pub(crate) fn remember_felled(&self, column: Column, slots: u128) {
         *self.lock().felled.entry(column).or_default() |= slots;

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::TerrainCollider;
-use antipode_plants::{add_solids, left_of, placed, undergrowth};
+use antipode_plants::{add_solids, left_of, placed, stones_of_others, undergrowth};
 use antipode_terrain::{
     ChunkMesh, FIRST_PLANTED, Field, Level, Mesher, Samples, Thing, apply_edits,
 };
@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use crate::api::Chunk;
 use crate::bases::Bases;
-use crate::edit_store::{EditStore, Snapshot};
+use crate::edit_store::{EditStore, Snapshot, column_of};
 use crate::history::History;
 use crate::scheduler::Make;
 
@@ -115,7 +115,7 @@ impl Shared {
         }
         let mesh = Arc::new(mesh);
         let collider = if solid {
-            self.collider(coord, &mesh, again)
+            self.collider(coord, &mesh, edits, again)
         } else {
             None
         };
@@ -148,6 +148,17 @@ impl Shared {
             value += weight * f64::from(self.field.sample(sample) + delta);
         }
         (grew && !is_dug) || value < 0.0
+    }
+
+    /// What stands on a chunk and is a thing of another chart.
+    fn others_on(&self, coord: ChunkCoord, edits: &Snapshot) -> Vec<Thing> {
+        let others = stones_of_others(&self.field, coord).into_iter();
+        let stands = |(thing, home): (Thing, ChunkCoord)| {
+            let felled = self.edit_store.felled(column_of(home));
+            let is_felled = felled.unbounded_shr(thing.slot.into()) & 1 == 1;
+            (!is_felled && self.stands(coord, &thing, edits)).then_some(thing)
+        };
+        others.filter_map(stands).collect()
     }
 
     fn mesh(&self, coord: ChunkCoord, samples: &Samples) -> ChunkMesh {
@@ -183,11 +194,16 @@ impl Shared {
         &self,
         coord: ChunkCoord,
         mesh: &ChunkMesh,
+        edits: &Snapshot,
         again: bool,
     ) -> Option<TerrainCollider> {
         let before = self.bases.collider(coord);
         let (mut corners, mut triangles) = (mesh.positions(), mesh.triangles().to_vec());
         add_solids(&mesh.things, &mut corners, &mut triangles);
+        if !mesh.is_empty() {
+            let others = self.others_on(coord, edits);
+            add_solids(&others, &mut corners, &mut triangles);
+        }
         let collider = TerrainCollider::rebuild(before.as_ref(), &corners, &triangles);
         if again {
             self.bases.keep_collider(coord, collider.clone());

@@ -48,6 +48,21 @@ impl Field {
     /// The untouched land over a place of the plan, unless it hangs over, is far from where its noise asks for it, or lies
     /// over a cave.
     pub fn footing(&self, chart: ChartId, x: f64, z: f64) -> Option<Footing> {
+        let footing = self.untouched_land(chart, x, z)?;
+        let below = |below_m: &f64| DVec3::new(x, footing.height_m - below_m, z);
+        let is_firm = |below_m| self.sample(ChartPoint::new(chart, below(below_m))) < 0.0;
+        FIRM_M.iter().all(is_firm).then_some(footing)
+    }
+
+    /// The same of what stands over a cave as well, as long as it is not in its mouth.
+    pub fn thin_footing(&self, chart: ChartId, x: f64, z: f64) -> Option<Footing> {
+        let footing = self.untouched_land(chart, x, z)?;
+        let below = DVec3::new(x, footing.height_m - FIRM_M[0], z);
+        (self.sample(ChartPoint::new(chart, below)) < 0.0).then_some(footing)
+    }
+
+    /// The land over a place of the plan, caves left out, unless it hangs over or is far from where its noise asks for it.
+    fn untouched_land(&self, chart: ChartId, x: f64, z: f64) -> Option<Footing> {
         let land = |x: f64, y: f64, z: f64| self.land(ChartPoint::new(chart, DVec3::new(x, y, z)));
         let about_m = self.land_height_at(chart, x, z);
         let (mut ground_m, mut air_m) = (about_m - NEAR_M, about_m + NEAR_M);
@@ -67,11 +82,7 @@ impl Field {
             land(x + by.x, ground_m + by.y, z + by.z) - land(x - by.x, ground_m - by.y, z - by.z)
         };
         let normal = Vec3::new(slope(DVec3::X), slope(DVec3::Y), slope(DVec3::Z));
-        let is_firm = FIRM_M.into_iter().all(|below_m| {
-            let below = DVec3::new(x, ground_m - below_m, z);
-            self.sample(ChartPoint::new(chart, below)) < 0.0
-        });
-        is_firm.then_some(Footing {
+        Some(Footing {
             height_m: ground_m,
             normal: normal.normalize_or(Vec3::Y),
         })

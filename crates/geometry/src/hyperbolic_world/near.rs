@@ -258,6 +258,6 @@ impl Tiled for HyperbolicWorld {
     }
 
     fn joins(&self, chart: ChartId) -> Joins {
-        self.tiles.joins(chart)
+        self.tiles.joins(chart, || Joins::of(self, chart))
     }
 }

@@ -114,10 +114,11 @@ impl Tiles {
         self.norths.value(chart, carried)
     }
 
-    /// How a chart's tile is joined to those about it.
-    pub fn joins(&self, chart: ChartId) -> Joins {
-        let found = || Some(Joins::of(chart, |chart, side| self.over(chart, side)));
-        self.joins.value(chart, found).unwrap_or_default()
+    /// How a chart's tile is joined to those about it, as it is found where it is not known.
+    pub fn joins(&self, chart: ChartId, found: impl FnOnce() -> Joins) -> Joins {
+        self.joins
+            .value(chart, || Some(found()))
+            .unwrap_or_default()
     }
 
     fn found_way(&self, from: ChartId, to: ChartId) -> Option<DMat4> {

@@ -3,7 +3,7 @@
 //! A leaf leads on from either side, so that a pair has two **junctions**, where half of the land about one leaf goes on as half of
 //! that about the other. For a step everything near a junction that somebody stands in is written in the chart about one
 //! leaf, in whose arena it collides: the ground of both sides, each cut at the leaf, and the bodies of both. Afterwards each
-//! is taken back. As a leaf's own axes are kept by who passes, the way there is `foot_b + R(b) R(a)^-1 (p - foot_a)`, without
+//! is taken back. As a leaf's own axes are kept by who passes, the way there leads by these, without
 //! regard to edges of charts.
 
 use antipode_geometry::doorway::{BELOW_FOOT_M, HALF_WIDTH_M, HEIGHT_M};

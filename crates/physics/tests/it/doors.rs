@@ -57,9 +57,10 @@ impl Site {
         } else {
             DVec3::X * 64.0
         };
-        let leaf = |at: usize, chart, apart: DVec3| Leaf {
-            foot: ChartPoint::new(chart, FEET_M[at] + apart),
-            yaw: YAWS_RAD[at],
+        let space = strategy(geometry, 64.0);
+        let leaf = |at: usize, chart, apart: DVec3| {
+            let foot = ChartPoint::new(chart, FEET_M[at] + apart);
+            Leaf::at(&*space, foot, YAWS_RAD[at])
         };
         let leaves = [leaf(0, ChartId::FIRST, DVec3::ZERO), leaf(1, other, apart)];
         let mut world = PhysicsWorld::new();
@@ -71,7 +72,7 @@ impl Site {
             ground.set_terrain(coord, DVec3::ZERO, Some(soup.build()));
         }
         Self {
-            space: strategy(geometry, 64.0),
+            space,
             pair: Doorway { leaves },
             world,
             physics: VehiclePhysics::default(),

@@ -1,7 +1,9 @@
 //! Which shape each species and age grows into.
 
 use super::mesh::match_tones;
-use super::{Shape, Size, boulder, broadleaf, canopy, palm, snag, spruce, stump, toadstool};
+use super::{
+    Shape, Size, boulder, broadleaf, canopy, corner_stone, palm, snag, spruce, stump, toadstool,
+};
 use crate::species::{Age, Species};
 
 /// The lengths that a plant's shape keeps to, metres.
@@ -44,6 +46,7 @@ pub(super) fn grow(species: Species, age: Age) -> [Shape; 4] {
         Species::Snag => snag::grow(build, size),
         Species::Toadstool => toadstool::grow(build, size),
         Species::Boulder => boulder::grow(build, size),
+        Species::CornerStone => corner_stone::grow(build, size),
         Species::Stump => stump::grow(build, size),
         Species::Oak => broadleaf::oak(build).shape(size),
         Species::Birch => broadleaf::birch(build).shape(size),

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use antipode_frame::Opening;
-use antipode_geometry::{Doorway, Geometry, HyperbolicMap, Leaf, Strategy, picture};
+use antipode_geometry::{Doorway, Geometry, HyperbolicMap, Leaf, LevelMap, Strategy, picture};
 use glam::DVec3;
 use image::RgbaImage;
 
@@ -140,6 +140,7 @@ fn the_veil_of_a_world_with_doors_stays_down_until_they_can_be_looked_through_an
     let leaf = |ahead_m| Leaf {
         foot: bare.view.eye.point.moved(DVec3::new(ahead_m, -1.0, 0.0)),
         yaw: 0.0,
+        level: LevelMap::SAME,
     };
     let doors = Doorway {
         leaves: [leaf(3.0), leaf(60.0)],

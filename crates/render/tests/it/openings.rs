@@ -25,10 +25,8 @@ fn before_an_astronaut(geometry: Geometry) -> Frame {
 
 fn leaf(frame: &Frame, ahead_m: f64, yaw: f64) -> Leaf {
     let eye = frame.view.eye;
-    Leaf {
-        foot: eye.point.moved(DVec3::new(ahead_m, -1.6, 0.0)),
-        yaw: eye.yaw + yaw,
-    }
+    let foot = eye.point.moved(DVec3::new(ahead_m, -1.6, 0.0));
+    Leaf::at(&*frame.view.strategy, foot, eye.yaw + yaw)
 }
 
 fn with_doors(frame: &Frame, leaves: [Leaf; 2]) -> Frame {
@@ -80,10 +78,8 @@ fn what_stands_behind_the_far_door_is_seen_in_the_near_one_and_what_stands_behin
         // Land there might hide who stands behind the door.
         frame.content_mut().land = Arc::default();
         // The far one stands aside and behind the eye, and looks across.
-        let far = Leaf {
-            foot: frame.view.eye.point.moved(DVec3::new(-6.0, -1.6, 9.0)),
-            yaw: 2.0,
-        };
+        let foot = frame.view.eye.point.moved(DVec3::new(-6.0, -1.6, 9.0));
+        let far = Leaf::at(&*frame.view.strategy, foot, 2.0);
         let leaves = [leaf(&frame, 2.0, 0.0), far];
         let doors = Doorway { leaves };
         let without = |frame: &Frame| frame.clone().with_content(|it| it.figures.clear());
@@ -120,10 +116,8 @@ fn below_the_sill_of_an_opening_one_sees_this_side() {
             return;
         };
         let frame = before_an_astronaut(geometry);
-        let far = Leaf {
-            foot: frame.view.eye.point.moved(DVec3::new(-6.0, -1.6, 9.0)),
-            yaw: 2.0,
-        };
+        let foot = frame.view.eye.point.moved(DVec3::new(-6.0, -1.6, 9.0));
+        let far = Leaf::at(&*frame.view.strategy, foot, 2.0);
         let with = with_doors(&frame, [leaf(&frame, 2.0, 0.0), far]);
         let with_sill = |sill_m: f64| {
             let mut frame = with.clone();

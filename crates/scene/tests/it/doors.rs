@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use crate::common::cars::{car, enter, stand_beside};
 use crate::common::doors::{
-    ahead, before_the_player, leaf, level_strip, local, press, put_up, still,
+    ahead, before_the_player, ground, leaf, level_strip, local, press, put_up, still,
 };
 use crate::common::{LIMIT, scene, steps};
 
@@ -304,5 +304,32 @@ fn a_car_goes_through_a_hundred_times_and_keeps_its_speed_and_its_way() {
             );
         }
         assert!(worst[0] < 0.01 && worst[1] < 0.01, "{geometry}: {worst:?}");
+    }
+}
+
+/// Where a metre of the chart is up to 1.45 of the space's a door is as wide as elsewhere, and leads on as straight.
+#[test]
+fn near_a_corner_of_squares_one_walks_through_as_far_from_the_post_and_not_beside_it() {
+    for (aside_m, passes) in [(0.6, true), (-0.6, true), (1.5, false), (-1.5, false)] {
+        for yaw in [0.8, -0.8, 2.4] {
+            let mut scene = scene(Geometry::HyperbolicWorld);
+            scene.set_npcs(NpcMode::Still);
+            let leaves = [(27.0, 28.0, yaw), (-12.0, 5.0, 0.3)];
+            let leaves = leaves.map(|(x, z, yaw)| leaf(&scene, ChartId::FIRST, x, z, yaw));
+            let [near, far] = put_up(&mut scene, leaves).leaves;
+            let at = near.place(DVec3::new(-1.0, 0.0, aside_m));
+            scene.teleport(ground(&scene, at.chart, at.pos.x, at.pos.z).moved(DVec3::Y * 0.05));
+            assert!(scene.settle(LIMIT));
+            scene.aim(yaw, 0.0);
+            steps(&mut scene, 40, &ahead());
+            let told = format!("{yaw} {aside_m}");
+            let reached = scene.strategy().carry_near(scene.feet(), far.foot);
+            let reached = reached.map(|it| far.local(it.point.pos));
+            let is_beyond = reached.filter(|it| it.length() < 4.0);
+            assert_eq!(is_beyond.is_some(), passes, "{told}: {reached:?}");
+            if let Some(it) = is_beyond {
+                assert!(it.x > 0.0 && (it.z - aside_m).abs() < 0.1, "{told}: {it}");
+            }
+        }
     }
 }

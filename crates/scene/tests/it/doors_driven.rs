@@ -5,7 +5,7 @@ use antipode_scene::{Actions, CarView, NpcMode, Scene};
 use glam::DVec3;
 
 use crate::common::cars::{enter, look_at_car, stand_beside};
-use crate::common::doors::{car_at, ground, level_pair, local, put_up, still};
+use crate::common::doors::{car_at, ground, level_pair, local, put_up, standing, still};
 use crate::common::{scene, steps};
 
 /// Drives ahead along a leaf's front, no faster than that.
@@ -105,12 +105,9 @@ fn a_bullet_keeps_its_speed_in_the_space_between_leaves_of_other_latitudes_and_h
     ] {
         let mut scene = scene(Geometry::Spherical);
         scene.set_npcs(NpcMode::Still);
-        let near = Leaf {
-            foot: scene.feet().moved(DVec3::new(3.0, 0.0, 1.0)),
-            yaw: 0.4,
-        };
+        let near = standing(&scene, scene.feet().moved(DVec3::new(3.0, 0.0, 1.0)), 0.4);
         let foot = ground(&scene, chart, x, z).moved(DVec3::Y * up_m);
-        let leaves = [near, Leaf { foot, yaw }];
+        let leaves = [near, standing(&scene, foot, yaw)];
         put_up(&mut scene, leaves);
         for (from, back) in [(0, 1.0), (1, -1.0)] {
             let way =

@@ -4,7 +4,7 @@ use antipode_geometry::{Doorway, Geometry, Leaf};
 use antipode_scene::{Actions, NpcMode, Scene};
 use glam::DVec3;
 
-use crate::common::doors::{before_the_player, leaf, level_strip, local, put_up, still};
+use crate::common::doors::{before_the_player, leaf, level_strip, local, put_up, standing, still};
 use crate::common::{LIMIT, scene, steps};
 
 /// The height of the ground at a place of a leaf's axes, over its foot.
@@ -23,7 +23,12 @@ fn surveyed(scene: &mut Scene, pair: &Doorway) -> [f64; 5] {
         (far, -1.0, 0.0),
         (near, 0.3, 2.0),
     ];
-    places.map(|(leaf, x, z)| ground_m(scene, &leaf, x, z))
+    // Ground is told by samples a metre of the chart apart, so the places are so far from a leaf by those.
+    places.map(|(leaf, x, z): (Leaf, f64, f64)| {
+        let way = leaf.through() * x + leaf.aside() * z;
+        let share = way.length() / leaf.level.in_chart(way).length();
+        ground_m(scene, &leaf, x * share, z * share)
+    })
 }
 
 #[test]
@@ -72,7 +77,7 @@ fn of_two_leaves_in_one_brush_each_parts_it() {
     let mut scene = scene(Geometry::Euclidean);
     scene.set_npcs(NpcMode::Still);
     let (foot, yaw) = level_strip(&scene, scene.feet(), 10.0, 5.0);
-    let middle = Leaf { foot, yaw };
+    let middle = standing(&scene, foot, yaw);
     let leaves = [-1.4, 1.4].map(|x| {
         let at = middle.place(DVec3::X * x);
         leaf(&scene, at.chart, at.pos.x, at.pos.z, yaw)

@@ -16,6 +16,7 @@ mod car_view;
 mod common;
 mod cone;
 mod contact;
+mod corner_stones;
 mod crumbs;
 mod doors;
 mod doors_driven;

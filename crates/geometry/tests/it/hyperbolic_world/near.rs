@@ -1,8 +1,9 @@
 //! What is near, however many tiles lie between.
 
 use std::collections::BTreeSet;
+use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::tiled::{beside, fits};
+use antipode_geometry::tiled::{about_corner, beside, fits};
 use antipode_geometry::tiling::{Frame, Side, rings};
 use antipode_geometry::{
     Atlas, ChartId, ChartPoint, ChunkCoord, ChunkCube, Eye, HyperbolicWorld, Metric, Tiled,
@@ -10,7 +11,7 @@ use antipode_geometry::{
 use glam::{DVec2, DVec3, IVec3, Vec3Swizzles};
 use proptest::prelude::{prop_assert, proptest};
 
-use super::common::{beyond, charts, place, steps, worlds};
+use super::common::{apart_m, beyond, charts, place, steps, worlds};
 use crate::space::common::{cases, vector};
 
 fn level(point: ChartPoint) -> ChartPoint {
@@ -288,5 +289,30 @@ fn squares_at_an_edge_and_about_a_corner_are_told_apart_alike_from_all() {
             assert_eq!(there.about[usize::from(back)], (here + 1) % 5);
         }
         assert_eq!(joins.bits() >> 16, 0);
+    }
+}
+
+/// Five squares meet at a corner, which is one place.
+#[test]
+fn round_a_corner_are_five_squares_and_all_have_it_where_they_say() {
+    for world in worlds() {
+        let half_m = world.domain(ChartId::FIRST).half_width_m();
+        let at = |(chart, corner): (ChartId, u8)| {
+            let quarters = DVec2::from_angle(f64::from(corner) * FRAC_PI_2);
+            let pos = quarters.rotate(DVec2::splat(half_m));
+            ChartPoint::new(chart, DVec3::new(pos.x, 3.0, pos.y))
+        };
+        for number in (0..100).chain([1 << 70]) {
+            for corner in 0..4 {
+                let first = (ChartId::new(number), corner);
+                let about = about_corner(&world, first.0, corner);
+                let tiles: BTreeSet<_> = about.iter().map(|(tile, _)| *tile).collect();
+                assert_eq!((about.len(), tiles.len(), about[0]), (5, 5, first));
+                for other in about {
+                    let away_m = apart_m(&world, at(first), at(other));
+                    assert!(away_m < 1e-6, "{first:?} {other:?}: {away_m} m");
+                }
+            }
+        }
     }
 }

@@ -92,12 +92,14 @@ fn level_field(
     (best.1, best.2)
 }
 
+/// A leaf that stands at a place.
+pub fn standing(scene: &Scene, foot: ChartPoint, yaw: f64) -> Leaf {
+    Leaf::at(&**scene.strategy(), foot, yaw)
+}
+
 /// A leaf that stands on the ground of a column.
 pub fn leaf(scene: &Scene, chart: ChartId, x: f64, z: f64, yaw: f64) -> Leaf {
-    Leaf {
-        foot: ground(scene, chart, x, z),
-        yaw,
-    }
+    standing(scene, ground(scene, chart, x, z), yaw)
 }
 
 /// Puts both leaves up, and makes their ground.
@@ -112,9 +114,8 @@ pub fn put_up(scene: &mut Scene, leaves: [Leaf; 2]) -> Doorway {
 /// A leaf in the chart that it stands in, as who puts one up has it.
 fn at_home(scene: &Scene, leaf: Leaf) -> Leaf {
     let home = scene.strategy().cross(leaf.foot);
-    home.map_or(leaf, |home| Leaf {
-        foot: home.point,
-        yaw: leaf.yaw - home.turn_rad,
+    home.map_or(leaf, |home| {
+        standing(scene, home.point, leaf.yaw - home.turn_rad)
     })
 }
 
@@ -137,11 +138,8 @@ fn pair_on(scene: &mut Scene, half_m: f64, beside: &[(f64, f64)]) -> Doorway {
         foot.moved(DVec3::new(-34.0, 0.0, 19.0))
     };
     let (there, looks) = level_field(scene, elsewhere, 12.0, 4.0, beside);
-    let near = Leaf { foot, yaw };
-    let far = Leaf {
-        foot: there,
-        yaw: looks,
-    };
+    let near = standing(scene, foot, yaw);
+    let far = standing(scene, there, looks);
     let leaves = [near, far].map(|leaf| at_home(scene, leaf));
     put_up(scene, leaves)
 }
@@ -160,7 +158,7 @@ pub fn before_the_player(geometry: Geometry) -> (Scene, Doorway) {
     let mut scene = roomy_scene(geometry);
     scene.set_npcs(NpcMode::Still);
     let (at, yaw) = level_strip(&scene, scene.feet(), 8.0, 2.5);
-    let near = Leaf { foot: at, yaw };
+    let near = standing(&scene, at, yaw);
     let from = near.place(DVec3::X * -2.0).pos;
     scene.teleport(ground(&scene, at.chart, from.x, from.z).moved(DVec3::Y * 0.1));
     assert!(scene.wait_for_step(LIMIT));
@@ -172,10 +170,7 @@ pub fn before_the_player(geometry: Geometry) -> (Scene, Doorway) {
         at.moved(DVec3::new(-24.0, 0.0, 9.0))
     };
     let (there, looks) = level_strip(&scene, elsewhere, 8.0, 2.5);
-    let far = Leaf {
-        foot: there,
-        yaw: looks,
-    };
+    let far = standing(&scene, there, looks);
     let far = at_home(&scene, far);
     let pair = put_up(&mut scene, [near, far]);
     (scene, pair)
