@@ -25,6 +25,7 @@ hint-no-place-for-stone = Ein Stein braucht freien Boden zum Liegen, höchstens 
 hint-no-place-for-seed = Ein Samen braucht weichen, ebenen Boden unter freier Luft, einen Schritt von anderen Bäumen, höchstens acht Meter entfernt.
 hint-no-place-for-crumb = Eine Brotkrume braucht Boden, höchstens acht Meter entfernt.
 hint-none-there-crumb = Unter dem Fadenkreuz ist keine Brotkrume.
+hint-last-crumb = Das war deine letzte Brotkrume: Hier endet deine Spur.
 hint-too-many-crumb = In dieser Welt sind zu viele Brotkrumen; heb erst eine auf.
 hint-moved-crumb = Du hast die erste Brotkrume aufgehoben und hier hingelegt: Eine Welt hat höchstens 512.
 hint-none-there-log = Unter dem Fadenkreuz ist kein Baumstück.

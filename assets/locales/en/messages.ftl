@@ -26,6 +26,7 @@ hint-no-place-for-stone = A stone needs free ground to lie on, within eight metr
 hint-no-place-for-seed = A seed needs soft, level ground under open air, a step away from other trees, within eight metres.
 hint-no-place-for-crumb = A breadcrumb needs ground within eight metres.
 hint-none-there-crumb = There is no breadcrumb under the crosshair.
+hint-last-crumb = That was your last breadcrumb: your trail ends here.
 hint-too-many-crumb = There are too many breadcrumbs in this world; take one up first.
 hint-moved-crumb = You took up the first breadcrumb and laid it here: a world has 512 of them at most.
 hint-none-there-log = There is no log under the crosshair.

@@ -25,6 +25,7 @@ hint-no-place-for-stone = Una piedra necesita terreno libre donde apoyarse, a oc
 hint-no-place-for-seed = Una semilla necesita terreno blando y llano, al aire libre y a un paso de otros árboles, a ocho metros como mucho.
 hint-no-place-for-crumb = Una miga necesita terreno a ocho metros como mucho.
 hint-none-there-crumb = No hay ninguna miga bajo la mira.
+hint-last-crumb = Esa era tu última miga: tu rastro acaba aquí.
 hint-too-many-crumb = Hay demasiadas migas en este mundo; recoge una primero.
 hint-moved-crumb = Has recogido la primera miga y la has dejado aquí: un mundo tiene 512 como mucho.
 hint-none-there-log = No hay ningún tronco bajo la mira.

@@ -26,6 +26,7 @@ hint-no-place-for-stone = Kamień potrzebuje wolnego miejsca na ziemi, nie dalej
 hint-no-place-for-seed = Nasiono potrzebuje miękkiego, równego terenu pod gołym niebem, o krok od innych drzew, nie dalej niż osiem metrów.
 hint-no-place-for-crumb = Okruszek potrzebuje gruntu nie dalej niż osiem metrów.
 hint-none-there-crumb = Pod celownikiem nie ma okruszka.
+hint-last-crumb = To był ostatni okruszek: tu kończy się twój ślad.
 hint-too-many-crumb = W tym świecie jest za dużo okruszków; najpierw jeden zabierz.
 hint-moved-crumb = Zabrałeś pierwszy okruszek i położyłeś go tutaj: świat ma ich najwyżej 512.
 hint-none-there-log = Pod celownikiem nie ma kłody.

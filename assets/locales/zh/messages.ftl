@@ -25,6 +25,7 @@ hint-no-place-for-stone = 石头要放在八米以内的空地上。
 hint-no-place-for-seed = 种子要种在八米以内松软平坦、上面没有遮挡、离别的树一步以外的地里。
 hint-no-place-for-crumb = 面包屑要放在八米以内的地上。
 hint-none-there-crumb = 准星下没有面包屑。
+hint-last-crumb = 这是最后一块面包屑：你的路标到此为止。
 hint-too-many-crumb = 这个世界里的面包屑太多了；先收起一个。
 hint-moved-crumb = 你收起了最早的面包屑，放到这里：一个世界最多有 512 个。
 hint-none-there-log = 准星下没有原木。

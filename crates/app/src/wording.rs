@@ -224,6 +224,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::InTheWay => texts.say("hint-in-the-way"),
         Hint::OutOfReach => texts.say("hint-out-of-reach"),
         Hint::TooHard(kind) => of_ground(texts, "hint-too-hard", kind),
+        Hint::LastLaid(item) => texts.say(&format!("hint-last-{}", item.id())),
         Hint::UsedUp(None) => texts.say("hint-nothing-to-build"),
         Hint::UsedUp(Some(kind)) => of_ground(texts, "hint-used-up", kind),
         Hint::NoCoalYet => texts.say("hint-no-coal-yet"),
@@ -356,14 +357,18 @@ fn line_words(texts: &Texts, line: Line) -> String {
 
 /// What who sights a triangle of flags is told of it.
 pub fn sighting(texts: &Texts, it: &Sighting) -> String {
-    let degrees = it.angles_rad.map(f64::to_degrees);
-    let sum: f64 = degrees.iter().sum();
+    let tenth = |degrees: f64| (10.0 * degrees).round() / 10.0;
+    let [here, seen, third] = it.angles_rad.map(f64::to_degrees);
+    // What is shown adds up.
+    let sum = tenth(here + seen + third);
+    let (here, seen) = (tenth(here), tenth(seen));
+    let third = sum - here - seen;
     // The side to the flag that one looks at first.
     let [across, to_third, to_seen] = it.sides_m;
     let values = [
-        ("here", Value::decimals(degrees[0], 1)),
-        ("seen", Value::decimals(degrees[1], 1)),
-        ("third", Value::decimals(degrees[2], 1)),
+        ("here", Value::decimals(here, 1)),
+        ("seen", Value::decimals(seen, 1)),
+        ("third", Value::decimals(third, 1)),
         ("sum", Value::decimals(sum, 1)),
         ("a", Value::decimals(to_seen, 0)),
         ("b", Value::decimals(across, 0)),

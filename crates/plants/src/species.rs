@@ -28,6 +28,8 @@ pub enum Species {
     Bush = 32,
     /// What a felled tree leaves. Nothing of it is saved but that the tree was felled.
     Stump = 40,
+    /// What a felled toadstool leaves.
+    Stalk = 41,
     /// A boulder.
     Boulder = 48,
     /// A prism with a sign, where five squares meet. It has one size.
@@ -80,8 +82,12 @@ const STUMP_M: f64 = 0.3;
 pub fn left_of(felled: &Thing) -> Option<Thing> {
     let (species, age) = (Species::of_byte(felled.species)?, Age::of_byte(felled.age)?);
     let trunk = species.trunk(age).filter(|_| species.is_tree())?;
+    let left = match species {
+        Species::Toadstool => Species::Stalk,
+        _ => Species::Stump,
+    };
     Some(Thing {
-        species: Species::Stump.byte(),
+        species: left.byte(),
         age: Age::Grown.byte(),
         scale: felled.scale * (trunk.radius_m / STUMP_M) as f32,
         ..*felled
@@ -98,7 +104,7 @@ struct Lengths {
 
 impl Species {
     /// All.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Oak,
         Self::Spruce,
         Self::Birch,
@@ -110,6 +116,7 @@ impl Species {
         Self::Toadstool,
         Self::Bush,
         Self::Stump,
+        Self::Stalk,
         Self::Boulder,
         Self::CornerStone,
     ];
@@ -148,6 +155,7 @@ impl Species {
             Self::Toadstool => "toadstool",
             Self::Bush => "bush",
             Self::Stump => "stump",
+            Self::Stalk => "stalk",
             Self::Boulder => "boulder",
             Self::CornerStone => "corner stone",
         }
@@ -215,7 +223,7 @@ impl Species {
             Self::Snag => (5.0, 1.7, 0.22, 3.4),
             Self::Toadstool => (5.0, 2.4, 0.3, 4.0),
             Self::Bush => (1.1, 0.95, 0.0, 0.0),
-            Self::Stump => (0.45, 0.42, STUMP_M, 0.45),
+            Self::Stump | Self::Stalk => (0.45, 0.42, STUMP_M, 0.45),
             Self::Boulder => (1.0, 0.9, 0.9, 1.0),
             Self::CornerStone => (1.6, 0.35, 0.33, 1.5),
         };

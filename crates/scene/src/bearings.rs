@@ -270,7 +270,7 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
 }
 
 /// The middle of the first square of a world in squares.
-fn first_middle() -> ChartPoint {
+pub(crate) fn first_middle() -> ChartPoint {
     ChartPoint::a(DVec3::ZERO)
 }
 

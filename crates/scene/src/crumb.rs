@@ -17,7 +17,9 @@ const AHEAD_M: f64 = 3.0;
 const REACHED_M: f64 = 5.0;
 /// From farther off the way is not told, metres: one has lost it.
 const FOUND_M: f64 = 120.0;
-/// Two that were laid one after the other farther apart than this belong to two ways, metres.
+/// Two that were laid one after the other are no farther apart, metres, where nobody went back between.
+const NEXT_M: f64 = 2.0 * APART_M;
+/// Farther from all that were laid before another way begins, metres.
 const ONE_WAY_M: f64 = 40.0;
 
 /// What is laid along a way.
@@ -74,16 +76,25 @@ pub(crate) fn way_back(world: &World, actors: &Actors) -> Option<FlagWay> {
 
 fn nearest(laid: &[(ActorId, DVec2)], from: usize) -> Place {
     let own = laid[from].1;
-    let before = from.checked_sub(1).map(|to| (to, laid[to].1));
-    match before.filter(|(_, there)| there.distance(own) <= ONE_WAY_M) {
-        Some((to, there)) => {
-            let way = there - own;
-            let share = -own.dot(way) / way.length_squared().max(f64::MIN_POSITIVE);
-            let at = own + share.clamp(0.0, 1.0) * way;
-            Place { to, at }
-        }
-        None => Place { to: from, at: own },
+    let Some(to) = before(laid, from) else {
+        return Place { to: from, at: own };
+    };
+    let way = laid[to].1 - own;
+    let share = -own.dot(way) / way.length_squared().max(f64::MIN_POSITIVE);
+    let at = own + share.clamp(0.0, 1.0) * way;
+    Place { to, at }
+}
+
+/// The one that a way came from: the one that was laid just before where that is next to it, and else, where somebody has gone back
+/// along his way and left it elsewhere, the nearest that was laid before. None where that is far: another way begins.
+fn before(laid: &[(ActorId, DVec2)], from: usize) -> Option<usize> {
+    let away_m = |to: &usize| laid[*to].1.distance(laid[from].1);
+    let last = from.checked_sub(1)?;
+    if away_m(&last) <= NEXT_M {
+        return Some(last);
     }
+    let nearest = (0..from).min_by(|a, b| away_m(a).total_cmp(&away_m(b)));
+    nearest.filter(|to| away_m(to) <= ONE_WAY_M)
 }
 
 /// The place that is [`AHEAD_M`] farther along the way.

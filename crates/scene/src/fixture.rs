@@ -17,7 +17,7 @@ use crate::inventory::Inventory;
 use crate::notice::{Hint, Unfit};
 use crate::npc::any_heading;
 use crate::outbox::Outbox;
-use crate::pick::over;
+use crate::pick::{over, over_if_near};
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::sound::SoundEvent;
@@ -196,8 +196,10 @@ pub(crate) fn map_of<R>(
     item: Item,
     make: impl Fn(ActorId, &Fixture) -> R,
 ) -> Vec<R> {
-    let all = map(actors, |id, it| (it.item == item).then(|| make(id, it)));
-    all.into_iter().flatten().collect()
+    let mut query = actors.ecs.query::<(&ActorId, &Fixture)>();
+    let mut own: Vec<_> = query.iter().filter(|(_, it)| it.item == item).collect();
+    own.sort_unstable_by_key(|(id, _)| **id);
+    own.into_iter().map(|(id, it)| make(*id, it)).collect()
 }
 
 /// One of a kind, to be changed.
@@ -226,6 +228,9 @@ pub(crate) fn use_in_hand(
     if actions.primary && player.primary_before {
         if let Some(it) = held.and_then(|item| laid(now, item)) {
             put_down(actors, &mut player.inventory, outbox, it.item, Some(it));
+            if player.inventory.held().is_none() {
+                outbox.hints.extend(held.map(Hint::LastLaid));
+            }
         }
     } else if actions.primary {
         if covered().is_some_and(|(item, id)| behaviour(item).touch(id, outbox)) {
@@ -237,7 +242,7 @@ pub(crate) fn use_in_hand(
         match placing(now, &crosshair, item, stands) {
             Some((_, Some(unfit))) => outbox.hints.push(Hint::Unfit(unfit)),
             found => {
-                let it = found.map(|(it, _)| it);
+                let it = found.map(|(it, _)| it).or_else(|| laid(now, item));
                 put_down(actors, &mut player.inventory, outbox, item, it);
             }
         }
@@ -312,13 +317,26 @@ fn laid(now: Situation<'_>, item: Item) -> Option<Fixture> {
     let apart_m = behaviour(item).laid_apart_m()?;
     let feet = now.feet();
     let strategy = &*now.world.strategy;
-    let is_near = |_, other: &Fixture| {
-        let there = over(strategy, feet, other.foot.point);
-        there.chart == feet.chart && there.pos.distance(feet.pos) < apart_m
+    let level = |point: ChartPoint| ChartPoint::new(point.chart, point.pos.with_y(0.0));
+    let eye = Eye {
+        point: level(feet),
+        ..Eye::default()
     };
-    if map_of(now.actors, item, is_near).contains(&true) {
+    // Level: what is laid in the air falls. A metre of the space is no longer than one of a chart.
+    let is_near = |other: &Fixture| {
+        let there = over_if_near(strategy, feet, other.foot.point, apart_m);
+        there.is_some_and(|there| {
+            let by = level(there).pos.distance(eye.point.pos);
+            there.chart == feet.chart
+                && by < apart_m
+                && strategy.distance_m(eye.point, level(there), &eye) < apart_m
+        })
+    };
+    let mut others = now.actors.ecs.query::<&Fixture>();
+    if others.iter().any(|it| it.item == item && is_near(it)) {
         return None;
     }
+    drop(others);
     let mut it = Fixture::standing(now.world, item, feet, None)?;
     it.foot.unchecked = true;
     Some(it).filter(|it| !is_taken(now, it))
@@ -481,9 +499,11 @@ pub(crate) fn step(world: &World, actors: &mut Actors) {
     let feet = actors.feet();
     for it in actors.ecs.query_mut::<&mut Fixture>() {
         // What is known of ground further off leaves out what once was changed there.
-        let there = over(&*world.strategy, feet, it.foot.point);
-        let is_near = there.chart != feet.chart || there.pos.distance(feet.pos) < NEAR_M;
-        if it.foot.unchecked && is_near {
+        let is_near = || {
+            let there = over(&*world.strategy, feet, it.foot.point);
+            there.chart != feet.chart || there.pos.distance(feet.pos) < NEAR_M
+        };
+        if it.foot.unchecked && is_near() {
             it.foot.rests_m = rest(&world.ground, it);
             it.foot.unchecked = false;
         }

@@ -158,6 +158,9 @@ pub enum Hint {
     /// Nothing is left of what would be built; nothing at all where no kind is named.
     #[error("You have no {} left to build with.", .0.map_or("ground", Kind::name))]
     UsedUp(Option<Kind>),
+    /// The last of what is laid along a way is laid.
+    #[error("That was your last: the way that you lay ends here.")]
+    LastLaid(Item),
     /// So many of something were made of ground.
     #[error("You have made this: {} x {}.", .0.id(), .1)]
     Made(Item, u32),

@@ -60,7 +60,9 @@ impl Game {
                 Some(visit) => visit.room.outlines = visit.room.outlines.next(),
                 None => display.hit_shapes = !display.hit_shapes,
             },
-            Action::PhotoMode | Action::FrameFigures if self.play.phase.visit().is_some() => {
+            Action::PhotoMode | Action::FrameFigures | Action::LargeMap
+                if self.play.phase.visit().is_some() =>
+            {
                 self.say_for_worlds(action);
             }
             Action::LargeMap => display.large_map = !display.large_map,

@@ -1,4 +1,4 @@
-//! What a felled tree leaves: bark that flares at the root, and a pale cut.
+//! What a felled tree leaves: bark that flares at the root, and a pale cut; of a toadstool all is flesh.
 
 use glam::Vec3;
 
@@ -7,22 +7,38 @@ use super::plan::Build;
 use super::trunk::DEPTH;
 use super::{Material, Shape, Size};
 
-const BARK: Colour = rgb(78, 62, 50);
-const CUT: Colour = rgb(198, 164, 118);
-const HEART: Colour = rgb(164, 122, 80);
+/// What one is of.
+pub(super) struct Stuff {
+    bark: Colour,
+    cut: Colour,
+    heart: Colour,
+}
 
-/// A stump of a build, in a size.
-pub(super) fn grow(build: Build, size: Size) -> Shape {
+/// A tree's. In the shade of its own wood bark that is as dark as that of trunks is black.
+pub(super) const WOOD: Stuff = Stuff {
+    bark: rgb(112, 90, 70),
+    cut: rgb(198, 164, 118),
+    heart: rgb(164, 122, 80),
+};
+/// A toadstool's.
+pub(super) const FLESH: Stuff = Stuff {
+    bark: rgb(212, 196, 170),
+    cut: rgb(236, 224, 200),
+    heart: rgb(214, 190, 176),
+};
+
+/// A stump of a build, in a size, of some stuff.
+pub(super) fn grow(build: Build, size: Size, stuff: &Stuff) -> Shape {
     let (high, foot, cut) = (build.height, build.radius, 0.68 * build.radius);
     let paint = |place: Vec3, normal: Vec3| {
         let from_middle = place.x.hypot(place.z) / cut;
         let is_cut = normal.y > 0.5 && place.y > 0.9 * high;
         let colour = if !is_cut {
-            BARK * (0.8 + 0.2 * (place.y / high).clamp(0.0, 1.0))
+            stuff.bark * (0.8 + 0.2 * (place.y / high).clamp(0.0, 1.0))
         } else if from_middle < 0.3 {
-            HEART
+            stuff.heart
         } else {
-            CUT
+            stuff.cut
         };
         (colour, 0.0)
     };

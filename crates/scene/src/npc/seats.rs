@@ -127,7 +127,12 @@ impl Npc<'_> {
 
     fn nearest_seat(&self, around: &Around<'_>, solids: &[Standing]) -> Option<Seat> {
         let near = |it: &&Standing| around.apart_m(self.position.0, it.root()) < SEATS_M;
-        let is_low = |it: &&Standing| matches!(it.species, Species::Boulder | Species::Stump);
+        let is_low = |it: &&Standing| {
+            matches!(
+                it.species,
+                Species::Boulder | Species::Stump | Species::Stalk
+            )
+        };
         let is_free = |it: &&Standing| self.is_free(around, it.root());
         let low = solids.iter().filter(is_low).filter(near).filter(is_free);
         let mut low: Vec<_> = low

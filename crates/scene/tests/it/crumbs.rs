@@ -3,6 +3,7 @@
 use antipode_geometry::{ChartPoint, Eye, Geometry};
 use antipode_scene::bearings::LandmarkKind;
 use antipode_scene::{Actions, Item, NpcMode};
+use glam::DVec3;
 
 use crate::common::{scene, steps};
 
@@ -61,4 +62,30 @@ fn who_walks_with_the_button_held_lays_a_trail_and_is_led_back_along_it() {
         // The first one lay where the crosshair met the ground.
         assert!(off_m < 13.0, "{geometry}: {off_m}");
     }
+}
+
+/// One goes on into a dead end, back, and another way from the third on.
+#[test]
+fn a_way_that_leaves_another_leads_back_to_it_and_not_over_land() {
+    let mut scene = scene(Geometry::Euclidean);
+    scene.set_npcs(NpcMode::Off);
+    scene.set_flying(true);
+    let at = |x: f64, z: f64| ChartPoint::a(DVec3::new(x, HIGH_M, z));
+    let dead_end = (0..8).map(|step| at(7.0 * f64::from(step), 0.0));
+    let branch = (1..6).map(|step| at(14.0, 7.0 * f64::from(step)));
+    for place in dead_end.chain(branch) {
+        assert!(scene.put_up(Item::Crumb, place, 0.0, ""));
+    }
+    scene.teleport(at(14.0, 35.0));
+    let mut legs = 0;
+    while let Some(way) = scene.way_back() {
+        let feet = scene.feet().pos;
+        let on_way = (feet.x - 14.0).abs() < 2.5 || feet.z.abs() < 2.5 && feet.x < 16.0;
+        assert!(on_way, "{feet}");
+        let ahead = DVec3::new(way.heading_rad.cos(), 0.0, way.heading_rad.sin());
+        scene.teleport(scene.feet().moved(ahead));
+        legs += 1;
+        assert!(legs < 80, "{way:?} {feet}");
+    }
+    assert!(scene.feet().pos.with_y(0.0).length() < 6.0);
 }

@@ -126,6 +126,46 @@ fn the_map_shows_the_edges_of_squares_five_of_which_meet_at_a_corner() {
     assert_eq!(corner.count(), 5);
 }
 
+/// In the midst of a square, over an edge and at a corner: a stroke there changes samples of one square, of two and of five.
+#[test]
+fn a_stroke_is_undone_in_all_squares_that_it_reached() {
+    for radius_m in [60.305, 30.152] {
+        let mut scene = world(radius_m);
+        let half_m = scene.strategy().domain(ChartId::FIRST).half_width_m();
+        for [x, z] in [[0.2, 0.1], [0.97, 0.1], [0.95, 0.95]] {
+            let [x, z] = [x * half_m, z * half_m];
+            let y = scene.field().surface_height(ChartId::FIRST, x, z);
+            let place = ChartPoint::a(DVec3::new(x, y + 0.2, z));
+            let before = ground_at(&mut scene, place);
+            scene.aim(0.3, -1.45);
+            let dig = Actions {
+                slot: Some(2),
+                primary: true,
+                ..Actions::default()
+            };
+            steps(&mut scene, 60, &dig);
+            steps(&mut scene, 1, &Actions::default());
+            assert!(scene.settle(LIMIT));
+            let dug = ground_at(&mut scene, place);
+            assert!(dug < before - 0.3, "{x} {z}: {before} {dug}");
+            scene.take_hints();
+            let undo = Actions {
+                undo: true,
+                ..Actions::default()
+            };
+            steps(&mut scene, 1, &undo);
+            assert!(scene.settle(LIMIT));
+            steps(&mut scene, 2, &Actions::default());
+            let after = ground_at(&mut scene, place);
+            let hints = scene.take_hints();
+            assert!(
+                (after - before).abs() < 1e-3,
+                "{x} {z}: {hints:?} {before} {after}"
+            );
+        }
+    }
+}
+
 /// How far walks lead, metres.
 const FAR_WALK_M: f64 = 10_000.0;
 /// Where one turns back towards home, radii: numbers end at 77.

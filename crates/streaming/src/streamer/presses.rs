@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use antipode_geometry::ChunkCoord;
+use antipode_geometry::{CHUNK_CELLS, ChunkCoord};
 use antipode_terrain::Stroke;
+use glam::Vec3Swizzles;
 
 use super::Streamer;
 use crate::api::{NotUndone, Update};
@@ -38,7 +39,13 @@ impl Streamer {
     /// The press that would be undone.
     pub(super) fn last_press(&self) -> Result<&Pressed, NotUndone> {
         let last = self.presses.back().ok_or(NotUndone::NoneLeft)?;
-        let mut touched = last.touched.iter();
+        // What lies past its chart's edge is the next chart's land, and wanted there.
+        let is_land = |coord: &ChunkCoord| {
+            let domain = self.strategy.domain(coord.chart);
+            let low = coord.origin().xz();
+            domain.least_outside_m(low, low + f64::from(CHUNK_CELLS)) < 0.0
+        };
+        let mut touched = last.touched.iter().filter(|coord| is_land(coord));
         if touched.all(|coord| self.scheduler.is_wanted(*coord)) {
             Ok(last)
         } else {

@@ -167,8 +167,9 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     });
     let lowest = [position, figures, mirror, strip].map(|it| it.max.y);
     let top = lowest.into_iter().fold(f32::NEG_INFINITY, f32::max) + GRID;
-    if let (Some(map), Some((bar, _, None))) = (&model.map, lower) {
+    if let (Some(map), Some((bar, bottom, None))) = (&model.map, lower) {
         let place = minimap::large_place(screen, top, bar.min.y - GRID);
+        let place = place.or_else(|| minimap::place(screen, bottom));
         if let Some(place) = place.filter(|_| map.is_large) {
             minimap::show(&painter, place, texts, map, &model.land);
         }
