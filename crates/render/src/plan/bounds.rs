@@ -299,8 +299,7 @@ impl Bounds {
     }
 
     /// The largest angle between port and frame over the box, in pixels; `None` where a frame cannot be
-    /// used: at the eye itself. Where maps of shadows are asked by what is seen it is no less than the share of the way to the eye
-    /// by which the frame is off, along it, too: land that is as far off as it looks would lie over or under its own shadow.
+    /// used: at the eye itself.
     fn strays_px(
         &self,
         frame: &Frame,
@@ -309,17 +308,14 @@ impl Bounds {
         half: DVec3,
     ) -> Option<f64> {
         let mut worst: f64 = 0.0;
-        let strategy = &*frame.view.strategy;
-        let view = strategy.viewer(&frame.view.eye);
-        let by_view = strategy.is_closed() || !strategy.shader().daylight.has_axes;
+        let view = frame.view.strategy.viewer(&frame.view.eye);
         for i in 0..27 {
             let place = DVec3::new(f64::from(i % 3), f64::from(i / 3 % 3), f64::from(i / 9)) - 1.0;
             let point = middle.moved(place * half);
             let truth = view(point).truncate();
             let framed = framed(point).truncate();
             let angle = truth.cross(framed).length().atan2(truth.dot(framed));
-            let off = truth.distance(framed) / truth.length();
-            worst = worst.max(if by_view { off } else { angle });
+            worst = worst.max(angle);
         }
         (worst < 0.1).then(|| MARGIN * self.scale.widest_px(worst))
     }
