@@ -144,7 +144,7 @@ pub fn flag_name(texts: &Texts, id: ActorId, name: &str) -> String {
     }
 }
 
-/// The ways to flags and doors, and back along breadcrumbs.
+/// The ways to flags, doors and cars, and back along breadcrumbs.
 fn ways_shown(texts: &Texts, scene: &Scene, heading_rad: f64) -> Vec<FlagView> {
     let view = |way: &FlagWay, name: String, mark: MarkKind| FlagView {
         name,
@@ -164,7 +164,11 @@ fn ways_shown(texts: &Texts, scene: &Scene, heading_rad: f64) -> Vec<FlagView> {
     let back = back
         .iter()
         .map(|way| view(way, texts.say("compass-way-back"), MarkKind::Crumb));
-    flags.chain(doors).chain(back).collect()
+    let cars = scene.car_ways();
+    let cars = cars
+        .iter()
+        .map(|way| view(way, String::new(), MarkKind::Car));
+    flags.chain(doors).chain(back).chain(cars).collect()
 }
 
 fn compass(bearings: &Bearings) -> CompassModel {

@@ -278,6 +278,11 @@ impl Scene {
         bearings::landmarks(&self.sim.world, &self.sim.actors, reach_m)
     }
 
+    /// The ways to the cars that nobody drives.
+    pub fn car_ways(&self) -> Vec<FlagWay> {
+        bearings::car_ways(&self.sim.world, &self.sim.actors)
+    }
+
     /// The way back along the breadcrumbs that were laid, where some are about.
     pub fn way_back(&self) -> Option<FlagWay> {
         crumb::way_back(&self.sim.world, &self.sim.actors)

@@ -2,7 +2,7 @@
 //!
 //! A map is of the sheet at height 0, which lines along the ground never leave in any space: each place is drawn in
 //! the direction in which the shortest line to it sets out, at that line's length (azimuthal equidistant). In worlds in
-//! squares, whose plane has more room than any sheet of paper, it is drawn nearer, as [`on_map_m`] has it (conformal
+//! squares, whose plane has more room than any sheet of paper, it is drawn nearer, as `on_map_m` has it (conformal
 //! disc). The picture's dial has no part in it.
 
 use std::f64::consts::PI;
@@ -197,7 +197,7 @@ fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
     at.y.atan2(at.x)
 }
 
-/// The way to a flag or a door.
+/// The way to a flag, a door, a car or a breadcrumb.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlagWay {
     /// Which one.
@@ -210,6 +210,18 @@ pub struct FlagWay {
     pub heading_rad: f64,
 }
 
+impl FlagWay {
+    /// The way that leads so many metres along x and z of the player's chart.
+    pub(crate) fn to(id: ActorId, name: String, at: DVec2) -> Self {
+        Self {
+            id,
+            name,
+            distance_m: at.length(),
+            heading_rad: at.y.atan2(at.x),
+        }
+    }
+}
+
 /// The ways to all flags, in the order in which they were planted.
 pub(crate) fn flag_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
     ways_to(world, actors, Item::Flag)
@@ -220,17 +232,20 @@ pub(crate) fn door_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
     ways_to(world, actors, Item::Door)
 }
 
+/// The ways to the cars that nobody drives.
+pub(crate) fn car_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
+    let eye = map_eye(actors.feet());
+    let locator = Locator::new(&*world.strategy, &eye);
+    let cars = actors.car_views().into_iter().filter(|it| !it.driven);
+    cars.map(|it| FlagWay::to(it.id, String::new(), locator.at(it.point)))
+        .collect()
+}
+
 fn ways_to(world: &World, actors: &Actors, item: Item) -> Vec<FlagWay> {
     let eye = map_eye(actors.feet());
     let locator = Locator::new(&*world.strategy, &eye);
-    fixture::map_of(actors, item, |id, flag| {
-        let at = locator.at(flag.foot.point);
-        FlagWay {
-            id,
-            name: flag.name.clone(),
-            distance_m: at.length(),
-            heading_rad: at.y.atan2(at.x),
-        }
+    fixture::map_of(actors, item, |id, it| {
+        FlagWay::to(id, it.name.clone(), locator.at(it.foot.point))
     })
 }
 

@@ -67,10 +67,8 @@ pub(crate) fn way_back(world: &World, actors: &Actors) -> Option<FlagWay> {
         return None;
     }
     Some(FlagWay {
-        id,
-        name: String::new(),
         distance_m: next.length(),
-        heading_rad: at.y.atan2(at.x),
+        ..FlagWay::to(id, String::new(), at)
     })
 }
 

@@ -28,14 +28,14 @@ pub struct CompassModel {
     pub heading_rad: f64,
     /// Where it leads in a world of this kind.
     pub guide: Option<GuideView>,
-    /// The flags and doors of the world, and the way back.
+    /// The flags, doors and cars of the world, and the way back.
     pub flags: Vec<FlagView>,
 }
 
-/// The way to a flag or a door, or back along breadcrumbs.
+/// The way to a flag, a door or a car, or back along breadcrumbs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlagView {
-    /// What it is called.
+    /// What it is called; of what is only marked nothing.
     pub name: String,
     /// How far it is, metres.
     pub distance_m: f64,
@@ -96,7 +96,8 @@ pub(super) fn show(
         screen.min.x
     };
     // The line of flags is kept free whether one is straight ahead or not, so that nothing hops as one looks round.
-    let captions = u8::from(model.guide.is_some()) + u8::from(!model.flags.is_empty());
+    let has_names = model.flags.iter().any(|flag| !flag.name.is_empty());
+    let captions = u8::from(model.guide.is_some()) + u8::from(has_names);
     let caption = f32::from(captions) * CAPTION;
     let low = screen.min.y + HEIGHT + caption;
     let to = if right.is_positive() && right.min.y < low {
@@ -125,7 +126,7 @@ pub(super) fn show(
             let way = way_to_guide(painter, screen, strip, texts, guide);
             covered = covered.union(way);
         }
-        if !model.flags.is_empty() {
+        if has_names {
             let at = pos2(strip.center().x, covered.max.y + 3.0);
             if let Some(flag) = named_flag(&model.flags) {
                 way_to_flag(painter, screen, to - from, at, texts, flag);
@@ -150,7 +151,8 @@ fn in_gap(middle: f32, from: f32, to: f32) -> (f32, f32) {
 /// The flag nearest to straight ahead, if one is about there.
 fn named_flag(flags: &[FlagView]) -> Option<&FlagView> {
     let off = |flag: &FlagView| near_zero(flag.bearing_rad).abs();
-    let ahead = flags.iter().filter(|flag| off(flag) <= NAMED_RAD);
+    let named = flags.iter().filter(|flag| !flag.name.is_empty());
+    let ahead = named.filter(|flag| off(flag) <= NAMED_RAD);
     ahead.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
@@ -316,6 +318,7 @@ mod tests {
         ];
         assert_eq!(named_flag(&flags).map(|it| it.name.as_str()), Some("right"));
         assert_eq!(named_flag(&flags[2..]), None);
+        assert_eq!(named_flag(&[flag("", 0.0)]), None, "it is only marked");
     }
 
     #[test]
