@@ -229,6 +229,8 @@ pub mod tests {
             );
             let helpers = [
                 "model_of",
+                "grain_place",
+                "ragged",
                 "daylight_at",
                 "key_body",
                 "orbs_on",

@@ -98,6 +98,7 @@ fn a_chart_is_laid_out_as_the_shaders_read_it() {
         ("view", offset_of!(ChartUniform, view)),
         ("home", offset_of!(ChartUniform, home)),
         ("fraction", offset_of!(ChartUniform, fraction)),
+        ("joins", offset_of!(ChartUniform, joins)),
         ("domain_low", offset_of!(ChartUniform, domain_low)),
         ("domain_high", offset_of!(ChartUniform, domain_high)),
         ("origin", offset_of!(ChartUniform, origin)),
