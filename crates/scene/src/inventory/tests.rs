@@ -13,7 +13,7 @@ fn a_new_player_has_everything_in_the_first_slots() {
     let bag = Inventory::default();
     assert_eq!(bag.held(), Some(Item::PickaxeWood));
     let counts: Vec<_> = bag.slots().iter().flatten().map(|s| s.count).collect();
-    assert_eq!(counts, [1, 1, 1, 1, 64, 10, 5, 2, 10, 16, 16]);
+    assert_eq!(counts, [1, 1, 1, 1, 64, 10, 5, 2, 10, 16, 16, 64]);
     assert_eq!(bag.hotbar().len(), 10);
 }
 
@@ -115,12 +115,12 @@ fn a_stack_is_sent_to_the_other_part_and_back() {
     // The first free one of the backpack: what is last begins there.
     bag.send(4);
     assert_eq!(
-        (bag.slots()[4], bag.slots()[11]),
+        (bag.slots()[4], bag.slots()[12]),
         (None, Some(stack(Item::Bullet, 64)))
     );
-    bag.send(11);
+    bag.send(12);
     assert_eq!(
-        (bag.slots()[11], bag.slots()[4]),
+        (bag.slots()[12], bag.slots()[4]),
         (None, Some(stack(Item::Bullet, 64)))
     );
 }

@@ -60,7 +60,8 @@ fn one_begins_with_little_and_in_a_creative_world_with_everything() {
 
     let scene = scene(Geometry::Euclidean);
     assert_eq!(scene.inventory().held(), Some(Item::PickaxeWood));
-    assert_eq!(carried(&scene), 2);
+    // A pickaxe, lamps, and breadcrumbs, which nobody makes.
+    assert_eq!(carried(&scene), 3);
     let probe = scene.probe();
     assert_eq!(
         (probe.mode, probe.stock),
