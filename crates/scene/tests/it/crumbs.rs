@@ -89,3 +89,28 @@ fn a_way_that_leaves_another_leads_back_to_it_and_not_over_land() {
     }
     assert!(scene.feet().pos.with_y(0.0).length() < 6.0);
 }
+
+#[test]
+fn with_one_button_held_the_other_still_takes_up() {
+    let mut scene = scene(Geometry::Euclidean);
+    scene.set_npcs(NpcMode::Off);
+    steps(&mut scene, 30, &Actions::default());
+    scene.aim(0.3, -0.9);
+    let slots = scene.inventory().slots();
+    let is_lamp =
+        |slot: &Option<antipode_scene::Stack>| slot.is_some_and(|it| it.item == Item::Lamp);
+    let slot = slots.iter().position(is_lamp).map(|place| place as u8);
+    let put = Actions {
+        slot,
+        primary: true,
+        ..Actions::default()
+    };
+    steps(&mut scene, 1, &put);
+    assert_eq!(scene.lamps().len(), 1);
+    let take = Actions {
+        secondary: true,
+        ..put
+    };
+    steps(&mut scene, 2, &take);
+    assert_eq!(scene.lamps().len(), 0);
+}

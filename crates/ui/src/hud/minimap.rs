@@ -243,25 +243,23 @@ pub(super) fn show(painter: &Painter, place: Place, texts: &Texts, model: &MapMo
         inner,
         Stroke::new(2.0, Color32::from_rgb(8, 11, 19)),
     );
+    marks(painter, disc, &projection, model);
+    painter.circle_filled(centre, 6.5, Color32::from_rgb(8, 11, 19));
+    arrow(painter, centre, 5.5, 0.0);
+    rim(painter, centre, radius, texts, model.north_rad);
+}
+
+/// What stands about; on the large map with names.
+fn marks(painter: &Painter, disc: Rect, projection: &Projection, model: &MapModel) {
     for mark in &model.marks {
         let at = projection.at(mark.at);
         paint_mark(painter, at, mark.kind);
         if model.is_large && !mark.name.is_empty() {
             let beside = at + vec2(NAME_BESIDE, 0.0);
-            plate(
-                painter,
-                disc,
-                beside,
-                Align2::LEFT_CENTER,
-                &mark.name,
-                small(),
-                TEXT,
-            );
+            let (anchor, name) = (Align2::LEFT_CENTER, &mark.name);
+            plate(painter, disc, beside, anchor, name, small(), TEXT);
         }
     }
-    painter.circle_filled(centre, 6.5, Color32::from_rgb(8, 11, 19));
-    arrow(painter, centre, 5.5, 0.0);
-    rim(painter, centre, radius, texts, model.north_rad);
 }
 
 fn land(relief: &Relief, projection: &Projection, cover: u8) -> Shape {
