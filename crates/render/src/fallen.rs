@@ -61,6 +61,7 @@ impl Fallen {
         let number = TerrainPipelines::number_of_plants(
             &ChunkChoice::LOOSE,
             preset,
+            false,
             ShadowReach::All,
             lights,
         );

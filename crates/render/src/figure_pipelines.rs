@@ -4,6 +4,7 @@ use wgpu::RenderPipeline;
 
 use crate::figure_buffers::{skin_layout, vertex_layout};
 use crate::pipelines::{BENT, GLASS, Maker, SOLID, instances};
+use crate::renderer::Preset;
 use crate::shaders::FIGURE;
 use crate::uniforms::FigureInstance;
 
@@ -55,7 +56,8 @@ impl FigurePipelines {
             clear: plain("vertex", "fragment_clear", GLASS),
             clear_framed: plain("vertex_framed", "fragment_clear", GLASS),
             hand: hand(&whole, "fragment", SOLID),
-            unlit_hand: whole.unlit().map(|unlit| hand(&unlit, "fragment", SOLID)),
+            unlit_hand: (maker.preset == Preset::Software)
+                .then(|| hand(&whole.unlit(), "fragment", SOLID)),
             hand_clear: hand(&whole, "fragment_clear", GLASS),
             caster: maker.figure_caster(&module, "vertex_caster", &buffers[..2]),
             bent_caster: maker.figure_caster(&module, "vertex_caster_bent", &buffers),

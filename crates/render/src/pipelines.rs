@@ -88,6 +88,7 @@ impl Pipelines {
             Self::made_by(&Maker {
                 shadows,
                 preset,
+                by_pixel: preset == Preset::Card,
                 ..maker
             })
         });
@@ -160,6 +161,8 @@ pub(crate) struct Maker<'a> {
     by_figures: bool,
     /// Whether lamps or beams may light what is drawn.
     lit: bool,
+    /// Whether it is shown what surfaces are made of.
+    by_pixel: bool,
     /// Whether sheets may cut off what is drawn.
     cuts: bool,
 }
@@ -201,6 +204,7 @@ impl<'a> Maker<'a> {
             preset: Preset::Card,
             by_figures: true,
             lit: true,
+            by_pixel: true,
             cuts: key.is_cut,
         }
     }
@@ -217,12 +221,20 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// One that makes the same for what no lamp or beam lights, where the adapter pays for branches that it does not take.
-    pub(crate) fn unlit(&self) -> Option<Self> {
-        (self.preset == Preset::Software).then(|| Self {
+    /// One that makes the same for what no lamp or beam lights.
+    pub(crate) fn unlit(&self) -> Self {
+        Self {
             lit: false,
             ..self.clone()
-        })
+        }
+    }
+
+    /// One that makes the same for what is so far off that what it is made of is not seen.
+    pub(crate) fn far(&self) -> Self {
+        Self {
+            by_pixel: false,
+            ..self.clone()
+        }
     }
 
     /// One that makes the same for what no sheet cuts.
@@ -350,7 +362,7 @@ impl<'a> Maker<'a> {
         let shadows = ("SHADOWS", f64::from(self.shadows.number()));
         let by_figures = ("FIGURE_SHADOWS", f64::from(u8::from(self.by_figures)));
         let cuts = ("CUTS", f64::from(u8::from(self.cuts)));
-        let by_pixel = f64::from(u8::from(self.preset == Preset::Card));
+        let by_pixel = f64::from(u8::from(self.by_pixel));
         let lit = ("LIT", f64::from(u8::from(self.lit)));
         let constants = [shadows, by_figures, cuts, ("BY_PIXEL", by_pixel), lit];
         let compilation_options = wgpu::PipelineCompilationOptions {

@@ -38,6 +38,8 @@ struct Few {
     plain: Option<RenderPipeline>,
     rim: Option<RenderPipeline>,
     plant: Option<RenderPipeline>,
+    /// What grows far off, where what it is made of is too small to be seen: with a card, which shows that elsewhere.
+    far_plant: Option<RenderPipeline>,
 }
 
 /// The ways of drawing land.
@@ -70,7 +72,7 @@ struct Set {
 }
 
 /// Ways of [`Few`], which come first, and the reaches that they come in.
-const FEW: usize = 3;
+const FEW: usize = 4;
 const REACHES: usize = 3;
 
 impl TerrainPipelines {
@@ -81,13 +83,18 @@ impl TerrainPipelines {
     ) -> Self {
         let is_low = maker.shadows == ShadowQuality::Low;
         let is_round = maker.map.daylight.is_round;
-        let few = |maker: &Maker<'_>| {
-            let terrain = |fragment| maker.make(module, ["vertex", fragment], buffers, SOLID);
-            Few {
-                plain: Some(terrain("fragment")),
-                rim: is_round.then(|| terrain("fragment_rim")),
-                plant: Some(maker.make(module, ["vertex_plant", "fragment_plant"], buffers, SOLID)),
-            }
+        let terrain = |maker: &Maker<'_>, [vertex, fragment]: [&str; 2]| {
+            maker.make(module, [vertex, fragment], buffers, SOLID)
+        };
+        let plant = |maker: &Maker<'_>| terrain(maker, ["vertex_plant", "fragment_plant"]);
+        let plants = |maker: &Maker<'_>| Few {
+            plant: Some(plant(maker)),
+            ..Few::default()
+        };
+        let few = |maker: &Maker<'_>| Few {
+            plain: Some(terrain(maker, ["vertex", "fragment"])),
+            rim: is_round.then(|| terrain(maker, ["vertex", "fragment_rim"])),
+            ..plants(maker)
         };
         let reached = |reach| {
             let is_told_apart = match reach {
@@ -104,9 +111,18 @@ impl TerrainPipelines {
             } else {
                 few(&maker)
             };
-            // The light of a closed world costs so much that lamps matter less.
-            let unlit = maker.unlit().filter(|_| !is_round);
-            [lit, unlit.map_or_else(Few::default, |maker| few(&maker))]
+            let unlit = maker.unlit();
+            let unlit = match maker.preset {
+                // A card's driver takes a second for what draws land.
+                Preset::Card => Few {
+                    far_plant: Some(plant(&unlit.far())),
+                    ..plants(&unlit)
+                },
+                // The light of a closed world costs so much that lamps matter less.
+                Preset::Software if is_round => Few::default(),
+                Preset::Software => few(&unlit),
+            };
+            [lit, unlit]
         };
         Self {
             all: Set::made_by(maker, module, buffers),
@@ -119,31 +135,34 @@ impl TerrainPipelines {
     pub fn number(choice: &ChunkChoice, blends: bool, reach: ShadowReach, lights: [u32; 3]) -> u8 {
         let deep = choice.depth == DepthMethod::Fragment;
         let way = match (&choice.port, deep, choice.trimmed, blends) {
-            (Port::Vertex, false, false, false) => 1,
-            (Port::Vertex, false, true, false) => 2,
-            (Port::Vertex, true, false, false) => 3,
-            (Port::Vertex, true, true, false) => 4,
-            (Port::Frame(_), .., false) => 5,
-            (Port::Vertex, false, _, true) => 6,
-            (Port::Vertex, true, _, true) => 7,
-            (Port::Frame(_), .., true) => 8,
+            (Port::Vertex, false, false, false) => 2,
+            (Port::Vertex, false, true, false) => 3,
+            (Port::Vertex, true, false, false) => 4,
+            (Port::Vertex, true, true, false) => 5,
+            (Port::Frame(_), .., false) => 6,
+            (Port::Vertex, false, _, true) => 7,
+            (Port::Vertex, true, _, true) => 8,
+            (Port::Frame(_), .., true) => 9,
         };
         Self::number_of(way, reach, lights)
     }
 
     /// The same of what grows on the land of a choice. Only what may be close to the eye has leaves that give way, as a shader
-    /// that may discard a fragment is run for those, too, that are hidden.
+    /// that may discard a fragment is run for those, too, that are hidden. `is_far` says that it is
+    /// all so far off that what it is made of is not seen.
     pub fn number_of_plants(
         choice: &ChunkChoice,
         preset: Preset,
+        is_far: bool,
         reach: ShadowReach,
         lights: [u32; 3],
     ) -> u8 {
-        let is_close = preset == Preset::Card && choice.distance_m < GIVES_WAY_M;
+        let by_pixel = preset == Preset::Card;
         let way = match (&choice.port, choice.depth) {
-            (_, DepthMethod::Fragment) => 9,
-            _ if is_close => 11,
-            (Port::Frame(_), _) => 10,
+            (_, DepthMethod::Fragment) => 10,
+            _ if by_pixel && choice.distance_m < GIVES_WAY_M => 12,
+            _ if by_pixel && is_far => 1,
+            (Port::Frame(_), _) => 11,
             (Port::Vertex, _) => 0,
         };
         Self::number_of(way, reach, lights)
@@ -171,8 +190,9 @@ impl TerrainPipelines {
         };
         match (way, number - number.min(2 * REACHES * FEW)) {
             (0, _) => own(|few| few.plant.as_ref()).unwrap_or(&all.plant),
-            (1, _) => own(|few| few.plain.as_ref()).unwrap_or(&all.plain),
-            (2, _) => own(|few| few.rim.as_ref()).unwrap_or(&all.rim),
+            (1, _) => own(|few| few.far_plant.as_ref()).unwrap_or(&all.plant),
+            (2, _) => own(|few| few.plain.as_ref()).unwrap_or(&all.plain),
+            (3, _) => own(|few| few.rim.as_ref()).unwrap_or(&all.rim),
             (_, 0) => &all.deep,
             (_, 1) => &all.deep_rim,
             (_, 2) => &all.framed,
@@ -208,5 +228,44 @@ impl Set {
             deep_plant: terrain("vertex_plant", "fragment_deep_plant"),
             framed_plant: terrain("vertex_plant_framed", "fragment_plant"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DARK: [u32; 3] = [0; 3];
+    const LIT: [u32; 3] = [0, 1, 0];
+
+    fn of_plants(distance_m: f64, preset: Preset, is_far: bool, lights: [u32; 3]) -> u8 {
+        let choice = ChunkChoice {
+            distance_m,
+            ..ChunkChoice::LOOSE
+        };
+        TerrainPipelines::number_of_plants(&choice, preset, is_far, ShadowReach::All, lights)
+    }
+
+    #[test]
+    fn what_is_drawn_differently_has_numbers_of_its_own() {
+        let land =
+            |lights| TerrainPipelines::number(&ChunkChoice::LOOSE, false, ShadowReach::All, lights);
+        let card = |distance_m, is_far, lights| of_plants(distance_m, Preset::Card, is_far, lights);
+        let mut numbers = vec![land(DARK), land(LIT)];
+        for lights in [DARK, LIT] {
+            numbers.push(card(90.0, false, lights));
+            numbers.push(card(300.0, true, lights));
+        }
+        numbers.push(card(1.0, false, DARK));
+        numbers.sort_unstable();
+        let all = numbers.len();
+        numbers.dedup();
+        assert_eq!(numbers.len(), all);
+    }
+
+    #[test]
+    fn in_software_far_plants_are_drawn_as_all_others() {
+        let software = |distance_m, is_far| of_plants(distance_m, Preset::Software, is_far, DARK);
+        assert_eq!(software(300.0, true), software(1.0, false));
     }
 }

@@ -17,7 +17,7 @@ use crate::block_sight::BlockSight;
 use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::draw_list::DrawList;
 use crate::land_mesh::LandMesh;
-use crate::low_growth::{LowGrowth, MOVED_M, Reach};
+use crate::low_growth::{MOVED_M, Reach};
 use crate::pages::Pages;
 use crate::parts::Block;
 use crate::plan::{ChunkChoice, FramePlan};
@@ -155,6 +155,11 @@ impl Grown {
         &self.mesh
     }
 
+    /// Whether all are shown in sizes in which a metre is so few pixels that what they are made of is not seen.
+    fn is_far(&self) -> bool {
+        self.sizes.iter().all(|size| *size == Size::Far)
+    }
+
     /// Lists what throws their shadow, for a map whose matrix begins at a place of the chart, metres; returns its triangles.
     pub fn list_caster(
         &self,
@@ -186,7 +191,7 @@ impl ThingsLight {
     /// chart as well; returns how many triangles are out of the picture.
     fn list(
         self,
-        mesh: &LandMesh,
+        (mesh, is_far): (&LandMesh, bool),
         sight: &BlockSight<'_>,
         coord: ChunkCoord,
         choice: &ChunkChoice,
@@ -198,8 +203,13 @@ impl ThingsLight {
         let instance = ChunkInstance::at(sight.frame, corner, &choice.port)
             .bent(self.pressers, self.by_figures)
             .lit(self.lights, Level::FULL);
-        let number =
-            TerrainPipelines::number_of_plants(choice, self.preset, self.reach, self.lights);
+        let number = TerrainPipelines::number_of_plants(
+            choice,
+            self.preset,
+            is_far,
+            self.reach,
+            self.lights,
+        );
         let shown = |block: &Block| sight.shown(coord, block).map(|_| number);
         let (pieces, left_out) = mesh.pieces_seen(0, number, shown);
         list.add(chart, instance, pieces.into_iter());
@@ -332,8 +342,8 @@ impl GpuChunk {
         list: &mut DrawList,
         chart: u32,
     ) -> usize {
-        let grown = self.grown.as_ref().map(Grown::mesh);
-        let low = self.low.as_ref().map(LowGrowth::mesh);
+        let grown = self.grown.as_ref().map(|it| (it.mesh(), it.is_far()));
+        let low = self.low.as_ref().map(|it| (it.mesh(), false));
         let meshes = [grown, low].into_iter().flatten();
         let left_out =
             meshes.map(|mesh| light.list(mesh, sight, self.land.coord, choice, list, chart));
