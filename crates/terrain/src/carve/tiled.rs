@@ -1,5 +1,7 @@
 //! Caves of worlds in tiles, each told in the patch of a tile nearby.
 
+use std::sync::Arc;
+
 use antipode_geometry::{ChartId, ChartPoint};
 use glam::{DVec2, DVec3};
 
@@ -29,19 +31,18 @@ impl Field {
         };
         let xs = tract.tangents(first.x, step_m, width);
         let zs = tract.tangents(first.z, step_m, depth);
-        for n in 0..width * depth {
-            let at = DVec2::new(xs[n / depth], zs[n % depth]);
-            let (owner, at) = tracts.owner(&**self.strategy(), &tract, tract.noise.written(at));
-            let ends = [first.y, last.y];
-            // Edges are another tile's, so that all who share one find the same.
-            let mut others = Vec::new();
-            let (owner, dens) = match &owner {
-                Some(owner) => {
-                    others.extend(caves.dens(self, (owner, &[at]), ends, REACH_M));
-                    (owner, &others)
-                }
-                None => (&tract, &dens),
-            };
+        let columns = xs
+            .iter()
+            .flat_map(|x| zs.iter().map(|z| DVec2::new(*x, *z)));
+        let ends = [first.y, last.y];
+        let mut owners = Owners::of(dens);
+        let space = &**self.strategy();
+        let places: Vec<_> = columns
+            .map(|at| owners.place(tracts.owner(space, &tract, tract.noise.written(at))))
+            .collect();
+        owners.look_for(|owner, corners| caves.dens(self, (owner, corners), ends, REACH_M));
+        for (n, (owner, at)) in places.into_iter().enumerate() {
+            let (owner, dens) = owners.get(owner, &tract);
             let column = Dens::new(owner, at, dens, ends);
             if column.all.is_empty() {
                 continue;
@@ -89,6 +90,68 @@ impl Field {
         let corners = [[0, 0], [0, 1], [1, 0], [1, 1]];
         let corners = corners.map(|[i, k]| tract.noise.written(DVec2::new(xs[i], zs[k])));
         caves.dens(self, (&tract, &corners), [first.y, last.y], reach_m)
+    }
+}
+
+/// Whose caves the columns of a grid ask for: edges and what lies past them are another tile's, so that all who share those find
+/// the same.
+struct Owners {
+    /// Near the grid, as the tile has them that it is told in.
+    own: Vec<Den>,
+    others: Vec<Other>,
+}
+
+/// Another tile that columns belong to.
+struct Other {
+    tract: Arc<Tract>,
+    /// Where they lie, by X/W and Z/W there.
+    low: DVec2,
+    high: DVec2,
+    dens: Vec<Den>,
+}
+
+impl Owners {
+    fn of(own: Vec<Den>) -> Self {
+        Self {
+            own,
+            others: Vec::new(),
+        }
+    }
+
+    /// Takes a column in, and returns the number of its owner and where it lies there.
+    fn place(&mut self, (owner, at): (Option<Arc<Tract>>, DVec2)) -> (Option<usize>, DVec2) {
+        let Some(tract) = owner else {
+            return (None, at);
+        };
+        let known = self.others.iter();
+        let known = known.map(|it| it.tract.key(0));
+        let number = known.into_iter().position(|key| key == tract.key(0));
+        let number = number.unwrap_or(self.others.len());
+        match self.others.get_mut(number) {
+            Some(other) => (other.low, other.high) = (other.low.min(at), other.high.max(at)),
+            None => self.others.push(Other {
+                tract,
+                low: at,
+                high: at,
+                dens: Vec::new(),
+            }),
+        }
+        (Some(number), at)
+    }
+
+    /// Looks for the caves of the others near what they have.
+    fn look_for(&mut self, dens: impl Fn(&Tract, &[DVec2]) -> Vec<Den>) {
+        for other in &mut self.others {
+            let (low, high) = (other.low, other.high);
+            let aside = [DVec2::new(low.x, high.y), DVec2::new(high.x, low.y)];
+            other.dens = dens(&other.tract, &[low, high, aside[0], aside[1]]);
+        }
+    }
+
+    /// An owner and its caves.
+    fn get<'a>(&'a self, owner: Option<usize>, own: &'a Tract) -> (&'a Tract, &'a [Den]) {
+        let other = owner.and_then(|number| self.others.get(number));
+        other.map_or((own, &self.own), |it| (&it.tract, &it.dens))
     }
 }
 
