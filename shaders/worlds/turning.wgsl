@@ -28,15 +28,19 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
 const CORNER_M: f32 = 6.0;
 const EDGE_M: f32 = 3.0;
 const RAGGED_M: f32 = 1.2;
-// E(j): turned by j fifths of a turn.
-const FIFTHS = array<vec2<f32>, 6>(
-    vec2<f32>(1.0, 0.0),
-    vec2<f32>(0.30901699, 0.95105652),
-    vec2<f32>(-0.80901699, 0.58778525),
-    vec2<f32>(-0.80901699, -0.58778525),
-    vec2<f32>(0.30901699, -0.95105652),
-    vec2<f32>(1.0, 0.0),
-);
+// E(1) to E(4) of E(j): turned by j fifths of a turn.
+const FIRST: vec2<f32> = vec2<f32>(0.30901699, 0.95105652);
+const SECOND: vec2<f32> = vec2<f32>(-0.80901699, 0.58778525);
+const THIRD: vec2<f32> = vec2<f32>(-0.80901699, -0.58778525);
+const FOURTH: vec2<f32> = vec2<f32>(0.30901699, -0.95105652);
+
+// E(j). Not by a list: one that a number says where to read lies in memory.
+fn fifths(j: u32) -> vec2<f32> {
+    let first = select(vec2<f32>(1.0, 0.0), FIRST, j == 1u);
+    let second = select(first, SECOND, j == 2u);
+    let third = select(second, THIRD, j == 3u);
+    return select(third, FOURTH, j == 4u);
+}
 
 fn ragged(at: vec2<f32>) -> f32 {
     let waves = fract(vec2<f32>(0.131 * at.x + 0.059 * at.y, 0.094 * at.y - 0.145 * at.x));
@@ -57,8 +61,9 @@ fn grain_place(p: vec2<f32>) -> vec2<f32> {
     // Side n is that at x where n is even.
     let u = select(away.y, away.x, (corner & 1u) == 0u);
     let v = select(away.x, away.y, (corner & 1u) == 0u);
-    var turned = FIFTHS;
-    let about = v * turned[j] + u * turned[j + 1u];
+    let turned = fifths(j);
+    let next = vec2<f32>(turned.x * FIRST.x - turned.y * FIRST.y, turned.x * FIRST.y + turned.y * FIRST.x);
+    let about = v * turned + u * next;
 
     let is_side_x = away.x < away.y;
     let side = select(select(3u, 1u, is_below), select(2u, 0u, is_right), is_side_x);

@@ -230,6 +230,7 @@ pub mod tests {
             let helpers = [
                 "model_of",
                 "grain_place",
+                "fifths",
                 "ragged",
                 "daylight_at",
                 "key_body",
