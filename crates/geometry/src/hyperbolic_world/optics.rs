@@ -1,5 +1,6 @@
 //! How pictures of the world are taken.
 
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 use glam::{DMat4, DVec2, DVec3, DVec4, Vec3Swizzles};
@@ -22,6 +23,9 @@ const ROUNDED_M: f64 = 1e-4;
 /// Eyes higher than so many radii over the plane see everything.
 const HIGHEST_EYE_RAD: f64 = 6.0;
 
+/// All that [`HyperbolicWorld::foot_sight`] follows from: the radius, x and z by their bits, and the charts.
+type FootSight = ([u64; 3], [ChartId; 2]);
+
 impl HyperbolicWorld {
     /// A box of a chart as far as the chart is written; none where that leaves nothing.
     fn written(&self, min: DVec3, max: DVec3) -> Option<[DVec3; 2]> {
@@ -40,8 +44,7 @@ impl HyperbolicWorld {
         low: DVec2,
         high: DVec2,
     ) -> Option<([DVec2; 4], DVec2)> {
-        let foot = self.chart.frame(at.pos.with_y(0.0));
-        let sight = inverse(foot) * self.tiles.way(chart, at.chart)?;
+        let sight = self.foot_sight(at, chart)?;
         // A multiple of the point has the same place in the disc: (tanh x, 0, tanh z, 1).
         let tanh = |it: DVec2| (it / self.chart.radius_m).to_array().map(f64::tanh);
         let disc = |[a, b]: [f64; 2]| {
@@ -51,6 +54,23 @@ impl HyperbolicWorld {
         let ([x, z], [far_x, far_z]) = (tanh(low), tanh(high));
         let corners = [[x, z], [far_x, z], [far_x, far_z], [x, far_z]];
         Some((corners.map(disc), disc(tanh(low.midpoint(high)))))
+    }
+
+    /// From the model of a chart to the frame at a place's foot; none where one of the charts is not there. A frame asks about each
+    /// chart many times in a row, and most of a cell would be this.
+    fn foot_sight(&self, at: ChartPoint, chart: ChartId) -> Option<DMat4> {
+        thread_local! {
+            static LAST: Cell<Option<(FootSight, DMat4)>> = const { Cell::new(None) };
+        }
+        let [x, z] = at.pos.xz().to_array().map(f64::to_bits);
+        let asked = ([self.chart.radius_m.to_bits(), x, z], [chart, at.chart]);
+        if let Some((_, known)) = LAST.get().filter(|(of, _)| *of == asked) {
+            return Some(known);
+        }
+        let foot = self.chart.frame(at.pos.with_y(0.0));
+        let sight = inverse(foot) * self.tiles.way(chart, at.chart)?;
+        LAST.set(Some((asked, sight)));
+        Some(sight)
     }
 
     /// A place as high as eyes can be; what is no number counts as 0.

@@ -122,14 +122,15 @@ impl Shadows {
 
     /// Whether the shadow of a figure may fall on a box of land.
     fn figures_shade(&self, frame: &Frame, of: &Caster) -> bool {
-        let Some(shot) = &self.figures else {
+        let Some(shot) = self.figures.as_ref().filter(|_| !self.rooms.is_empty()) else {
             return false;
         };
         let (strategy, light) = (&*frame.view.strategy, &shot.light);
         let below =
             |[low, _]: [f64; 2], high: f64| matches!(light, Light::Star { .. }) || low < high;
+        let thrown = light.thrown(strategy, of);
         self.rooms.iter().any(|(around, high)| {
-            let heights = light.heights(strategy, around, of);
+            let heights = thrown.heights(around);
             heights.is_some_and(|heights| below(heights, *high))
         })
     }

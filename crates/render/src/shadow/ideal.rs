@@ -5,7 +5,7 @@
 
 use antipode_frame::View;
 use antipode_geometry::{ChartPoint, Eye, Strategy};
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 use super::caster::Caster;
 use super::light::{Crop, Light, across};
@@ -61,7 +61,8 @@ impl Light {
         (middle, radius_m * (1.1 * most_m / radius_m).sinh())
     }
 
-    /// The heights between which a ball lies, its radius as [`Self::ball_about`] has it, if any of it falls on a crop.
+    /// The heights between which a ball lies, by the base of its middle and its radius as [`Self::ball_about`] has it, if any of it
+    /// falls on a crop.
     ///
     /// In the half space over the plane with the light at infinity a point is at `t = 1/q` over its place h there, and a
     /// ball about it of the radius r is a ball about (h, t cosh r) of the radius t sinh r. The height is
@@ -70,11 +71,10 @@ impl Light {
         &self,
         strategy: &dyn Strategy,
         crop: &Crop,
-        (middle, rises_m): &(ChartPoint, f64),
+        (base, rises_m): (DVec4, f64),
     ) -> Option<[f64; 2]> {
-        let base = self.base(strategy, *middle);
         let at = self.on_plane(crop.face, base);
-        let spread = self.length_on_plane(base, *rises_m);
+        let spread = self.length_on_plane(base, rises_m);
         if (at - crop.centre).abs().max_element() > crop.half + spread {
             return None;
         }

@@ -264,33 +264,24 @@ pub struct Crop {
 pub type Rectangle = [DVec2; 2];
 
 impl Light {
-    /// The heights towards the light between which a box lies, if any of it falls on a crop. A star's maps hold all
-    /// distances.
+    /// [`Thrown::heights`] of a box on one map.
     pub fn heights(&self, strategy: &dyn Strategy, crop: &Crop, of: &Caster) -> Option<[f64; 2]> {
-        let middle = ChartPoint::new(of.chart, of.middle());
-        let reach = of.reach();
-        let turned = strategy.in_common_axes(of.chart, reach);
-        if self.is_ideal() {
-            let ball = Self::ball_about(strategy, of);
-            return self.heights_of(strategy, crop, &ball);
-        }
-        let base = self.base(strategy, middle);
-        match self {
-            Self::Far { toward, across, .. } => {
-                let spread = |way: &DVec3| way.abs().dot(turned.abs());
-                let at = self.on_plane(0, base) - crop.centre;
-                let apart = (at.x.abs() - spread(&across[0])).max(at.y.abs() - spread(&across[1]));
-                let height = toward.dot(base.truncate());
-                let own = spread(toward);
-                (apart <= crop.half).then_some([height - own, height + own])
-            }
-            Self::Star { radius_m, .. } => {
-                // Ways of the space are no longer than those of the chart.
-                let size = (reach.length() / radius_m).min(1.5).sin();
-                let is_seen =
-                    self.is_in_sight(crop, base, size) && self.corners_meet(strategy, crop, of);
-                is_seen.then_some([0.0, 1.0])
-            }
+        self.thrown(strategy, of).heights(crop)
+    }
+
+    /// What a box throws, to be asked about several maps.
+    pub fn thrown<'a>(&'a self, strategy: &'a dyn Strategy, of: &'a Caster) -> Thrown<'a> {
+        let (middle, rises_m) = if self.is_ideal() {
+            Self::ball_about(strategy, of)
+        } else {
+            (ChartPoint::new(of.chart, of.middle()), 0.0)
+        };
+        Thrown {
+            light: self,
+            strategy,
+            of,
+            base: self.base(strategy, middle),
+            rises_m,
         }
     }
 
@@ -306,7 +297,7 @@ impl Light {
         match self {
             Self::Far { .. } if self.is_ideal() => {
                 let rises_m = strategy.ball_rises_m(&Eye::default(), ball.middle, ball.radius_m);
-                self.heights_of(strategy, crop, &(ball.middle, rises_m))
+                self.heights_of(strategy, crop, (base, rises_m))
             }
             Self::Far { toward, .. } => {
                 let away = (self.on_plane(0, base) - crop.centre).abs();
@@ -437,6 +428,46 @@ impl Light {
         match self {
             Self::Far { .. } => texel / (heights[1] - heights[0] + 2.0 * DEPTH_SLACK_M),
             Self::Star { radius_m, .. } => COTANGENT_DEPTH * radius_m * texel,
+        }
+    }
+}
+
+/// A box in a light: what of that is the same on all maps.
+#[derive(Debug)]
+pub struct Thrown<'a> {
+    light: &'a Light,
+    strategy: &'a dyn Strategy,
+    of: &'a Caster,
+    /// Of its middle.
+    base: DVec4,
+    /// Of the ball that holds it, where the light is an ideal point.
+    rises_m: f64,
+}
+
+impl Thrown<'_> {
+    /// The heights towards the light between which it lies, if any of it falls on a crop. A star's maps hold all distances.
+    pub fn heights(&self, crop: &Crop) -> Option<[f64; 2]> {
+        let (light, base, reach) = (self.light, self.base, self.of.reach());
+        match light {
+            Light::Far { .. } if light.is_ideal() => {
+                light.heights_of(self.strategy, crop, (base, self.rises_m))
+            }
+            Light::Far { toward, across, .. } => {
+                let turned = self.strategy.in_common_axes(self.of.chart, reach);
+                let spread = |way: &DVec3| way.abs().dot(turned.abs());
+                let at = light.on_plane(0, base) - crop.centre;
+                let apart = (at.x.abs() - spread(&across[0])).max(at.y.abs() - spread(&across[1]));
+                let height = toward.dot(base.truncate());
+                let own = spread(toward);
+                (apart <= crop.half).then_some([height - own, height + own])
+            }
+            Light::Star { radius_m, .. } => {
+                // Ways of the space are no longer than those of the chart.
+                let size = (reach.length() / radius_m).min(1.5).sin();
+                let is_seen = light.is_in_sight(crop, base, size)
+                    && light.corners_meet(self.strategy, crop, self.of);
+                is_seen.then_some([0.0, 1.0])
+            }
         }
     }
 }
