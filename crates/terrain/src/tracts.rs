@@ -106,6 +106,21 @@ impl Spot {
     }
 }
 
+/// The tracts of other tiles that columns beside each other belong to: a handful, asked for over and over.
+#[derive(Debug, Default)]
+pub(crate) struct Met(Vec<(ChartId, Arc<Tract>)>);
+
+impl Met {
+    fn tract(&mut self, tracts: &Tracts, space: &dyn Atlas, chart: ChartId) -> Option<Arc<Tract>> {
+        if let Some((_, known)) = self.0.iter().find(|(of, _)| *of == chart) {
+            return Some(known.clone());
+        }
+        let tract = tracts.tract(space, chart)?;
+        self.0.push((chart, tract.clone()));
+        Some(tract)
+    }
+}
+
 impl Tracts {
     /// Those of a space that is in tiles.
     pub(crate) fn new(seed: u64, broad_seed: u64, space: &dyn Atlas) -> Option<Self> {
@@ -173,12 +188,18 @@ impl Tracts {
             return Spot::NOWHERE;
         };
         let at = DVec2::new(tract.noise.tangent(x), tract.noise.tangent(z));
-        self.spot_in(space, &tract, tract.noise.written(at))
+        self.spot_in(space, &tract, tract.noise.written(at), &mut Met::default())
     }
 
     /// The spot of a place of a tile, or near it, by X/W and Z/W there.
-    pub(crate) fn spot_in(&self, space: &dyn Atlas, tract: &Tract, at: DVec2) -> Spot {
-        let (other, at) = self.owner(space, tract, at);
+    pub(crate) fn spot_in(
+        &self,
+        space: &dyn Atlas,
+        tract: &Tract,
+        at: DVec2,
+        met: &mut Met,
+    ) -> Spot {
+        let (other, at) = self.owner(space, tract, at, met);
         other.as_deref().unwrap_or(tract).spot(at)
     }
 
@@ -188,6 +209,7 @@ impl Tracts {
         space: &dyn Atlas,
         tract: &Tract,
         mut at: DVec2,
+        met: &mut Met,
     ) -> (Option<Arc<Tract>>, DVec2) {
         let mut other: Option<Arc<Tract>> = None;
         for _ in 0..MOST_STEPS {
@@ -197,7 +219,7 @@ impl Tracts {
                 Owner::Other(over, there) => (over, there),
             };
             let chart = here.noise.charts.get(over).copied().flatten();
-            let Some(next) = chart.and_then(|chart| self.tract(space, chart)) else {
+            let Some(next) = chart.and_then(|chart| met.tract(self, space, chart)) else {
                 return (other, at);
             };
             (other, at) = (Some(next), there);

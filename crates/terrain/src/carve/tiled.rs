@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use super::{Here, Hollow, REACH_M};
 use crate::caves::{Bounds, Caves, Den};
 use crate::field::Field;
-use crate::tracts::{Tract, Tracts};
+use crate::tracts::{Met, Tract, Tracts};
 
 impl Field {
     /// [`Field::carve`] of a world in tiles.
@@ -36,9 +36,12 @@ impl Field {
             .flat_map(|x| zs.iter().map(|z| DVec2::new(*x, *z)));
         let ends = [first.y, last.y];
         let mut owners = Owners::of(dens);
-        let space = &**self.strategy();
+        let (space, mut met) = (&**self.strategy(), Met::default());
         let places: Vec<_> = columns
-            .map(|at| owners.place(tracts.owner(space, &tract, tract.noise.written(at))))
+            .map(|at| {
+                let at = tract.noise.written(at);
+                owners.place(tracts.owner(space, &tract, at, &mut met))
+            })
             .collect();
         owners.look_for(|owner, corners| caves.dens(self, (owner, corners), ends, REACH_M));
         for (n, (owner, at)) in places.into_iter().enumerate() {
@@ -66,7 +69,7 @@ impl Field {
         let pos = point.pos;
         let tract = tracts.tract(space, point.chart)?;
         let at = DVec2::new(tract.noise.tangent(pos.x), tract.noise.tangent(pos.z));
-        let (owner, at) = tracts.owner(space, &tract, tract.noise.written(at));
+        let (owner, at) = tracts.owner(space, &tract, tract.noise.written(at), &mut Met::default());
         let owner = owner.as_ref().unwrap_or(&tract);
         let ends = [pos.y, pos.y];
         let dens = caves.dens(self, (owner, &[at]), ends, REACH_M);

@@ -5,7 +5,7 @@ use std::ops::Deref;
 use glam::DVec3;
 
 use crate::field::Field;
-use crate::tracts::Tract;
+use crate::tracts::{Met, Tract};
 
 /// A field, and in worlds in tiles the tile in whose patch places are told.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +33,7 @@ impl<'a> Lay<'a> {
         match (self.tract, self.field.tracts()) {
             (Some(tract), Some(tracts)) => {
                 let space = &**self.field.strategy();
-                let spot = tracts.spot_in(space, tract, tract.taken(ground));
+                let spot = tracts.spot_in(space, tract, tract.taken(ground), &mut Met::default());
                 self.field.land_height_over(&spot)
             }
             _ => self.field.land_height(ground),

@@ -8,7 +8,7 @@ use super::land::HEIGHT_TRIES;
 use crate::climate::Climate;
 use crate::form::Form;
 use crate::relief::Ground;
-use crate::tracts::{Spot, Tract, Tracts, fill};
+use crate::tracts::{Met, Spot, Tract, Tracts, fill};
 use crate::upright::Grid;
 
 /// Standard deviation of an octave's noise, which is in -1..=1: what is broader than tiles has it, too.
@@ -94,9 +94,10 @@ impl Field {
         };
         let xs = tract.tangents(grid.first.x, grid.step_m.x, width);
         let zs = tract.tangents(grid.first.z, grid.step_m.z, depth);
-        let spot = |x: f64, z: f64, tract: &Tract| {
+        let mut met = Met::default();
+        let mut spot = |x: f64, z: f64, tract: &Tract| {
             let at = tract.noise.written(DVec2::new(x, z));
-            tracts.spot_in(&*self.strategy, tract, at)
+            tracts.spot_in(&*self.strategy, tract, at, &mut met)
         };
         let all = xs.iter().flat_map(|x| zs.iter().map(|z| (*x, *z)));
         all.map(|(x, z)| spot(x, z, &tract)).collect()
