@@ -127,13 +127,6 @@ fn vertex_plant(in: VertexIn) -> PlantOut {
     return plant_at(in, rest, p, port_to_view(space, rest), port_to_view(space, p));
 }
 
-@vertex
-fn vertex_plant_framed(in: VertexIn) -> PlantOut {
-    let rest = from_reference(in);
-    let p = rest + swayed_by(in) + pressed_by(in, rest);
-    return plant_at(in, rest, p, framed_view(in, rest), framed_view(in, p));
-}
-
 // What maps of shadows and the next pixel are asked about a pixel of a plant: before it may be discarded.
 struct PlantPixel {
     point: Shaded,

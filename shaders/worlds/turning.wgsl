@@ -28,7 +28,7 @@ fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
 const CORNER_M: f32 = 6.0;
 const EDGE_M: f32 = 3.0;
 const RAGGED_M: f32 = 1.2;
-// E(1) to E(4) of E(j): turned by j fifths of a turn.
+// E(1) to E(4) of E(j): turned by j fifths of a turn. E(5) is E(0).
 const FIRST: vec2<f32> = vec2<f32>(0.30901699, 0.95105652);
 const SECOND: vec2<f32> = vec2<f32>(-0.80901699, 0.58778525);
 const THIRD: vec2<f32> = vec2<f32>(-0.80901699, -0.58778525);
@@ -61,9 +61,7 @@ fn grain_place(p: vec2<f32>) -> vec2<f32> {
     // Side n is that at x where n is even.
     let u = select(away.y, away.x, (corner & 1u) == 0u);
     let v = select(away.x, away.y, (corner & 1u) == 0u);
-    let turned = fifths(j);
-    let next = vec2<f32>(turned.x * FIRST.x - turned.y * FIRST.y, turned.x * FIRST.y + turned.y * FIRST.x);
-    let about = v * turned + u * next;
+    let about = v * fifths(j) + u * fifths(j + 1u);
 
     let is_side_x = away.x < away.y;
     let side = select(select(3u, 1u, is_below), select(2u, 0u, is_right), is_side_x);

@@ -22,8 +22,8 @@ pub enum ShadowReach {
     Nothing,
 }
 
-/// The ways of drawing land: all of them for what any shadow may reach and any lamp light and, where the adapter pays for
-/// branches that it does not take, those that most of a picture is drawn by for the rest. Each takes a software adapter a
+/// The ways of drawing land: all of them for what any shadow may reach and any lamp light, and for the rest those that most of a
+/// picture is drawn by: in software, which pays for branches that it does not take, all of [`Few`], and with a card what grows. Each takes a software adapter a
 /// tenth of a second and some megabytes, so there are no more.
 #[derive(Debug)]
 pub struct TerrainPipelines {
@@ -38,7 +38,7 @@ struct Few {
     plain: Option<RenderPipeline>,
     rim: Option<RenderPipeline>,
     plant: Option<RenderPipeline>,
-    /// What grows far off, where what it is made of is too small to be seen: with a card, which shows that elsewhere.
+    /// What grows far off, where nothing of what it is made of is seen: with a card. Software never shows that.
     far_plant: Option<RenderPipeline>,
 }
 
@@ -67,8 +67,6 @@ struct Set {
     close_plant: Option<RenderPipeline>,
     /// The same, each fragment with its own depth.
     deep_plant: RenderPipeline,
-    /// The same, ported as a whole.
-    framed_plant: RenderPipeline,
 }
 
 /// Ways of [`Few`], which come first, and the reaches that they come in.
@@ -98,7 +96,8 @@ impl TerrainPipelines {
         };
         let reached = |reach| {
             let is_told_apart = match reach {
-                ShadowReach::All => true,
+                // With a card what grows is asked about as if figures threw nothing on it.
+                ShadowReach::All => !is_low || maker.preset == Preset::Software,
                 ShadowReach::Land => is_low,
                 ShadowReach::Nothing => is_low && is_round,
             };
@@ -131,7 +130,7 @@ impl TerrainPipelines {
     }
 
     /// The number of the pipeline of a choice, where `blends` says that only some of the pixels are drawn and `lights` which
-    /// lamps and beams may light it. What is mostly nearer has lower numbers.
+    /// lamps and beams may light it. What mostly hides the rest has lower numbers.
     pub fn number(choice: &ChunkChoice, blends: bool, reach: ShadowReach, lights: [u32; 3]) -> u8 {
         let deep = choice.depth == DepthMethod::Fragment;
         let way = match (&choice.port, deep, choice.trimmed, blends) {
@@ -158,12 +157,11 @@ impl TerrainPipelines {
         lights: [u32; 3],
     ) -> u8 {
         let by_pixel = preset == Preset::Card;
-        let way = match (&choice.port, choice.depth) {
-            (_, DepthMethod::Fragment) => 10,
-            _ if by_pixel && choice.distance_m < GIVES_WAY_M => 12,
-            _ if by_pixel && is_far => 1,
-            (Port::Frame(_), _) => 11,
-            (Port::Vertex, _) => 0,
+        let way = match choice.depth {
+            DepthMethod::Fragment => 10,
+            DepthMethod::Vertex if by_pixel && choice.distance_m < GIVES_WAY_M => 11,
+            DepthMethod::Vertex if by_pixel && is_far => 1,
+            DepthMethod::Vertex => 0,
         };
         Self::number_of(way, reach, lights)
     }
@@ -190,7 +188,9 @@ impl TerrainPipelines {
         };
         match (way, number - number.min(2 * REACHES * FEW)) {
             (0, _) => own(|few| few.plant.as_ref()).unwrap_or(&all.plant),
-            (1, _) => own(|few| few.far_plant.as_ref()).unwrap_or(&all.plant),
+            (1, _) => own(|few| few.far_plant.as_ref())
+                .or_else(|| own(|few| few.plant.as_ref()))
+                .unwrap_or(&all.plant),
             (2, _) => own(|few| few.plain.as_ref()).unwrap_or(&all.plain),
             (3, _) => own(|few| few.rim.as_ref()).unwrap_or(&all.rim),
             (_, 0) => &all.deep,
@@ -200,7 +200,6 @@ impl TerrainPipelines {
             (_, 4) => &all.deep_blending,
             (_, 5) => &all.framed_blending,
             (_, 6) => &all.deep_plant,
-            (_, 7) => &all.framed_plant,
             _ => all.close_plant.as_ref().unwrap_or(&all.plant),
         }
     }
@@ -226,7 +225,6 @@ impl Set {
             plant: terrain("vertex_plant", "fragment_plant"),
             close_plant: has_close.then(|| terrain("vertex_plant", "fragment_close_plant")),
             deep_plant: terrain("vertex_plant", "fragment_deep_plant"),
-            framed_plant: terrain("vertex_plant_framed", "fragment_plant"),
         }
     }
 }

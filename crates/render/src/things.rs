@@ -47,6 +47,8 @@ const SLACK_M: f64 = 0.3;
 pub struct Grown {
     /// In which size each of them is shown.
     sizes: Vec<Size>,
+    /// Whether all are in the last, in which nothing of what they are made of is seen.
+    is_far: bool,
     mesh: LandMesh,
     /// What throws their shadow, where that is another.
     shadow: Option<LandMesh>,
@@ -131,6 +133,7 @@ impl Grown {
         let has_near = sizes.contains(&Size::Near);
         let shadow = has_near.then(|| Baked::of(things, of_shadow(), None).put(pages));
         Some(Self {
+            is_far: sizes.iter().all(|size| *size == Size::Far),
             sizes,
             mesh,
             shadow,
@@ -153,11 +156,6 @@ impl Grown {
     /// The mesh.
     fn mesh(&self) -> &LandMesh {
         &self.mesh
-    }
-
-    /// Whether all are shown in sizes in which a metre is so few pixels that what they are made of is not seen.
-    fn is_far(&self) -> bool {
-        self.sizes.iter().all(|size| *size == Size::Far)
     }
 
     /// Lists what throws their shadow, for a map whose matrix begins at a place of the chart, metres; returns its triangles.
@@ -342,7 +340,7 @@ impl GpuChunk {
         list: &mut DrawList,
         chart: u32,
     ) -> usize {
-        let grown = self.grown.as_ref().map(|it| (it.mesh(), it.is_far()));
+        let grown = self.grown.as_ref().map(|it| (it.mesh(), it.is_far));
         let low = self.low.as_ref().map(|it| (it.mesh(), false));
         let meshes = [grown, low].into_iter().flatten();
         let left_out =

@@ -107,9 +107,8 @@ struct Owners {
 /// Another tile that columns belong to.
 struct Other {
     tract: Arc<Tract>,
-    /// Where they lie, by X/W and Z/W there.
-    low: DVec2,
-    high: DVec2,
+    /// Where they lie, by X/W and Z/W there: each of them, so that a cave that comes near one is near all together.
+    places: Vec<DVec2>,
     dens: Vec<Den>,
 }
 
@@ -126,16 +125,14 @@ impl Owners {
         let Some(tract) = owner else {
             return (None, at);
         };
-        let known = self.others.iter();
-        let known = known.map(|it| it.tract.key(0));
-        let number = known.into_iter().position(|key| key == tract.key(0));
+        let mut known = self.others.iter();
+        let number = known.position(|it| Arc::ptr_eq(&it.tract, &tract));
         let number = number.unwrap_or(self.others.len());
         match self.others.get_mut(number) {
-            Some(other) => (other.low, other.high) = (other.low.min(at), other.high.max(at)),
+            Some(other) => other.places.push(at),
             None => self.others.push(Other {
                 tract,
-                low: at,
-                high: at,
+                places: vec![at],
                 dens: Vec::new(),
             }),
         }
@@ -145,9 +142,7 @@ impl Owners {
     /// Looks for the caves of the others near what they have.
     fn look_for(&mut self, dens: impl Fn(&Tract, &[DVec2]) -> Vec<Den>) {
         for other in &mut self.others {
-            let (low, high) = (other.low, other.high);
-            let aside = [DVec2::new(low.x, high.y), DVec2::new(high.x, low.y)];
-            other.dens = dens(&other.tract, &[low, high, aside[0], aside[1]]);
+            other.dens = dens(&other.tract, &other.places);
         }
     }
 
