@@ -20,6 +20,8 @@ use crate::bindings::Action;
 const MOST_SQUARES: usize = 16;
 /// From one hint to the next, seconds.
 const REST_S: f64 = 0.6;
+/// How long it is said that one has gone round a corner, seconds.
+const BACK_S: f64 = 8.0;
 
 /// What of a world the hints depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -94,6 +96,8 @@ pub struct Hints {
     read_s: f64,
     /// Until the next is told, seconds.
     rest_s: f64,
+    /// Whether one has just gone round a corner, which is said until then.
+    is_back: bool,
     /// Whether the player last used a gamepad.
     by_pad: bool,
 }
@@ -168,8 +172,13 @@ impl Hints {
                 Done::Rounded(count) => self.has_rounded(count),
                 Done::Asked | Done::Read => false,
             };
+            let is_rounded = is_done && matches!(lesson.done(), Done::Rounded(_));
+            let is_new = self.done.get(lesson as usize) == Some(&false);
             if is_done {
                 self.finish(lesson);
+            }
+            if is_rounded && is_new {
+                (self.rest_s, self.is_back) = (BACK_S, true);
             }
         }
         // Nobody has learnt what he tried in vain.
@@ -230,6 +239,7 @@ impl Hints {
         if !std::mem::replace(done, true) {
             tracing::debug!("learnt {lesson:?}");
             self.rest_s = REST_S;
+            self.is_back = false;
             self.read_s = 0.0;
         }
     }
@@ -257,6 +267,12 @@ impl Hints {
         profiles: &Profiles,
         context: HintContext,
     ) -> Option<HintModel> {
+        if self.is_back && self.rest_s > 0.0 {
+            return Some(HintModel {
+                text: texts.say("hints-corner-back"),
+                footer: String::new(),
+            });
+        }
         let (lesson, step, count) = self.current(context).filter(|_| self.rest_s <= 0.0)?;
         let key = |action| {
             let pad = pad_input_label(texts, profiles, action).filter(|_| self.by_pad);
@@ -282,6 +298,9 @@ impl Hints {
         let mut values: Vec<_> = keys
             .map(|(argument, actions)| (*argument, named(actions).join(" ").into()))
             .collect();
+        if lesson == Lesson::Corner {
+            values.push(("gone", self.squares.len().saturating_sub(1).into()));
+        }
         if let Some(device) = lesson.device(self.by_pad) {
             values = vec![("key", texts.say(device).into())];
         }

@@ -163,6 +163,40 @@ fn a_corner_is_rounded_by_five_squares_and_not_by_going_to_and_fro() {
 }
 
 #[test]
+fn who_goes_round_a_corner_is_told_how_many_squares_and_that_he_is_back() {
+    let mut hints = Hints::default();
+    for lesson in Lesson::ALL {
+        if !matches!(lesson, Lesson::Corner | Lesson::Menu) {
+            hints.finish(lesson);
+        }
+    }
+    hints.rest_s = 0.0;
+    let mut at = SQUARES;
+    for (gone, number) in [0, 1, 2, 3, 4].into_iter().enumerate() {
+        at.square = Some(ChartId::new(number));
+        hints.step(&Actions::default(), at);
+        let said = told(&hints, at);
+        assert!(said.contains(&format!("Gone through: {gone} ")), "{said}");
+    }
+    for _ in 0..2 {
+        hints.step(
+            &Actions::default(),
+            HintContext {
+                square: Some(ChartId::new(0)),
+                ..at
+            },
+        );
+        assert!(told(&hints, at).starts_with("Five squares, and you are back."));
+    }
+    pass(&mut hints, &Actions::default(), BACK_S + 0.1);
+    assert!(
+        told(&hints, at).starts_with("Pause"),
+        "{}",
+        told(&hints, at)
+    );
+}
+
+#[test]
 fn what_a_world_has_not_is_not_told_and_not_counted() {
     let hints = Hints::default();
     for (context, count) in [(FLAT, 12), (DIAL, 13), (CLOSED, 13), (SQUARES, 12)] {
