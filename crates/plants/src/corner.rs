@@ -27,6 +27,11 @@ const ACROSS: f32 = 1.051_462_2;
 /// Nothing else reaches nearer to the middle of a stone, metres of the chart.
 const CLEAR_M: f64 = 1.0;
 
+/// Stones line the edges about a corner from the first of these on, each so much farther, to the last: metres of the chart.
+const LINED_M: [f64; 3] = [1.5, 0.75, 11.0];
+/// How far within a square those of its edges lie, metres of the chart.
+const LINED_WITHIN_M: f64 = 0.2;
+
 /// A corner of a square where five meet.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Corner {
@@ -60,6 +65,22 @@ pub(crate) fn corners(space: &dyn Atlas, chart: ChartId) -> Vec<Corner> {
 fn place_of(half_m: f64, quarters: u8) -> DVec2 {
     let (x, z) = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)][usize::from(quarters % 4)];
     DVec2::new(x, z) * half_m
+}
+
+/// Where stones line the edges of a square about its corners, in the plan of its chart, metres: five ways between two rows each lead from a
+/// corner, so that one sees how many squares meet there.
+pub(crate) fn lined(space: &dyn Atlas, chart: ChartId) -> Vec<DVec2> {
+    let [first, step, last] = LINED_M;
+    let many = ((last - first) / step) as u32;
+    let corners = corners(space, chart).into_iter();
+    let along = corners.flat_map(|it| {
+        let back = -it.at.signum();
+        let ways = [DVec2::new(back.x, 0.0), DVec2::new(0.0, back.y)];
+        ways.map(move |way| (it.at + (back - way) * LINED_WITHIN_M, way))
+    });
+    along
+        .flat_map(|(from, way)| (0..=many).map(move |n| from + way * (first + step * f64::from(n))))
+        .collect()
 }
 
 /// A hair within the square of a corner: so it is one of the square's chunks that has it.

@@ -25,6 +25,8 @@ pub enum Growth {
     Mushroom,
     /// Crystals of caves.
     Crystal,
+    /// Pale stones along the edges of squares, about the corners where five meet.
+    Cobble,
 }
 
 /// How much of what grows in the open land of a biome, as shares of the places on ground that bears it.
@@ -73,7 +75,7 @@ const MEADOW: f32 = 0.55;
 
 impl Growth {
     /// Each kind, in the order of their numbers.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Grass,
         Self::DryGrass,
         Self::Daisy,
@@ -83,6 +85,7 @@ impl Growth {
         Self::Reed,
         Self::Mushroom,
         Self::Crystal,
+        Self::Cobble,
     ];
 
     /// Its number in meshes.

@@ -5,8 +5,9 @@
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Field, Kind, Level, Tuft, Vertex};
-use glam::{DVec2, DVec3, IVec2, Vec2, Vec3};
+use glam::{DVec2, DVec3, IVec2, Vec2, Vec3, Vec3Swizzles as _};
 
+use crate::corner::lined;
 use crate::growth::Growth;
 use crate::noise::{Draw, grove};
 
@@ -14,6 +15,8 @@ use crate::noise::{Draw, grove};
 const CELLS_PER_M: f32 = 1.5;
 /// Chunks are numbered apart from the cells of things.
 const CHART: u64 = 0x6c6f_7721;
+/// And those of what lines edges.
+const EDGES: u64 = 0x6564_6765;
 /// How far from zero the untouched field is where nobody has dug, metres.
 const UNTOUCHED_M: f32 = 0.35;
 /// Biomes are asked for at places so far apart, metres.
@@ -36,7 +39,8 @@ pub fn undergrowth(field: &Field, coord: ChunkCoord, mesh: &ChunkMesh) -> Vec<Tu
         let [a, b, c] = [of[0], of[1], of[2]].map(|index| mesh.vertices.get(index as usize));
         Some([a?, b?, c?])
     });
-    corners.flat_map(|of| patch.on(of)).collect()
+    let floors = corners.filter_map(Floor::of);
+    floors.flat_map(|floor| patch.on(&floor)).collect()
 }
 
 /// The plan of a chunk.
@@ -45,6 +49,48 @@ struct Patch<'a> {
     coord: ChunkCoord,
     /// The names of its biomes, by rows along z.
     biomes: [[&'static str; ASKED]; ASKED],
+    /// Where stones line the edges of its square, metres from its corner.
+    lined: Vec<Vec2>,
+}
+
+/// A triangle of the ground that is seen from above, in the plan of a chunk.
+struct Floor<'a> {
+    corners: [&'a Vertex; 3],
+    places: [Vec3; 3],
+    plan: [Vec2; 3],
+    /// Twice its area, less than nothing.
+    area: f32,
+}
+
+impl<'a> Floor<'a> {
+    fn of(corners: [&'a Vertex; 3]) -> Option<Self> {
+        let places = corners.map(Vertex::position);
+        let plan = places.map(|p| Vec2::new(p.x, p.z));
+        let area = (plan[1] - plan[0]).perp_dot(plan[2] - plan[0]);
+        // What hangs over is seen from its back.
+        (area < 0.0).then_some(Self {
+            corners,
+            places,
+            plan,
+            area,
+        })
+    }
+
+    /// Between which places of the plan it lies.
+    fn limits(&self) -> [Vec2; 2] {
+        let [a, b, c] = self.plan;
+        [a.min(b).min(c), a.max(b).max(c)]
+    }
+
+    /// The ground at a place of the plan, and the corner that counts the most there.
+    fn at(&self, at: Vec2) -> Option<(Vec3, &'a Vertex)> {
+        let [a, b, c] = self.plan;
+        let share = |from: Vec2, to: Vec2| (to - from).perp_dot(at - from) / self.area;
+        let weights = Vec3::new(share(b, c), share(c, a), share(a, b));
+        let [p, q, r] = self.places;
+        let root = p * weights.x + q * weights.y + r * weights.z;
+        (weights.min_element() >= 0.0).then(|| (root, self.corners[weights.max_position()]))
+    }
 }
 
 impl<'a> Patch<'a> {
@@ -54,10 +100,16 @@ impl<'a> Patch<'a> {
             let pos = coord.origin() + DVec3::new(asked(x), 0.0, asked(z));
             field.biome_at(ChartPoint::new(coord.chart, pos)).name()
         };
+        let (corner, side) = (coord.origin().xz(), CHUNK_CELLS as f32);
         Self {
             field,
             coord,
             biomes: std::array::from_fn(|x| std::array::from_fn(|z| biome(x, z))),
+            lined: lined(&**field.strategy(), coord.chart)
+                .into_iter()
+                .map(|at| (at - corner).as_vec2())
+                .filter(|at| at.cmpge(Vec2::ZERO).all() && at.cmplt(Vec2::splat(side)).all())
+                .collect(),
         }
     }
 
@@ -69,47 +121,69 @@ impl<'a> Patch<'a> {
     }
 
     /// What grows on a triangle.
-    fn on(&self, corners: [&Vertex; 3]) -> Vec<Tuft> {
-        let places = corners.map(Vertex::position);
-        let plan = places.map(|p| Vec2::new(p.x, p.z) * CELLS_PER_M);
-        // Twice its area in the plan: what hangs over is seen from its back.
-        let area = (plan[1] - plan[0]).perp_dot(plan[2] - plan[0]);
-        if area >= 0.0 {
-            return Vec::new();
+    fn on(&self, floor: &Floor<'_>) -> Vec<Tuft> {
+        let [low, high] = floor.limits();
+        let [first, last] = [low, high].map(|it| (it * CELLS_PER_M).floor().as_ivec2());
+        let cells =
+            (first.x..=last.x).flat_map(|x| (first.y..=last.y).map(move |z| IVec2::new(x, z)));
+        let scattered = cells.filter_map(|cell| {
+            let mut draw = self.draw(cell, CHART);
+            let at = (cell.as_vec2() + Vec2::new(draw.share(), draw.share())) / CELLS_PER_M;
+            let (root, ground) = floor.at(at)?;
+            self.tuft(root, ground, &mut draw)
+        });
+        let is_over = |at: &&Vec2| at.cmpge(low).all() && at.cmple(high).all();
+        let lined = self.lined.iter().filter(is_over).filter_map(|at| {
+            let (root, ground) = floor.at(*at)?;
+            self.cobble(root, ground)
+        });
+        scattered.chain(lined).collect()
+    }
+
+    /// The numbers of a cell of the plan.
+    fn draw(&self, cell: IVec2, of: u64) -> Draw {
+        let across = (CHUNK_CELLS as f32 * CELLS_PER_M) as i32;
+        let [x, _, z] = self.coord.index.to_array();
+        let number = IVec2::new(x, z)
+            .wrapping_mul(IVec2::splat(across))
+            .wrapping_add(cell);
+        let chart = self.coord.chart.number() as u64;
+        Draw::of(self.field.seed(), chart ^ of, number)
+    }
+
+    /// A stone that lines an edge, on the ground of a vertex.
+    fn cobble(&self, root: Vec3, ground: &Vertex) -> Option<Tuft> {
+        let sky = (ground.colour[3] >> 5).min(6);
+        let is_open = sky > CAVE_SKY && self.is_untouched(root);
+        let mut draw = self.draw((root * 8.0).xz().as_ivec2(), EDGES);
+        let tuft = self.planted(Growth::Cobble, root, ground, &mut draw);
+        // None is left out however far off it is drawn.
+        is_open.then_some(Tuft { rank: 0, ..tuft })
+    }
+
+    /// Whether nobody has dug or built at a place.
+    fn is_untouched(&self, root: Vec3) -> bool {
+        let place = self.coord.origin() + root.as_dvec3();
+        let at = ChartPoint::new(self.coord.chart, place);
+        self.field.sample(at).abs() < UNTOUCHED_M
+    }
+
+    fn planted(&self, growth: Growth, root: Vec3, ground: &Vertex, draw: &mut Draw) -> Tuft {
+        let [r, g, b, byte] = ground.colour;
+        let mut dice = || (256.0 * draw.share()) as u8;
+        Tuft {
+            root,
+            growth: growth.byte(),
+            turn: dice(),
+            size: 128 + dice() / 2,
+            rank: dice(),
+            ground: [r, g, b, (byte >> 5).min(6)],
         }
-        let low = plan[0].min(plan[1]).min(plan[2]).floor().as_ivec2();
-        let high = plan[0].max(plan[1]).max(plan[2]).floor().as_ivec2();
-        let cells = (low.x..=high.x).flat_map(|x| (low.y..=high.y).map(move |z| IVec2::new(x, z)));
-        let tuft = |cell: IVec2| {
-            let across = (CHUNK_CELLS as f32 * CELLS_PER_M) as i32;
-            let [x, _, z] = self.coord.index.to_array();
-            let number = IVec2::new(x, z)
-                .wrapping_mul(IVec2::splat(across))
-                .wrapping_add(cell);
-            let mut draw = Draw::of(
-                self.field.seed(),
-                self.coord.chart.number() as u64 ^ CHART,
-                number,
-            );
-            let at = cell.as_vec2() + Vec2::new(draw.share(), draw.share());
-            let share = |a: Vec2, b: Vec2| (b - a).perp_dot(at - a) / area;
-            let weights = Vec3::new(
-                share(plan[1], plan[2]),
-                share(plan[2], plan[0]),
-                share(plan[0], plan[1]),
-            );
-            if weights.min_element() < 0.0 {
-                return None;
-            }
-            let root = places[0] * weights.x + places[1] * weights.y + places[2] * weights.z;
-            self.tuft(root, corners[weights.max_position()], &mut draw)
-        };
-        cells.filter_map(tuft).collect()
     }
 
     /// What grows at a place on the ground of a vertex.
     fn tuft(&self, root: Vec3, ground: &Vertex, draw: &mut Draw) -> Option<Tuft> {
-        let [r, g, b, byte] = ground.colour;
+        let byte = ground.colour[3];
         let (kind, sky) = (Kind::of_byte(byte & 31)?, (byte >> 5).min(6));
         let is_level = ground.normal().y >= LEVEL;
         let place = self.coord.origin() + root.as_dvec3();
@@ -126,19 +200,7 @@ impl<'a> Patch<'a> {
         } else {
             None
         }?;
-        let is_untouched = self
-            .field
-            .sample(ChartPoint::new(self.coord.chart, place))
-            .abs()
-            < UNTOUCHED_M;
-        let mut byte = || (256.0 * draw.share()) as u8;
-        is_untouched.then(|| Tuft {
-            root,
-            growth: growth.byte(),
-            turn: byte(),
-            size: 128 + byte() / 2,
-            rank: byte(),
-            ground: [r, g, b, sky],
-        })
+        let is_untouched = self.is_untouched(root);
+        is_untouched.then(|| self.planted(growth, root, ground, draw))
     }
 }

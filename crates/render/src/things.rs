@@ -47,8 +47,10 @@ const SLACK_M: f64 = 0.3;
 pub struct Grown {
     /// In which size each of them is shown.
     sizes: Vec<Size>,
-    /// Whether all are in the last, in which nothing of what they are made of is seen.
-    is_far: bool,
+    /// That of all, where it is one.
+    common: Option<Size>,
+    /// The middle of their roots, metres from the corner of their chunk.
+    middle: DVec3,
     mesh: LandMesh,
     /// What throws their shadow, where that is another.
     shadow: Option<LandMesh>,
@@ -132,8 +134,10 @@ impl Grown {
         let of_shadow = || sizes.iter().map(|size| (*size).max(Size::Middle));
         let has_near = sizes.contains(&Size::Near);
         let shadow = has_near.then(|| Baked::of(things, of_shadow(), None).put(pages));
+        let first = *sizes.first()?;
         Some(Self {
-            is_far: sizes.iter().all(|size| *size == Size::Far),
+            common: sizes.iter().all(|size| *size == first).then_some(first),
+            middle: mean_root(things),
             sizes,
             mesh,
             shadow,
@@ -153,9 +157,18 @@ impl Grown {
         }
     }
 
-    /// The mesh.
-    fn mesh(&self) -> &LandMesh {
-        &self.mesh
+    /// The mesh, and whether all of it is in the last size, in which nothing of what it is made of is seen.
+    fn mesh(&self) -> (&LandMesh, bool) {
+        (&self.mesh, self.common == Some(Size::Far))
+    }
+
+    /// Whether its things, which these are, have the sizes that they are shown in.
+    fn fits(&self, things: &[Thing], scale: &Scale) -> bool {
+        if let (None, Some(size)) = (scale.eye, self.common) {
+            return scale.size_of_all(size) == size;
+        }
+        let mut pairs = things.iter().zip(&self.sizes);
+        pairs.all(|(thing, size)| scale.size(thing, *size) == *size)
     }
 
     /// Lists what throws their shadow, for a map whose matrix begins at a place of the chart, metres; returns its triangles.
@@ -286,10 +299,10 @@ impl ChunkStore {
                 let made = grown.sprout(eye, reach, moved_m, &mut self.pages);
                 left_low = left_low.saturating_sub(made);
             }
-            if grown.grown.is_none() || left == 0 {
+            let Some(shown) = grown.grown.as_ref().filter(|_| left > 0) else {
                 continue;
-            }
-            let middle = chunk.coord.origin() + mean_root(&grown.source.things);
+            };
+            let middle = chunk.coord.origin() + shown.middle;
             let middle = ChartPoint::new(chunk.coord.chart, middle);
             let scale = Scale {
                 metre_px: plan.bounds.metre_px_at(frame, middle),
@@ -322,11 +335,17 @@ struct Scale {
 
 impl Scale {
     fn size(&self, thing: &Thing, before: Size) -> Size {
-        let px = self.eye.map_or(self.metre_px, |eye| {
-            let away_m = thing.root.distance(eye).max(1.0);
-            self.near_px / f64::from(away_m)
-        });
+        let Some(eye) = self.eye else {
+            return self.size_of_all(before);
+        };
+        let away_m = thing.root.distance(eye).max(1.0);
+        let px = self.near_px / f64::from(away_m);
         size_for(px, self.thresholds_px, Some(before))
+    }
+
+    /// The size that all have of a chunk that is not near.
+    fn size_of_all(&self, before: Size) -> Size {
+        size_for(self.metre_px, self.thresholds_px, Some(before))
     }
 }
 
@@ -340,7 +359,7 @@ impl GpuChunk {
         list: &mut DrawList,
         chart: u32,
     ) -> usize {
-        let grown = self.grown.as_ref().map(|it| (it.mesh(), it.is_far));
+        let grown = self.grown.as_ref().map(Grown::mesh);
         let low = self.low.as_ref().map(|it| (it.mesh(), false));
         let meshes = [grown, low].into_iter().flatten();
         let left_out =
@@ -352,11 +371,11 @@ impl GpuChunk {
     fn grow(&mut self, scale: &Scale, pages: &mut Pages) -> usize {
         let Some(before) = &self.grown else { return 0 };
         let things = &self.source.things;
-        let pairs = || things.iter().zip(&before.sizes);
-        if pairs().all(|(thing, size)| scale.size(thing, *size) == *size) {
+        if before.fits(things, scale) {
             return 0;
         }
-        let sizes: Vec<_> = pairs()
+        let pairs = things.iter().zip(&before.sizes);
+        let sizes: Vec<_> = pairs
             .map(|(thing, size)| scale.size(thing, *size))
             .collect();
         let corners = things.iter().zip(&sizes).filter_map(|(thing, size)| {

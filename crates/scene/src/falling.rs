@@ -172,7 +172,8 @@ fn land(
     for share in [0.2, 0.45, 0.7, 0.95] {
         let at = it.at(share * it.height_m());
         outbox.effects.push(Effect::Landed { at, speed_m_s });
-        outbox.effects.push(Effect::Chopped { at });
+        let is_stone = false;
+        outbox.effects.push(Effect::Chopped { at, is_stone });
     }
     let cover = Cover::Soil;
     outbox.sounds.push(SoundEvent::Landed { cover, speed_m_s });

@@ -1,12 +1,12 @@
 //! What grows is felled here: by the tool in hand, or because the ground under it was dug away. What was felled is known, and
 //! what of it a save has.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Projection};
 use antipode_items::Item;
 use antipode_plants::{Age, Species, solid_of};
-use antipode_storage::{FelledRecord, Record, RecordKind};
+use antipode_storage::{FelledRecord, Record, RecordChanges, RecordKind};
 use antipode_streaming::{Chunk, Column, Streamer, column_of};
 use antipode_terrain::{Cover, FIRST_PLANTED, Thing};
 use glam::{DVec2, DVec3, IVec3};
@@ -19,7 +19,6 @@ use crate::ground::chunks_near;
 use crate::logs;
 use crate::outbox::Outbox;
 use crate::particles::Effect;
-use crate::persist::All;
 use crate::pick::over;
 use crate::player::Player;
 use crate::probe::PlantsProbe;
@@ -46,6 +45,8 @@ const PROBED_M: f64 = 30.0;
 pub(crate) struct Felled {
     columns: BTreeMap<Column, (u32, u128)>,
     next: u32,
+    /// What no save has been given yet: a whole world's columns take longer to look through than a frame.
+    changed: BTreeSet<Column>,
 }
 
 impl Felled {
@@ -70,6 +71,7 @@ impl Felled {
             (*next, 0)
         });
         *all |= slots;
+        self.changed.insert(column);
     }
 
     /// Says that a save has a record of this number.
@@ -77,17 +79,22 @@ impl Felled {
         self.next = self.next.max(id);
     }
 
-    /// What a save has of it.
-    pub fn records(&self, all: &mut All) {
-        all.extend(self.columns.iter().map(|((chart, [x, z]), (id, slots))| {
+    /// What of it is to be saved, since it has changed since this was last asked.
+    pub fn take_changes(&mut self) -> RecordChanges {
+        let changed = std::mem::take(&mut self.changed).into_iter();
+        let record = |column: Column| {
+            let (id, slots) = self.columns.get(&column)?;
+            let (chart, [x, z]) = column;
             let record = FelledRecord {
                 chart: chart.number(),
-                x: *x,
-                z: *z,
+                x,
+                z,
                 slots: [*slots as u64, (slots >> 64) as u64],
             };
-            (RecordKind::Felled.numbered(*id), Record::Felled(record))
-        }));
+            let key = RecordKind::Felled.numbered(*id);
+            Some((key, Some(Record::Felled(record))))
+        };
+        changed.filter_map(record).collect()
     }
 
     /// Takes over what a save has, under its number.
@@ -139,6 +146,12 @@ impl Standing {
     /// How high it stands, metres.
     pub fn height_m(&self) -> f64 {
         self.species.height_m(self.age) * f64::from(self.thing.scale)
+    }
+
+    /// What flies off it where it is struck.
+    fn chips(&self, at: ChartPoint) -> Effect {
+        let is_stone = self.species.is_stone();
+        Effect::Chopped { at, is_stone }
     }
 
     /// The wood in it, cubic metres.
@@ -283,8 +296,13 @@ pub(crate) fn chop(
     let strength = strength.and_then(Item::brush_strength_per_s);
     let struck_at = player.tool.map_or(it.root(), |mark| mark.point);
     if outbox.sounds.stroke_is_due(true, STEP_S) {
-        outbox.sounds.push(SoundEvent::Dug { cover: Cover::Soil });
-        outbox.effects.push(Effect::Chopped { at: struck_at });
+        let cover = if it.species.is_stone() {
+            Cover::Rock
+        } else {
+            Cover::Soil
+        };
+        outbox.sounds.push(SoundEvent::Dug { cover });
+        outbox.effects.push(it.chips(struck_at));
     }
     // A sign is there for whoever comes.
     if it.species == Species::CornerStone {
@@ -324,6 +342,13 @@ pub(crate) fn put_edited(sim: &mut Simulation, chunks: Vec<Chunk>) {
     } = sim;
     for chunk in chunks {
         for (coord, thing) in world.put(chunk) {
+            // Nobody can have it, and it is there again as soon as its ground is.
+            if thing.species == Species::CornerStone.byte() {
+                if let Some(it) = Standing::of(coord, thing) {
+                    outbox.effects.push(it.chips(it.root()));
+                }
+                continue;
+            }
             let stands = world.stands(coord, &thing);
             if thing.slot < FIRST_PLANTED {
                 if stands {
@@ -362,7 +387,7 @@ fn come_down(
     it: Standing,
     way: DVec3,
 ) {
-    outbox.effects.push(Effect::Chopped { at: it.root() });
+    outbox.effects.push(it.chips(it.root()));
     if it.species.is_tree() {
         actors.enter(Falling::begin(it, way));
     } else if it.species.is_stone() {

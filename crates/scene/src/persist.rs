@@ -23,7 +23,8 @@ use crate::world::World;
 /// Records by their keys.
 pub(crate) type All = BTreeMap<RecordKey, Record>;
 
-/// What the world and all in it are to be saved as. `slots` hold things that this version does not know.
+/// What the world and all in it are to be saved as, but for what was felled, which knows itself what of it has changed. `slots` hold
+/// things that this version does not know.
 pub(crate) fn records(
     world: &World,
     actors: &Actors,
@@ -41,7 +42,6 @@ pub(crate) fn records(
         car_given: actors.cars.given,
     }));
     single(Record::View(view_record(world, player)));
-    world.felled.records(&mut all);
     world.planted.records(&mut all);
     things(world, actors, player, &mut all);
     figures(actors, &mut all);

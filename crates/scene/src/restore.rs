@@ -183,7 +183,11 @@ fn thing(
         Record::Drop(it) => drop(world, actors, it, notices),
         Record::Figure(it) => figure(world, actors, it),
         Record::Car(it) => car::restore(world, actors, it),
-        Record::Felled(it) => felled(world, key.id, it),
+        Record::Felled(it) => {
+            felled(world, key.id, it);
+            // It tells by itself what of it is to be saved.
+            false
+        }
         Record::Planted(it) => {
             let at = point(world, it.place.chart, it.place.pos);
             planted::restore(world, key.id, at, it)
@@ -206,14 +210,12 @@ fn number_next(world: &mut World, actors: &mut Actors, key: RecordKey) {
     }
 }
 
-/// Leaves out what was felled; false for what was so in no place of this world.
-fn felled(world: &mut World, id: u32, it: &FelledRecord) -> bool {
-    let Some(chart) = chart(&*world.strategy, it.chart) else {
-        return false;
-    };
-    let column = (chart, [it.x, it.z]);
-    world.felled.restore(&world.streamer, id, column, it);
-    true
+/// Leaves out what was felled, unless it was so in no place of this world.
+fn felled(world: &mut World, id: u32, it: &FelledRecord) {
+    if let Some(chart) = chart(&*world.strategy, it.chart) {
+        let column = (chart, [it.x, it.z]);
+        world.felled.restore(&world.streamer, id, column, it);
+    }
 }
 
 /// Puts up what was put down, with its heading and its name.

@@ -203,7 +203,8 @@ impl Scene {
         meta.played_s = world.simulated_s;
         meta.cheated = self.kept.cheated;
         let records = persist::records(world, actors, player, &self.kept.unknown_slots);
-        let changes = self.kept.hand_over(records);
+        let mut changes = self.kept.hand_over(records);
+        changes.append(&mut self.sim.world.felled.take_changes());
         self.sim.world.streamer.save(Some(meta), changes);
     }
 

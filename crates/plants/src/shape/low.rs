@@ -19,6 +19,7 @@ const REED: [Colour; 2] = [rgb(72, 92, 44), rgb(150, 158, 84)];
 const CATTAIL: Colour = rgb(92, 60, 38);
 const MUSHROOM: [Colour; 2] = [rgb(214, 202, 182), rgb(176, 108, 74)];
 const CRYSTAL: Colour = rgb(168, 158, 226);
+const COBBLE: Colour = rgb(226, 219, 202);
 
 /// The fine and the coarse shape of each kind.
 static SHAPES: LazyLock<Vec<[Shape; 2]>> = LazyLock::new(|| {
@@ -83,6 +84,7 @@ fn made(growth: Growth, is_fine: bool) -> Shape {
         }
         Growth::Mushroom => mushrooms(&mut mesh, &mut dice, few(3, 1), is_fine),
         Growth::Crystal => crystals(&mut mesh, &mut dice, few(5, 2)),
+        Growth::Cobble => cobble(&mut mesh, few(7, 4) as u32),
     }
     mesh.finish()
 }
@@ -245,6 +247,19 @@ fn crystals(mesh: &mut Mesh, dice: &mut Dice, many: usize) {
             mesh.triangle(a, tip, b);
         }
     }
+}
+
+fn cobble(mesh: &mut Mesh, sides: u32) {
+    let profile = [[0.0, 0.13], [0.15, 0.11], [0.24, 0.03], [0.22, -0.06]];
+    let paint = |_: Vec3, _: Vec3| (COBBLE, 0.0);
+    add_turned(
+        mesh,
+        Vec3::ZERO,
+        &profile,
+        sides as _,
+        Material::Petal,
+        &paint,
+    );
 }
 
 #[cfg(test)]

@@ -212,3 +212,34 @@ fn as_much_stands_on_the_tiles_of_the_hyperbolic_world_as_on_flat_land() {
     let ratio = f64::from(tiled) / plain as f64;
     assert!((0.6..1.6).contains(&ratio), "{tiled} {plain}");
 }
+
+/// Where the most stands within a view distance of 16 chunks: for measuring what a picture there costs.
+#[test]
+#[ignore = "prints numbers"]
+fn print_where_the_most_stands_all_round() {
+    const ACROSS: i32 = 96;
+    const ROUND: i32 = 16;
+    for seed in 1..13 {
+        let field = Field::new(seed, flat());
+        let count = |x: i32, z: i32| {
+            let things = in_square(&field, ChartId::FIRST, [x - ACROSS / 2, z - ACROSS / 2], 1);
+            let trees = things.iter().filter(|(_, it)| is_tree(it)).count();
+            (things.len(), trees)
+        };
+        let counts: Vec<Vec<(usize, usize)>> = (0..ACROSS)
+            .map(|x| (0..ACROSS).map(|z| count(x, z)).collect())
+            .collect();
+        let round = |at: (i32, i32)| {
+            let near = (-ROUND..=ROUND).flat_map(|x| (-ROUND..=ROUND).map(move |z| (x, z)));
+            let near = near.filter(|(x, z)| x * x + z * z <= ROUND * ROUND);
+            near.map(|(x, z)| counts[(at.0 + x) as usize][(at.1 + z) as usize])
+                .fold((0, 0), |sum, it| (sum.0 + it.0, sum.1 + it.1))
+        };
+        let middles = (ROUND..ACROSS - ROUND)
+            .step_by(4)
+            .flat_map(|x| (ROUND..ACROSS - ROUND).step_by(4).map(move |z| (x, z)));
+        let most = middles.max_by_key(|at| round(*at)).expect("there are some");
+        let [x, z] = [most.0, most.1].map(|it| f64::from(it - ACROSS / 2) * SIDE);
+        println!("seed {seed}: {:?} about ({x}, {z})", round(most));
+    }
+}

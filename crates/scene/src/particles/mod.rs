@@ -41,8 +41,8 @@ pub(crate) enum Effect {
         up: DVec3,
         speed_m_s: f64,
     },
-    /// Wood was struck.
-    Chopped { at: ChartPoint },
+    /// What grows or stands was struck, which is wood or stone.
+    Chopped { at: ChartPoint, is_stone: bool },
     /// Something went through leaves, in metres per second of the chart.
     Rustled { at: ChartPoint, velocity: DVec3 },
     /// Feet came down from a fall of that speed.

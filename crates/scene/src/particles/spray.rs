@@ -61,6 +61,13 @@ const WOOD: Surface = Surface {
     sky: 1.0,
 };
 
+/// Splinters of boulders and corner stones.
+const STONE: Surface = Surface {
+    kind: Kind::Rock,
+    colour: [0.24, 0.23, 0.22],
+    sky: 1.0,
+};
+
 /// Leaves of bushes, how many of one fly at a time, and the share of the speed of what goes through that they take along.
 const LEAVES: Surface = Surface {
     kind: Kind::Grass,
@@ -120,7 +127,10 @@ impl Particles {
             Effect::Dug { at, radius_m } => self.dig(world, at, radius_m, 1.0),
             Effect::Built { at, radius_m } => self.dig(world, at, radius_m, 0.0),
             Effect::Struck { at, up, speed_m_s } => self.strike(world, at, up, speed_m_s),
-            Effect::Chopped { at } => self.burst(at, DVec3::Y, &WOOD, 0.8, 1.2),
+            Effect::Chopped { at, is_stone } => {
+                let of = if is_stone { &STONE } else { &WOOD };
+                self.burst(at, DVec3::Y, of, 0.8, 1.2);
+            }
             Effect::Rustled { at, velocity } => self.strew(at, velocity),
             Effect::Landed { at, speed_m_s } => self.puff(world, at, speed_m_s, DVec3::ZERO),
             Effect::Stepped { at, velocity } => {
