@@ -89,7 +89,7 @@ talk-home-squares = Nach Hause sind es { $there } m, { $squares ->
     [one] { $squares } Quadrat
    *[other] { $squares } Quadrate
 } weit. Jeder andere Weg ist länger, und die meisten sind viel länger.
-talk-land = Im Umkreis von { $within } m gibt es hier { $times }-mal so viel Land wie auf ebenem Grund.
+talk-land = Im Umkreis von { $within } m gibt es auf dieser Höhe { $times }-mal so viel Land wie auf ebenem Grund. Weiter unten ist es mehr.
 talk-square = Geh { $side } m, bieg rechts ab, und das viermal. Auf ebenem Grund wärst du zurück; hier stehst du { $gap } m von da, wo du losgegangen bist.
 
 open-failed = Die Welt konnte nicht geöffnet werden

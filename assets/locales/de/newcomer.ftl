@@ -3,7 +3,7 @@
 hints-look = Umsehen: { $key }
 hints-walk = Gehen: { $key }
 hints-jump = Springen: { $key }
-hints-corner = An jeder Ecke treffen sich fünf Quadrate, nicht vier, und dort steht ein Stein. Geh um ihn herum und zähl sie. Durchquert: { $gone } · große Karte: { $key }
+hints-corner = An jeder Ecke treffen sich fünf Quadrate, nicht vier, und dort steht ein Stein, von dem fünf Wege ausgehen. Geh um ihn herum und zähl sie. Durchquert: { $gone } · große Karte: { $key }
 hints-corner-back = Fünf Quadrate, und du bist zurück. Auf ebenem Grund wären es vier gewesen.
 hints-overhead = Schau nach oben: Das Land über deinem Kopf ist die andere Seite dieser Welt.
 hints-talk = Mit jemandem vor dir reden: { $key }

@@ -91,7 +91,7 @@ talk-home-squares = Home is { $there } m from here, { $squares ->
     [one] { $squares } square
    *[other] { $squares } squares
 } away. Every other way there is longer, and most are much longer.
-talk-land = Within { $within } m of here there is { $times } times as much land as on flat ground.
+talk-land = At this height there is { $times } times as much land within { $within } m as on flat ground. Lower down there is more.
 talk-square = Walk { $side } m, turn right, and do that four times. On flat ground you would be back; here you end { $gap } m from where you began.
 
 # Titles of what went wrong, and what is said where nothing more is known.

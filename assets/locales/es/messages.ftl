@@ -89,7 +89,7 @@ talk-home-squares = Tu casa está a { $there } m, a { $squares ->
     [one] { $squares } cuadrado
    *[other] { $squares } cuadrados
 } de aquí. Cualquier otro camino es más largo, y casi todos mucho más.
-talk-land = A menos de { $within } m de aquí hay { $times } veces más tierra que en terreno plano.
+talk-land = A esta altura, a menos de { $within } m hay { $times } veces más tierra que en terreno plano. Más abajo hay más.
 talk-square = Camina { $side } m, gira a la derecha y hazlo cuatro veces. En terreno plano estarías de vuelta; aquí acabas a { $gap } m de donde saliste.
 
 open-failed = No se pudo abrir el mundo

@@ -3,7 +3,7 @@
 hints-look = Mira a tu alrededor: { $key }
 hints-walk = Caminar: { $key }
 hints-jump = Saltar: { $key }
-hints-corner = En cada esquina se juntan cinco cuadrados, no cuatro, y hay una piedra. Rodéala y cuéntalos. Recorridos: { $gone } · mapa grande: { $key }
+hints-corner = En cada esquina se juntan cinco cuadrados, no cuatro, y hay una piedra de la que salen cinco caminos. Rodéala y cuéntalos. Recorridos: { $gone } · mapa grande: { $key }
 hints-corner-back = Cinco cuadrados, y estás de vuelta. En terreno plano habrían sido cuatro.
 hints-overhead = Mira arriba: la tierra sobre tu cabeza es el otro lado de este mundo.
 hints-talk = Hablar con quien está delante: { $key }

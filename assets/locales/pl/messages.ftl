@@ -91,7 +91,7 @@ talk-home-squares = Do domu jest stąd { $there } m, { $squares ->
     [few] { $squares } kwadraty
    *[other] { $squares } kwadratów
 } dalej. Każda inna droga jest dłuższa, a większość dużo dłuższa.
-talk-land = W promieniu { $within } m jest tu { $times } razy tyle lądu co na płaskim terenie.
+talk-land = Na tej wysokości w promieniu { $within } m jest { $times } razy tyle lądu co na płaskim terenie. Niżej jest go więcej.
 talk-square = Przejdź { $side } m, skręć w prawo i powtórz to cztery razy. Na płaskim terenie byłbyś z powrotem; tutaj kończysz { $gap } m od miejsca, z którego wyszedłeś.
 
 # Tytuły tego, co się nie udało, i zdania, gdy nic więcej nie wiadomo.

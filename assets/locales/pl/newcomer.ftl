@@ -3,7 +3,7 @@
 hints-look = Rozejrzyj się: { $key }
 hints-walk = Chodzenie: { $key }
 hints-jump = Skok: { $key }
-hints-corner = W każdym rogu spotyka się pięć kwadratów, nie cztery, i stoi tam kamień. Obejdź go i policz je. Przebyte: { $gone } · duża mapa: { $key }
+hints-corner = W każdym rogu spotyka się pięć kwadratów, nie cztery, i stoi tam kamień, od którego odchodzi pięć dróg. Obejdź go i policz je. Przebyte: { $gone } · duża mapa: { $key }
 hints-corner-back = Pięć kwadratów i jesteś z powrotem. Na płaskim terenie byłyby cztery.
 hints-overhead = Spójrz w górę: ląd nad głową to druga strona tego świata.
 hints-talk = Rozmowa z kimś przed tobą: { $key }

@@ -3,7 +3,7 @@
 hints-look = 环顾四周：{ $key }
 hints-walk = 行走：{ $key }
 hints-jump = 跳跃：{ $key }
-hints-corner = 每个角有五个方块相接，而不是四个，那里立着一块石头。绕它走一圈，数一数。已走过：{ $gone } · 大地图：{ $key }
+hints-corner = 每个角有五个方块相接，而不是四个，那里立着一块石头，五条小路从那里伸出。绕它走一圈，数一数。已走过：{ $gone } · 大地图：{ $key }
 hints-corner-back = 走过五个方块，你又回到了起点。在平地上只要四个。
 hints-overhead = 抬头看：头顶上的大地是这个世界的另一面。
 hints-talk = 和前面的人说话：{ $key }

@@ -28,7 +28,7 @@ const ACROSS: f32 = 1.051_462_2;
 const CLEAR_M: f64 = 1.0;
 
 /// Stones line the edges about a corner from the first of these on, each so much farther, to the last: metres of the chart.
-const LINED_M: [f64; 3] = [1.5, 0.75, 11.0];
+const LINED_M: [f64; 3] = [1.37, 0.77, 11.0];
 /// How far within a square those of its edges lie, metres of the chart.
 const LINED_WITHIN_M: f64 = 0.2;
 

@@ -6,11 +6,11 @@ use std::sync::Arc;
 
 use antipode_geometry::tiled::about_corner;
 use antipode_geometry::{
-    Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Geometry, HyperbolicWorld, Metric, Tiled,
-    strategy,
+    Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Eye, Geometry, HyperbolicWorld, Metric,
+    Tiled, strategy,
 };
-use antipode_plants::{Age, Size, Species, placed, placed_near, shape};
-use antipode_terrain::{Field, Generator, Thing};
+use antipode_plants::{Age, Growth, Size, Species, placed, placed_near, shape, undergrowth};
+use antipode_terrain::{Field, Generator, Thing, march};
 use antipode_testing::tiled::TiledFlat;
 use glam::{DVec2, DVec3, IVec3, Vec3Swizzles};
 
@@ -124,6 +124,48 @@ fn in_the_space_a_stone_has_five_even_sides_and_its_arrises_point_along_the_edge
             met[fifths.round().rem_euclid(5.0) as usize] += 1;
         }
         assert!(met.iter().all(|count| *count > 0), "{corner}: {met:?}");
+    }
+}
+
+/// The stones that line the edges of a square about one of its corners.
+fn cobbles(field: &Field, (chart, corner): (ChartId, u8)) -> Vec<ChartPoint> {
+    let at = place_of(&**field.strategy(), (chart, corner)).pos * (1.0 - 1e-6);
+    let y = field.surface_height(chart, at.x, at.z);
+    let middle = ChunkCoord::containing(ChartPoint::new(chart, at.with_y(y)));
+    let on = |up: i32| {
+        let index = middle.index + IVec3::Y * up;
+        let coord = ChunkCoord { index, ..middle };
+        let mesh = march(&field.samples(coord), field, coord);
+        let tufts = undergrowth(field, coord, &mesh).into_iter();
+        let cobbles = tufts.filter(|it| it.growth == Growth::Cobble.byte());
+        cobbles.map(move |it| ChartPoint::new(chart, coord.origin() + it.root.as_dvec3()))
+    };
+    (-1..=1).flat_map(on).collect()
+}
+
+/// Two rows along each edge, one in each of the squares that share it: five ways lead from a corner.
+#[test]
+fn from_a_corner_five_ways_lead_along_the_edges_between_stones_of_both_squares() {
+    for world in worlds() {
+        let field = Field::new(12, world.clone());
+        let about = about_corner(&*world, ChartId::FIRST, 0);
+        let of_each: Vec<_> = about.into_iter().map(|at| cobbles(&field, at)).collect();
+        let all: usize = of_each.iter().map(Vec::len).sum();
+        let mut partners = 0;
+        for (n, here) in of_each.iter().enumerate() {
+            assert!(here.len() > 10, "{}", here.len());
+            for at in here {
+                let others = of_each.iter().enumerate().filter(|(m, _)| *m != n);
+                let mut others = others.flat_map(|(_, there)| there);
+                let is_across = |it: &ChartPoint| {
+                    let away_m = world.distance_m(*at, *it, &Eye::default());
+                    (0.3..1.2).contains(&away_m)
+                };
+                partners += usize::from(others.any(is_across));
+            }
+        }
+        println!("{partners} of {all} have one across the edge");
+        assert!(20 * partners >= 19 * all, "{partners} of {all}");
     }
 }
 
