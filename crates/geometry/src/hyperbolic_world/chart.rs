@@ -17,6 +17,8 @@ const REACH_TANH: f64 = 0.661_770_042_700_383_5;
 /// of the sines of both, which is 1 where the plane ends.
 const FAR_RAD: f64 = 3.0;
 const FAR_PRODUCT: f64 = 0.98;
+/// Within so many radii along both axes no product is so great: `sinh(0.85)^2 = 0.916`.
+const NEAR_RAD: f64 = 0.85;
 /// Heights are drawn in to so many radii: squares of coordinates are in range of `f64`.
 pub(super) const HIGH_RAD: f64 = 40.0;
 
@@ -48,6 +50,9 @@ impl SquareChart {
         let number = |x: f64| if x.is_nan() { 0.0 } else { x };
         let at = DVec3::from_array((pos / self.radius_m).to_array().map(number));
         let mut at = at.clamp(-limits, limits);
+        if at.x.abs().max(at.z.abs()) <= NEAR_RAD {
+            return at;
+        }
         let [x, z] = [at.x, at.z].map(|it| it.sinh().abs());
         if x * z > FAR_PRODUCT {
             let lesser = (FAR_PRODUCT / x.max(z)).asinh();

@@ -19,8 +19,9 @@ const AHEAD_S: f64 = 0.8;
 const AHEAD_M: (f64, f64) = (1.0, 12.0);
 /// A long way is looked at in pieces so long, in metres, as boxes of it are.
 const PIECE_M: f64 = 3.0;
-/// A box that is told in the chart of another may be so many times as wide there.
-const STRETCHED: f64 = 2.0;
+/// A box about the site is so many times as wide about its own middle, at most: within 20 m of the site a level metre is longer by
+/// `sinh(x) / x`, with `x` at most 2/3.
+const SLACK: f64 = 1.08;
 /// Where ground of several charts is laid, each goes so far past its edge, in metres, that nothing falls between them.
 const LAPS_M: f64 = 0.25;
 
@@ -226,17 +227,21 @@ fn asked(
     asked
 }
 
-/// A box of a chart that holds one about the site.
+/// A box of a chart that holds one about the site. It is told about its own middle: what a chart's axes bend by grows with the square of
+/// the way from where it is told.
 fn chart_box(site: &Site, low: DVec3, high: DVec3, chart: ChartId) -> Option<(DVec3, DVec3)> {
-    let (low, high) = site.frame()?.chart_box(low, high);
-    if chart == site.at().chart {
-        return Some((low, high));
+    let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+    let mut there = site.frame()?.arrival(middle.with_y(0.0));
+    let mut turn_rad = there.turn_rad;
+    if chart != there.point.chart {
+        there = site.space().carry(there.point, chart)?;
+        turn_rad += there.turn_rad;
     }
-    let middle = ChartPoint::new(site.at().chart, 0.5 * (low + high));
-    let there = site.space().carry(middle, chart)?.point.pos;
-    let half_m = STRETCHED * 0.5 * (high - low).xz().length();
-    let half = DVec3::new(half_m, 0.5 * (high.y - low.y), half_m);
-    Some((there - half, there + half))
+    let (sin, cos) = turn_rad.sin_cos();
+    let (sin, cos) = (SLACK * sin.abs(), SLACK * cos.abs());
+    let (x, z) = (cos * half.x + sin * half.z, sin * half.x + cos * half.z);
+    let frame = BodyFrame::of(site.space(), there.point)?;
+    Some(frame.chart_box(DVec3::new(-x, low.y, -z), DVec3::new(x, high.y, z)))
 }
 
 fn found<'a>(world: &'a PhysicsWorld, asked: &[Asked]) -> Vec<(Earth, ChartId, &'a Ground)> {
