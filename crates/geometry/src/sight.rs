@@ -174,28 +174,32 @@ impl Plan {
     }
 }
 
-/// The slopes of a box whose points have heights and level distances in the given ranges.
+/// The slopes of a box whose points have heights and level distances in the given ranges, each with what `slope` asks of it.
 ///
-/// `slope(y, r)` grows with y; along r it turns at most once, at `turns(y)`.
-pub(crate) fn slope_range(
-    heights: [f64; 2],
-    levels: [f64; 2],
-    slope: impl Fn(f64, f64) -> f64,
-    turns: impl Fn(f64) -> Option<f64>,
+/// `slope(y, r)` grows with y; along r it turns at most once, at `turns(y)`, if that lies between.
+pub(crate) fn slope_range<Y, R>(
+    heights: [Y; 2],
+    levels: [R; 2],
+    slope: impl Fn(&Y, &R) -> f64,
+    turns: impl Fn(&Y) -> Option<R>,
 ) -> [f64; 2] {
-    let ends = |y: f64| {
-        let mut values = [slope(y, levels[0]), slope(y, levels[1]), f64::NAN];
-        if let Some(r) = turns(y).filter(|r| (levels[0]..=levels[1]).contains(r)) {
-            values[2] = slope(y, r);
-        }
-        values
+    let [near, far] = &levels;
+    let ends = |y: &Y| {
+        let turned = turns(y).map_or(f64::NAN, |r| slope(y, &r));
+        [slope(y, near), slope(y, far), turned]
     };
+    let [low, high] = &heights;
     [
-        ends(heights[0]).into_iter().fold(f64::INFINITY, f64::min),
-        ends(heights[1])
-            .into_iter()
-            .fold(f64::NEG_INFINITY, f64::max),
+        ends(low).into_iter().fold(f64::INFINITY, f64::min),
+        ends(high).into_iter().fold(f64::NEG_INFINITY, f64::max),
     ]
+}
+
+/// A level distance, metres, with its sine and cosine of a curvature.
+struct Level {
+    r: f64,
+    sin: f64,
+    cos: f64,
 }
 
 /// The upright through an eye `height_m` over a totally geodesic sheet, in a space of curvature
@@ -227,20 +231,25 @@ impl Axis {
         sin_k(self.kappa, y) / cos_k(self.kappa, y)
     }
 
-    fn slope(&self, y: f64, r: f64) -> f64 {
-        let rise = self.tan(y) * self.cos_h - self.sin_h * cos_k(self.kappa, r);
-        let level = sin_k(self.kappa, r);
+    fn level(&self, r: f64) -> Level {
+        let (sin, cos) = (sin_k(self.kappa, r), cos_k(self.kappa, r));
+        Level { r, sin, cos }
+    }
+
+    /// The slope at which a height of that tangent is seen.
+    fn slope(&self, tan: f64, level: &Level) -> f64 {
+        let rise = tan * self.cos_h - self.sin_h * level.cos;
         // On the upright itself, and at the far side of a sphere, all is straight up or down.
-        if level <= 1e-9 * (1.0 + r.abs()) {
+        if level.sin <= 1e-9 * (1.0 + level.r.abs()) {
             f64::INFINITY.copysign(rise)
         } else {
-            rise / level
+            rise / level.sin
         }
     }
 
-    fn turns(&self, y: f64) -> Option<f64> {
-        let cosine = self.sin_h / (self.tan(y) * self.cos_h);
-        acos_k(self.kappa, cosine)
+    /// Where that slope turns.
+    fn turns(&self, tan: f64) -> Option<f64> {
+        acos_k(self.kappa, self.sin_h / (tan * self.cos_h))
     }
 
     /// A lower bound on the distance to what lies at these heights from `level_m` on.
@@ -281,10 +290,15 @@ impl Axis {
             half_width_rad: plan.half_width_rad,
             level_m: plan.level_m,
             slope: slope_range(
-                heights,
-                plan.level_m,
-                |y, r| self.slope(y, r),
-                |y| self.turns(y),
+                heights.map(|y| self.tan(y)),
+                plan.level_m.map(|r| self.level(r)),
+                |tan, level| self.slope(*tan, level),
+                |tan| {
+                    let [near, far] = plan.level_m;
+                    let turn = self.turns(*tan);
+                    turn.filter(|r| (near..=far).contains(r))
+                        .map(|r| self.level(r))
+                },
             ),
             nearest_m: self.nearest_m(heights, plan.level_m[0]),
         }

@@ -197,8 +197,11 @@ impl Optics for Raised {
             slope: slope_range(
                 heights,
                 levels,
-                |q, r| Self::slope(h, q, r),
-                |q| Self::turns(h, q, levels),
+                |q, r| Self::slope(h, *q, *r),
+                |q| {
+                    let turn = Self::turns(h, *q, levels);
+                    turn.filter(|r| (levels[0]..=levels[1]).contains(r))
+                },
             ),
             nearest_m: DVec3::ZERO.clamp(low, high).length(),
         }
