@@ -14,6 +14,7 @@ compass-south = S
 compass-west = W
 compass-equator = { $letter } · Äquator { $metres } m
 compass-home = Zuhause { $metres } m · { $squares ->
+    [0] dieses Quadrat
     [one] { $squares } Quadrat
    *[other] { $squares } Quadrate
 }

@@ -17,6 +17,7 @@ compass-south = S
 compass-west = W
 compass-equator = { $letter } · equator { $metres } m
 compass-home = Home { $metres } m · { $squares ->
+    [0] this square
     [one] { $squares } square
    *[other] { $squares } squares
 }

@@ -14,6 +14,7 @@ compass-south = S
 compass-west = O
 compass-equator = { $letter } · ecuador { $metres } m
 compass-home = Casa { $metres } m · { $squares ->
+    [0] este cuadrado
     [one] { $squares } cuadrado
    *[other] { $squares } cuadrados
 }

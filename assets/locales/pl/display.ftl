@@ -15,6 +15,7 @@ compass-south = S
 compass-west = W
 compass-equator = { $letter } · równik { $metres } m
 compass-home = Dom { $metres } m · { $squares ->
+    [0] ten kwadrat
     [one] { $squares } kwadrat
     [few] { $squares } kwadraty
    *[other] { $squares } kwadratów

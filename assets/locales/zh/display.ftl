@@ -13,7 +13,10 @@ compass-east = 东
 compass-south = 南
 compass-west = 西
 compass-equator = { $letter } · 赤道 { $metres } 米
-compass-home = 回家 { $metres } 米 · { $squares } 个方块
+compass-home = 回家 { $metres } 米 · { $squares ->
+    [0] 就在这个方块
+   *[other] { $squares } 个方块
+}
 compass-flag = { $name } · { $metres } 米
 compass-way-back = 回头路
 display-sighting = 三面旗：{ $here }° + { $seen }° + { $third }° = { $sum }° · 边长 { $a }、{ $b }、{ $c } 米

@@ -275,7 +275,7 @@ impl Scene {
     /// Lamps, breadcrumbs and everyone alive but the player, within a distance on the map; and cars, flags, doors and home, of
     /// which those farther off are marked at the edge in their direction.
     pub fn landmarks(&self, reach_m: f64) -> Vec<Landmark> {
-        bearings::landmarks(&self.sim.world, &self.sim.actors, reach_m)
+        bearings::landmarks(self.now(), reach_m)
     }
 
     /// The ways to the cars that nobody drives.

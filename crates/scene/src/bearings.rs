@@ -166,14 +166,16 @@ pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
         heading_rad: now.head().yaw,
         north_rad: north_rad(&*now.world.strategy, feet),
         equator,
-        home: home(&*now.world.strategy, feet),
+        home: home(now),
     }
 }
 
-fn home(strategy: &dyn Strategy, feet: ChartPoint) -> Option<Home> {
+/// The way to where one began, which is in the first square.
+fn home(now: Situation<'_>) -> Option<Home> {
+    let (strategy, feet) = (&*now.world.strategy, now.feet());
     let squares = strategy.tiled()?.edges_from_first(feet.chart)?;
     let eye = map_eye(feet);
-    let at = Locator::new(strategy, &eye).at(first_middle());
+    let at = Locator::new(strategy, &eye).at(now.start());
     Some(Home {
         squares,
         distance_m: at.length(),
@@ -251,9 +253,9 @@ fn ways_to(world: &World, actors: &Actors, item: Item) -> Vec<FlagWay> {
 
 /// Lamps, breadcrumbs and everyone alive but the player, within a distance on the map; and cars, flags, doors and home, of which those
 /// farther off are marked at the edge in their direction.
-pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Landmark> {
+pub(crate) fn landmarks(now: Situation<'_>, reach_m: f64) -> Vec<Landmark> {
     use LandmarkKind::{Car, Crumb, Door, Flag, Home, Hostile, Lamp, Neutral};
-    let strategy = &*world.strategy;
+    let (strategy, actors) = (&*now.world.strategy, now.actors);
     let eye = map_eye(actors.feet());
     let locator = Locator::new(strategy, &eye);
     let mark = |kind, point| Landmark {
@@ -275,18 +277,13 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
         name: it.name.clone(),
         ..mark(Flag, it.foot.point)
     });
-    let home = strategy.tiled().map(|_| mark(Home, first_middle()));
+    let home = strategy.tiled().map(|_| mark(Home, now.start()));
     let far = cars.chain(flags).chain(stand(Item::Door, Door)).chain(home);
     let far = far.map(|it| Landmark {
         at: it.at.clamp_length_max(EDGE * reach_m),
         ..it
     });
     near.chain(far).collect()
-}
-
-/// The middle of the first square of a world in squares.
-pub(crate) fn first_middle() -> ChartPoint {
-    ChartPoint::a(DVec3::ZERO)
 }
 
 #[cfg(test)]

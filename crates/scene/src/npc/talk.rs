@@ -12,7 +12,6 @@ use super::mind::{Mind, State};
 use super::speech::Said;
 use super::tuning::{HAILS_M, TALKS_M};
 use crate::actors::Actors;
-use crate::bearings::first_middle;
 use crate::crosshair::Crosshair;
 use crate::lens::own_view;
 use crate::notice::Hint;
@@ -126,12 +125,7 @@ fn heed(actors: &mut Actors, entity: Entity, head: ChartPoint) -> Option<&mut Mi
 /// One line after another, of those that are true here.
 fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
     let strategy = &*now.world.strategy;
-    // The place that the compass leads to.
-    let home = match strategy.tiled() {
-        Some(_) => first_middle(),
-        None => now.start(),
-    };
-    let home = way(strategy, now.feet(), home);
+    let home = way(strategy, now.feet(), now.start());
     let first = Dice::new(&[now.world.setup.seed, u64::from(id)]).whole([0, 2]);
     let count = if strategy.tiled().is_some() { 5 } else { 3 };
     match (first + told) % count {

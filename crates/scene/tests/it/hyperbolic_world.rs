@@ -7,7 +7,7 @@ use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry, equilateral_angle_su
 use antipode_scene::survey::{Extent, Survey};
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{Actions, Generator, Item, NpcMode, Scene, WorldSetup};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3Swizzles};
 
 use crate::common::figures::{
     SECOND, away_m, beside_turned, bot, look_at, open_turns_rad, pass, shoot,
@@ -87,6 +87,21 @@ fn four_sides_do_not_close_and_five_do() {
             assert_eq!(scene.feet().chart, start.chart);
         }
     }
+}
+
+#[test]
+fn home_is_where_one_began() {
+    let mut scene = world(60.305);
+    assert!(scene.wait_for_step(LIMIT));
+    let begun = scene.feet();
+    assert!(begun.pos.xz().length() > 1.0, "that is not the middle");
+    let away_m = |scene: &Scene| scene.bearings().home.unwrap().distance_m;
+    assert!(away_m(&scene) < 0.1, "{} m", away_m(&scene));
+    scene.set_flying(true);
+    scene.teleport(ChartPoint::a(begun.pos.with_y(HIGH_M)));
+    assert!(scene.wait_for_step(LIMIT));
+    fly(&mut scene, 20.0);
+    assert!((15.0..25.0).contains(&away_m(&scene)));
 }
 
 #[test]
