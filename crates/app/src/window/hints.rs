@@ -251,13 +251,15 @@ impl Hints {
         }
     }
 
-    /// What is to be told now, and its place among those that this world has.
+    /// What is to be told now, its number among those that this world has, and how many these are. Places in their order would go
+    /// back where an earlier one waited for what it tells of.
     fn current(&self, context: HintContext) -> Option<(Lesson, usize, usize)> {
         let lessons = Lesson::ALL.into_iter();
         let lessons: Vec<_> = lessons.filter(|lesson| context.has(*lesson)).collect();
         let is_open = |lesson: &Lesson| self.done.get(*lesson as usize) == Some(&false);
         let at = lessons.iter().position(is_open)?;
-        Some((lessons[at], at + 1, lessons.len()))
+        let done = lessons.iter().filter(|it| !is_open(it)).count();
+        Some((lessons[at], done + 1, lessons.len()))
     }
 
     /// The words to show now, if any.

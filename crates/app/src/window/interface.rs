@@ -65,8 +65,8 @@ impl Game {
 
     /// What a newcomer is to be told now.
     pub(super) fn hint(&self) -> Option<HintModel> {
-        if self.play.phase.visit().is_some() {
-            // They are about worlds.
+        // They are about worlds, and would lie over the large map.
+        if self.play.phase.visit().is_some() || self.display.large_map {
             return None;
         }
         let config = &self.options.config;

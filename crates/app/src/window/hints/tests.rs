@@ -287,6 +287,16 @@ fn of_the_flashlight_is_told_where_it_is_dark_until_it_was_switched() {
     let dark = HintContext { dark: true, ..DIAL };
     assert!(told(&hints, DIAL).starts_with("Talk"));
     assert!(told(&hints, dark).starts_with("It is dark. Flashlight: Y | 4 of 14"));
+    // Who has gone on since is told of it with a number that does not go back.
+    let mut later = Hints::default();
+    for lesson in Lesson::ALL {
+        if !matches!(lesson, Lesson::Light | Lesson::Menu) {
+            later.finish(lesson);
+        }
+    }
+    later.rest_s = 0.0;
+    assert!(told(&later, DIAL).contains("13 of 13"));
+    assert!(told(&later, dark).contains("13 of 14"));
     let switch = Actions {
         toggle_light: true,
         ..Actions::default()
