@@ -35,7 +35,7 @@ impl HyperbolicWorld {
         (low.x <= high.x && low.z <= high.z).then_some([low, high])
     }
 
-    /// The corners of a box of a chart's ground plan, in their order, and its middle, in the disc about a place's foot; none where one
+    /// The corners of a box of a chart's ground plan, in their order, and their mean, in the disc about a place's foot; none where one
     /// of the charts is not there.
     pub(super) fn plan_corners(
         &self,
@@ -52,8 +52,8 @@ impl HyperbolicWorld {
             DVec2::new(at.x, at.z) / at.w
         };
         let ([x, z], [far_x, far_z]) = (tanh(low), tanh(high));
-        let corners = [[x, z], [far_x, z], [far_x, far_z], [x, far_z]];
-        Some((corners.map(disc), disc(tanh(low.midpoint(high)))))
+        let corners = [[x, z], [far_x, z], [far_x, far_z], [x, far_z]].map(disc);
+        Some((corners, 0.25 * corners.into_iter().sum::<DVec2>()))
     }
 
     /// From the model of a chart to the frame at a place's foot; none where one of the charts is not there. A frame asks about each

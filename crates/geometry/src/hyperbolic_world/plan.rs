@@ -59,9 +59,17 @@ pub(super) fn azimuths_rad(corners: [DVec2; 4], middle: DVec2) -> Option<[f64; 2
 
 /// How far its corners are to the sides of a direction.
 fn spread_rad(corners: [DVec2; 4], ahead: DVec2) -> [f64; 2] {
-    let aside = corners.map(|corner| ahead.perp_dot(corner).atan2(ahead.dot(corner)));
-    let least = aside.into_iter().fold(0.0, f64::min);
-    [least, aside.into_iter().fold(0.0, f64::max)]
+    let parts = corners.map(|corner| (ahead.perp_dot(corner), ahead.dot(corner)));
+    let range = |aside: [f64; 4]| {
+        let least = aside.into_iter().fold(0.0, f64::min);
+        [least, aside.into_iter().fold(0.0, f64::max)]
+    };
+    // Before one, tangents grow as angles do, and two of these are enough.
+    if parts.iter().all(|(_, along)| *along > 0.0) {
+        range(parts.map(|(across, along)| across / along)).map(f64::atan)
+    } else {
+        range(parts.map(|(across, along)| across.atan2(along)))
+    }
 }
 
 /// Whether the middle of the disc lies in it.
