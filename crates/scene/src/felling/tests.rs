@@ -3,11 +3,12 @@
 
 use std::time::Duration;
 
-use antipode_geometry::{ChartPoint, Geometry};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
+use antipode_storage::{Record, RecordKind};
 use antipode_terrain::{Generator, Part, Shape, Stroke};
 use glam::DVec3;
 
-use super::Standing;
+use super::{Felled, Standing};
 use crate::actions::Actions;
 use crate::ground::{chunks_near, height_below};
 use crate::scene::Scene;
@@ -39,6 +40,28 @@ fn in_the_air(scene: &Scene) -> Vec<(DVec3, &'static str)> {
         }
     }
     found
+}
+
+#[test]
+fn a_save_is_given_the_columns_that_have_changed_each_whole() {
+    let column = |x| (ChartId::FIRST, [x, 0]);
+    let given = |felled: &mut Felled| -> Vec<_> {
+        let all = felled.take_changes().into_iter();
+        let slots = |record: Option<Record>| match record {
+            Some(Record::Felled(it)) => (it.x, it.slots),
+            other => panic!("{other:?}"),
+        };
+        all.map(|(key, record)| (key, slots(record))).collect()
+    };
+    let key = |id| RecordKind::Felled.numbered(id);
+    let mut felled = Felled::default();
+    felled.add(column(5), 1);
+    felled.add(column(7), 1 << 70);
+    let both = [(key(1), (5, [1, 0])), (key(2), (7, [0, 64]))];
+    assert_eq!(given(&mut felled), both);
+    assert_eq!(given(&mut felled), []);
+    felled.add(column(5), 2);
+    assert_eq!(given(&mut felled), [(key(1), (5, [3, 0]))]);
 }
 
 #[test]

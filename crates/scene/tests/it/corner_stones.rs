@@ -70,6 +70,34 @@ fn primary() -> Actions {
     }
 }
 
+/// Digs before a corner of a square, which one stands before, until its stone is gone; returns in how many strokes.
+fn dig_away(scene: &mut Scene, at: (ChartId, u8)) -> usize {
+    let foot = before_corner(scene, at, 0.6);
+    for stroke in 1..=60 {
+        look_at(scene, foot.moved(DVec3::Y * -0.3));
+        steps(scene, SECOND / 2, &primary());
+        steps(scene, 2, &Actions::default());
+        assert!(scene.settle(LIMIT));
+        let plants = scene.probe().plants.unwrap();
+        if !plants.near.contains_key("corner stone") {
+            return stroke;
+        }
+    }
+    panic!("it still stands");
+}
+
+fn undo(scene: &mut Scene, strokes: usize) {
+    for _ in 0..strokes {
+        let undo = Actions {
+            undo: true,
+            ..Actions::default()
+        };
+        steps(scene, 1, &undo);
+        steps(scene, 2, &Actions::default());
+        assert!(scene.settle(LIMIT));
+    }
+}
+
 #[test]
 fn from_each_of_five_squares_one_sees_what_it_is_and_bumps_into_it() {
     for radius_m in [30.152, 60.305] {
@@ -125,28 +153,11 @@ fn a_tool_fells_no_corner_stone_and_it_is_there_again_with_its_ground() {
     assert_eq!(scene.probe().plants.unwrap().ahead, Some("corner stone"));
     steps(&mut scene, 6 * SECOND, &primary());
     assert_eq!(stones(&scene), (Some(1), 0));
-    let foot = before_corner(&scene, at, 0.6);
-    let mut strokes = 0;
-    while strokes < 60 && stones(&scene).0.is_some() {
-        look_at(&mut scene, foot.moved(DVec3::Y * -0.3));
-        steps(&mut scene, SECOND / 2, &primary());
-        steps(&mut scene, 2, &Actions::default());
-        assert!(scene.settle(LIMIT));
-        strokes += 1;
-    }
-    println!("{strokes} strokes");
+    let strokes = dig_away(&mut scene, at);
     assert_eq!(stones(&scene), (None, 0), "its ground is gone");
     let drops = scene.probe().drops;
     assert!(!drops.iter().any(|it| it.stack.item == Item::Stone));
-    for _ in 0..strokes {
-        let undo = Actions {
-            undo: true,
-            ..Actions::default()
-        };
-        steps(&mut scene, 1, &undo);
-        steps(&mut scene, 2, &Actions::default());
-        assert!(scene.settle(LIMIT));
-    }
+    undo(&mut scene, strokes);
     assert_eq!(stones(&scene), (Some(1), 0), "its ground is there again");
     for at in about_corner(space.tiled().unwrap(), ChartId::FIRST, 0) {
         stand_before(&mut scene, at, root, [2.0, 1.1]);
@@ -156,22 +167,45 @@ fn a_tool_fells_no_corner_stone_and_it_is_there_again_with_its_ground() {
 }
 
 #[test]
+fn who_stands_where_a_corner_stone_comes_back_can_go_on() {
+    for off in [DVec3::ZERO, DVec3::new(-0.3, 0.0, -0.1)] {
+        let mut scene = open(squares(60.305));
+        let root = stone_at(&scene, 0);
+        stand_before(&mut scene, (ChartId::FIRST, 0), root, [1.6, 1.4]);
+        let strokes = dig_away(&mut scene, (ChartId::FIRST, 0));
+        scene.teleport(root.moved(off - DVec3::Y * 0.3));
+        steps(&mut scene, SECOND, &Actions::default());
+        undo(&mut scene, strokes);
+        let plants = scene.probe().plants.unwrap();
+        assert_eq!(plants.near.get("corner stone"), Some(&1));
+        steps(&mut scene, SECOND, &Actions::default());
+        println!("{} m", away_m(&scene, root));
+        let begun = scene.feet();
+        for turn in [0.0, 1.6, 3.1, 4.7] {
+            scene.aim(turn, 0.0);
+            let ahead = Actions {
+                forward: 1.0,
+                jump: true,
+                ..Actions::default()
+            };
+            steps(&mut scene, SECOND, &ahead);
+            println!("{turn}: {} m", away_m(&scene, root));
+        }
+        let gone_m = scene
+            .strategy()
+            .distance_m(begun, scene.feet(), &Eye::default());
+        assert!(away_m(&scene, root) > 0.5 && gone_m > 0.3, "{gone_m}");
+    }
+}
+
+#[test]
 fn where_a_corner_stone_has_no_ground_nothing_is_in_the_way_from_any_square() {
     let mut scene = open(squares(60.305));
     let root = stone_at(&scene, 0);
     let space = Arc::clone(scene.strategy());
     let about = about_corner(space.tiled().unwrap(), ChartId::FIRST, 0);
-    let foot = before_corner(&scene, about[2], 0.6);
     stand_before(&mut scene, about[2], root, [1.6, 1.4]);
-    for _ in 0..60 {
-        look_at(&mut scene, foot.moved(DVec3::Y * -0.3));
-        steps(&mut scene, SECOND / 2, &primary());
-        assert!(scene.settle(LIMIT));
-        let plants = scene.probe().plants.unwrap();
-        if plants.near.get("corner stone").is_none() {
-            break;
-        }
-    }
+    dig_away(&mut scene, about[2]);
     for at in about {
         stand_before(&mut scene, at, root, [2.0, 1.1]);
         let nearest_m = nearest_m(&mut scene, root);

@@ -364,6 +364,28 @@ fn what_was_felled_stays_so_in_the_save_and_nothing_else_is_kept_of_it() {
     );
 }
 
+#[test]
+fn what_was_felled_is_in_the_save_that_succeeds_after_one_that_failed() {
+    let dir = tempfile::tempdir().unwrap();
+    let (here, elsewhere) = (dir.path().join("world"), dir.path().join("elsewhere"));
+    let setup = planted(Geometry::Euclidean);
+    let store = WorldStore::create(&here, &setup.to_meta()).unwrap();
+    let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(scene.wait_for_step(LIMIT));
+    let (root, _) = tree(&scene);
+    stand_before(&mut scene, root, 2.0);
+    chop_until(&mut scene, (1, 0));
+    std::fs::rename(&here, &elsewhere).unwrap();
+    let failure = scene.close().unwrap_err();
+    std::fs::rename(&elsewhere, &here).unwrap();
+    failure.scene.close().unwrap();
+    let store = WorldStore::open(&here).unwrap();
+    let setup = WorldSetup::from_meta(&store.meta(), 2).unwrap();
+    let mut again = Scene::open(setup, Some(Arc::new(store))).unwrap();
+    assert!(again.wait_for_step(LIMIT));
+    assert_eq!(felled(&again).0, 1);
+}
+
 /// A kept world with so many columns of chunks far off of which 64 trees each were felled; when it was begun, loaded and saved
 /// again, seconds.
 fn kept_with_felled(columns: i32) -> (u32, [f64; 2]) {
