@@ -86,9 +86,10 @@ talk-horizon-higher = Siehst du den Boden { $away } m entfernt, so hoch wie hier
 talk-home-round = Nach Hause sind es von hier { $there } m, oder { $round } m andersherum, um die ganze Welt.
 talk-home-straight = Nach Hause sind es von hier { $there } m. Dieses Land hat kein Ende, also führt kein Weg herum.
 talk-home-squares = Nach Hause sind es { $there } m, { $squares ->
-    [one] { $squares } Quadrat
-   *[other] { $squares } Quadrate
-} weit. Jeder andere Weg ist länger, und die meisten sind viel länger.
+    [0] noch in diesem Quadrat
+    [one] { $squares } Quadrat weit
+   *[other] { $squares } Quadrate weit
+}. Jeder andere Weg ist länger, und die meisten sind viel länger.
 talk-land = Im Umkreis von { $within } m gibt es auf dieser Höhe { $times }-mal so viel Land wie auf ebenem Grund. Weiter unten ist es mehr.
 talk-square = Geh { $side } m, bieg rechts ab, und das viermal. Auf ebenem Grund wärst du zurück; hier stehst du { $gap } m von da, wo du losgegangen bist.
 

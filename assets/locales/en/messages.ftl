@@ -88,9 +88,10 @@ talk-horizon-higher = See the ground { $away } m off, as high as this? It looks 
 talk-home-round = Home is { $there } m from here, or { $round } m the other way, right round the world.
 talk-home-straight = Home is { $there } m from here. This land has no end, so there is no way round.
 talk-home-squares = Home is { $there } m from here, { $squares ->
-    [one] { $squares } square
-   *[other] { $squares } squares
-} away. Every other way there is longer, and most are much longer.
+    [0] in this square
+    [one] { $squares } square away
+   *[other] { $squares } squares away
+}. Every other way there is longer, and most are much longer.
 talk-land = At this height there is { $times } times as much land within { $within } m as on flat ground. Lower down there is more.
 talk-square = Walk { $side } m, turn right, and do that four times. On flat ground you would be back; here you end { $gap } m from where you began.
 

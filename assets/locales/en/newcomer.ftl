@@ -3,7 +3,7 @@
 hints-look = Look around: { $key }
 hints-walk = Walk: { $key }
 hints-jump = Jump: { $key }
-hints-corner = Five squares meet at every corner, not four, and a stone stands there from which five lined ways lead. Walk round it and count them. Gone through: { $gone } · large map: { $key }
+hints-corner = Five squares meet at every corner, not four, and a stone stands there, and five paths lead away from it. Walk round it and count them. Gone through: { $gone } · large map: { $key }
 hints-corner-back = Five squares, and you are back. On flat ground it would have been four.
 hints-overhead = Look up: the land over your head is the other side of this world.
 hints-talk = Talk to somebody ahead: { $key }

@@ -85,10 +85,11 @@ talk-horizon-flat = ¿Ves el suelo a { $away } m, tan alto como este? Está just
 talk-horizon-higher = ¿Ves el suelo a { $away } m, tan alto como este? Se ve { $angle }° más arriba que en una imagen plana.
 talk-home-round = A casa hay { $there } m desde aquí, o { $round } m por el otro lado, dando la vuelta al mundo.
 talk-home-straight = A casa hay { $there } m desde aquí. Esta tierra no tiene fin, así que no hay camino que le dé la vuelta.
-talk-home-squares = Tu casa está a { $there } m, a { $squares ->
-    [one] { $squares } cuadrado
-   *[other] { $squares } cuadrados
-} de aquí. Cualquier otro camino es más largo, y casi todos mucho más.
+talk-home-squares = Tu casa está a { $there } m, { $squares ->
+    [0] en este mismo cuadrado
+    [one] a { $squares } cuadrado de aquí
+   *[other] a { $squares } cuadrados de aquí
+}. Cualquier otro camino es más largo, y casi todos mucho más.
 talk-land = A esta altura, a menos de { $within } m hay { $times } veces más tierra que en terreno plano. Más abajo hay más.
 talk-square = Camina { $side } m, gira a la derecha y hazlo cuatro veces. En terreno plano estarías de vuelta; aquí acabas a { $gap } m de donde saliste.
 

@@ -87,10 +87,11 @@ talk-horizon-higher = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Wyg
 talk-home-round = Do domu jest stąd { $there } m, a w drugą stronę, dookoła świata, { $round } m.
 talk-home-straight = Do domu jest stąd { $there } m. Ten ląd nie ma końca, więc nie da się go obejść.
 talk-home-squares = Do domu jest stąd { $there } m, { $squares ->
-    [one] { $squares } kwadrat
-    [few] { $squares } kwadraty
-   *[other] { $squares } kwadratów
-} dalej. Każda inna droga jest dłuższa, a większość dużo dłuższa.
+    [0] w tym samym kwadracie
+    [one] { $squares } kwadrat dalej
+    [few] { $squares } kwadraty dalej
+   *[other] { $squares } kwadratów dalej
+}. Każda inna droga jest dłuższa, a większość dużo dłuższa.
 talk-land = Na tej wysokości w promieniu { $within } m jest { $times } razy tyle lądu co na płaskim terenie. Niżej jest go więcej.
 talk-square = Przejdź { $side } m, skręć w prawo i powtórz to cztery razy. Na płaskim terenie byłbyś z powrotem; tutaj kończysz { $gap } m od miejsca, z którego wyszedłeś.
 

@@ -85,7 +85,10 @@ talk-horizon-flat = 看到 { $away } 米外和这里一样高的地面了吗？�
 talk-horizon-higher = 看到 { $away } 米外和这里一样高的地面了吗？它看起来比平直画面中高 { $angle }°。
 talk-home-round = 从这里回家是 { $there } 米，往另一边绕世界一圈是 { $round } 米。
 talk-home-straight = 从这里回家是 { $there } 米。大地没有尽头，所以没有路能绕回去。
-talk-home-squares = 家离这里 { $there } 米，隔着 { $squares } 个方块。别的路都更长，多半长得多。
+talk-home-squares = 家离这里 { $there } 米，{ $squares ->
+    [0] 就在这个方块里
+   *[other] 隔着 { $squares } 个方块
+}。别的路都更长，多半长得多。
 talk-land = 在这个高度，方圆 { $within } 米内的土地是平地上的 { $times } 倍。越低处越多。
 talk-square = 走 { $side } 米，右转，这样做四次。在平地上你会回到原处；在这里，你离出发的地方还有 { $gap } 米。
 

@@ -174,21 +174,20 @@ impl Plan {
     }
 }
 
-/// The slopes of a box whose points have heights and level distances in the given ranges, each with what `slope` asks of it.
+/// The slopes of a box whose points have heights and level distances in the given ranges, told in whatever form `slope` takes, so that
+/// sines are taken once.
 ///
 /// `slope(y, r)` grows with y; along r it turns at most once, at `turns(y)`, if that lies between.
 pub(crate) fn slope_range<Y, R>(
-    heights: [Y; 2],
-    levels: [R; 2],
+    [low, high]: &[Y; 2],
+    [near, far]: &[R; 2],
     slope: impl Fn(&Y, &R) -> f64,
     turns: impl Fn(&Y) -> Option<R>,
 ) -> [f64; 2] {
-    let [near, far] = &levels;
     let ends = |y: &Y| {
         let turned = turns(y).map_or(f64::NAN, |r| slope(y, &r));
         [slope(y, near), slope(y, far), turned]
     };
-    let [low, high] = &heights;
     [
         ends(low).into_iter().fold(f64::INFINITY, f64::min),
         ends(high).into_iter().fold(f64::NEG_INFINITY, f64::max),
@@ -290,8 +289,8 @@ impl Axis {
             half_width_rad: plan.half_width_rad,
             level_m: plan.level_m,
             slope: slope_range(
-                heights.map(|y| self.tan(y)),
-                plan.level_m.map(|r| self.level(r)),
+                &heights.map(|y| self.tan(y)),
+                &plan.level_m.map(|r| self.level(r)),
                 |tan, level| self.slope(*tan, level),
                 |tan| {
                     let [near, far] = plan.level_m;

@@ -156,7 +156,7 @@ impl<'a> Patch<'a> {
         let sky = (ground.colour[3] >> 5).min(6);
         let is_open = sky > CAVE_SKY && self.is_untouched(root);
         let mut draw = self.draw((root * 8.0).xz().as_ivec2(), EDGES);
-        let tuft = self.planted(Growth::Cobble, root, ground, &mut draw);
+        let tuft = Self::planted(Growth::Cobble, root, ground, &mut draw);
         // None is left out however far off it is drawn.
         is_open.then_some(Tuft { rank: 0, ..tuft })
     }
@@ -168,7 +168,7 @@ impl<'a> Patch<'a> {
         self.field.sample(at).abs() < UNTOUCHED_M
     }
 
-    fn planted(&self, growth: Growth, root: Vec3, ground: &Vertex, draw: &mut Draw) -> Tuft {
+    fn planted(growth: Growth, root: Vec3, ground: &Vertex, draw: &mut Draw) -> Tuft {
         let [r, g, b, byte] = ground.colour;
         let mut dice = || (256.0 * draw.share()) as u8;
         Tuft {
@@ -201,6 +201,6 @@ impl<'a> Patch<'a> {
             None
         }?;
         let is_untouched = self.is_untouched(root);
-        is_untouched.then(|| self.planted(growth, root, ground, draw))
+        is_untouched.then(|| Self::planted(growth, root, ground, draw))
     }
 }

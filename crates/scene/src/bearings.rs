@@ -36,7 +36,7 @@ pub struct Bearings {
     pub home: Option<Home>,
 }
 
-/// The way to the middle of the first square, where a world in squares began.
+/// The way to where one began, in the first square of a world in squares.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Home {
     /// How many squares away it is: how many edges are between at least.
@@ -78,7 +78,7 @@ pub enum LandmarkKind {
     Door,
     /// A breadcrumb.
     Crumb,
-    /// The middle of the first square, in a world in squares.
+    /// Where one began, in a world in squares.
     Home,
 }
 

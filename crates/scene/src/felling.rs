@@ -45,7 +45,7 @@ const PROBED_M: f64 = 30.0;
 pub(crate) struct Felled {
     columns: BTreeMap<Column, (u32, u128)>,
     next: u32,
-    /// What no save has been given yet: a whole world's columns take longer to look through than a frame.
+    /// What no save has been given yet, so that a save looks at no others.
     changed: BTreeSet<Column>,
 }
 

@@ -143,8 +143,9 @@ impl Shared {
             let of = ChunkCoord::containing(sample);
             let [i, j, k] = (sample.pos - of.origin()).to_array().map(|c| c as usize);
             let delta = edits.of(of).map_or(0.0, |edits| edits.delta(i, j, k));
-            is_dug |= delta > 0.0;
             let weight = (by * share + (1.0 - by) * (1.0 - share)).element_product();
+            // What all charts share over a corner has all the weight there.
+            is_dug |= delta > 0.0 && weight > 0.0;
             value += weight * f64::from(self.field.sample(sample) + delta);
         }
         (grew && !is_dug) || value < 0.0

@@ -195,8 +195,8 @@ impl Optics for Raised {
             half_width_rad: plan.half_width_rad,
             level_m: plan.level_m,
             slope: slope_range(
-                heights,
-                levels,
+                &heights,
+                &levels,
                 |q, r| Self::slope(h, *q, *r),
                 |q| {
                     let turn = Self::turns(h, *q, levels);

@@ -17,7 +17,7 @@ const REACH_TANH: f64 = 0.661_770_042_700_383_5;
 /// of the sines of both, which is 1 where the plane ends.
 const FAR_RAD: f64 = 3.0;
 const FAR_PRODUCT: f64 = 0.98;
-/// Within so many radii along both axes no product is so great: `sinh(0.85)^2 = 0.916`.
+/// Within so many radii along both axes no product is so great: `sinh(0.85)^2 = 0.914`.
 const NEAR_RAD: f64 = 0.85;
 /// Heights are drawn in to so many radii: squares of coordinates are in range of `f64`.
 pub(super) const HIGH_RAD: f64 = 40.0;

@@ -19,8 +19,8 @@ const AHEAD_S: f64 = 0.8;
 const AHEAD_M: (f64, f64) = (1.0, 12.0);
 /// A long way is looked at in pieces so long, in metres, as boxes of it are.
 const PIECE_M: f64 = 3.0;
-/// A box about the site is so many times as wide about its own middle, at most: within 20 m of the site a level metre is longer by
-/// `sinh(x) / x`, with `x` at most 2/3.
+/// A box about the site is so many times as wide about its own middle at least, and across the way out by `sinh(x) / x`, with `x` the way
+/// there in radii, where space is hyperbolic.
 const SLACK: f64 = 1.08;
 /// Where ground of several charts is laid, each goes so far past its edge, in metres, that nothing falls between them.
 const LAPS_M: f64 = 0.25;
@@ -237,8 +237,10 @@ fn chart_box(site: &Site, low: DVec3, high: DVec3, chart: ChartId) -> Option<(DV
         there = site.space().carry(there.point, chart)?;
         turn_rad += there.turn_rad;
     }
+    let away_rad = middle.xz().length() / site.space().radius_m();
+    let slack = SLACK.max(away_rad.sinh() / away_rad);
     let (sin, cos) = turn_rad.sin_cos();
-    let (sin, cos) = (SLACK * sin.abs(), SLACK * cos.abs());
+    let (sin, cos) = (slack * sin.abs(), slack * cos.abs());
     let (x, z) = (cos * half.x + sin * half.z, sin * half.x + cos * half.z);
     let frame = BodyFrame::of(site.space(), there.point)?;
     Some(frame.chart_box(DVec3::new(-x, low.y, -z), DVec3::new(x, high.y, z)))
@@ -392,4 +394,56 @@ pub(super) fn sill_about(
     let moved: Option<Vec<Vec3>> = moved.collect();
     let mesh = TriMesh::new(moved?, mesh.indices().to_vec()).ok()?;
     Some(SharedShape::new(mesh))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+mod tests {
+    use std::sync::Arc;
+
+    use antipode_geometry::{Geometry, Strategy, strategy};
+
+    use super::*;
+
+    #[test]
+    fn the_box_of_a_chart_holds_all_of_one_about_a_site_however_far_off_that_lies() {
+        let spaces = [
+            (Geometry::HyperbolicWorld, 30.152),
+            (Geometry::HyperbolicWorld, 60.305),
+            (Geometry::Spherical, 32.0),
+            (Geometry::Spherical, 256.0),
+        ];
+        let mut held = 0;
+        for (geometry, radius_m) in spaces {
+            let space: Arc<dyn Strategy> = strategy(geometry, radius_m);
+            for (at, away_m) in [([0.0, 0.0], 4.0), ([9.0, -6.0], 16.0), ([-3.0, 12.0], 40.0)] {
+                let at = ChartPoint::a(DVec3::new(at[0], 3.0, at[1]));
+                let site = Site::about(&space, at);
+                let frame = site.frame().unwrap();
+                for heading in 0..8 {
+                    let way = DVec3::X * f64::min(away_m, 0.75 * radius_m);
+                    let middle = glam::DQuat::from_rotation_y(f64::from(heading)) * way;
+                    let half = DVec3::new(4.0, 2.0, 3.0);
+                    let (low, high) = (middle - half, middle + half);
+                    // Past where the chart is written there is no ground of it.
+                    let Some((least, most)) = chart_box(&site, low, high, at.chart) else {
+                        continue;
+                    };
+                    held += 1;
+                    for n in 0..27 {
+                        let share = DVec3::new((n % 3).into(), (n / 3 % 3).into(), (n / 9).into());
+                        let place = low + (high - low) * 0.5 * share;
+                        let there = frame.arrival(place).point;
+                        let is_held = there.chart != at.chart
+                            || (there.pos.cmpge(least).all() && there.pos.cmple(most).all());
+                        assert!(
+                            is_held,
+                            "{geometry:?} {radius_m} {away_m} {heading}: {there:?} in {least} {most}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(held > 80, "{held} of 96");
+    }
 }

@@ -152,6 +152,8 @@ fn from_a_corner_five_ways_lead_along_the_edges_between_stones_of_both_squares()
         let of_each: Vec<_> = about.into_iter().map(|at| cobbles(&field, at)).collect();
         let all: usize = of_each.iter().map(Vec::len).sum();
         let mut partners = 0;
+        // Level metres grow with the height, and more so in a small world; stones of a row are twice as far apart.
+        let most_m = 0.6 * (35.0 / world.curvature().radius_m).cosh();
         for (n, here) in of_each.iter().enumerate() {
             assert!(here.len() > 10, "{}", here.len());
             for at in here {
@@ -159,7 +161,7 @@ fn from_a_corner_five_ways_lead_along_the_edges_between_stones_of_both_squares()
                 let mut others = others.flat_map(|(_, there)| there);
                 let is_across = |it: &ChartPoint| {
                     let away_m = world.distance_m(*at, *it, &Eye::default());
-                    (0.3..1.2).contains(&away_m)
+                    (0.3..most_m).contains(&away_m)
                 };
                 partners += usize::from(others.any(is_across));
             }

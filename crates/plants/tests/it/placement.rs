@@ -213,7 +213,7 @@ fn as_much_stands_on_the_tiles_of_the_hyperbolic_world_as_on_flat_land() {
     assert!((0.6..1.6).contains(&ratio), "{tiled} {plain}");
 }
 
-/// Where the most stands within a view distance of 16 chunks: for measuring what a picture there costs.
+/// Where the most stands within a view distance of 16 chunks: docs/plants.md has what a picture there costs.
 #[test]
 #[ignore = "prints numbers"]
 fn print_where_the_most_stands_all_round() {
@@ -238,7 +238,7 @@ fn print_where_the_most_stands_all_round() {
         let middles = (ROUND..ACROSS - ROUND)
             .step_by(4)
             .flat_map(|x| (ROUND..ACROSS - ROUND).step_by(4).map(move |z| (x, z)));
-        let most = middles.max_by_key(|at| round(*at)).expect("there are some");
+        let most = middles.max_by_key(|at| round(*at)).unwrap();
         let [x, z] = [most.0, most.1].map(|it| f64::from(it - ACROSS / 2) * SIDE);
         println!("seed {seed}: {:?} about ({x}, {z})", round(most));
     }

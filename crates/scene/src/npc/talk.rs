@@ -253,11 +253,11 @@ impl fmt::Display for Line {
                 ..
             } => write!(
                 f,
-                "Home is {there_m} m from here, {squares} squares away; no other way is as short."
+                "Home is {there_m} m from here, {squares} squares on; no other way is as short."
             ),
             Self::Land { within_m, tenths } => write!(
                 f,
-                "Within {within_m} m of here there is {:.1} times as much land as on flat ground.",
+                "At this height there is {:.1} times as much land within {within_m} m as on flat ground.",
                 f64::from(tenths) / 10.0
             ),
             Self::Square {

@@ -58,7 +58,7 @@ pub enum GuidePlace {
         /// The player's hemisphere, 'A' or 'B'.
         hemisphere: char,
     },
-    /// The middle of the first square of a world in squares.
+    /// Where one began in a world in squares.
     Home {
         /// How many squares away it is.
         squares: usize,
