@@ -320,10 +320,6 @@ const EXCUSED: &[(&str, &str)] = &[
     ("SightCell::square", "a sum: tests/it/space/culling.rs"),
     ("SightCell::of_box", "a bound: tests/it/space/culling.rs"),
     (
-        "SightCell::slope_range",
-        "a bound: tests/it/space/culling.rs",
-    ),
-    (
         "SightCell::new",
         "constants of an axis: tests/it/space/culling.rs",
     ),
