@@ -49,4 +49,5 @@ mod straight;
 mod survey;
 mod tiled;
 mod view;
+mod way_home;
 mod ways;

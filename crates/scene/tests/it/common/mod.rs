@@ -5,6 +5,7 @@ pub mod cars;
 pub mod doors;
 pub mod figures;
 pub mod kept;
+pub mod squares;
 pub mod twins;
 
 use std::time::Duration;
